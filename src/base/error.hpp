@@ -1,0 +1,26 @@
+// The three kinds of trouble (two of them; the third, a bug, is an assert).
+#pragma once
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace fabricsh {
+
+// A deck error: something the user wrote cannot be. The script room puts deck:line in front of the message.
+// The message reads "call: field 'x': expected ..., got ...".
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A numerical failure that no step cut could mend: names where, and what to try.
+class NumericalFailure : public std::runtime_error {
+ public:
+  NumericalFailure(const std::string& message, double time, std::int64_t element = -1, std::string yarn = {})
+      : std::runtime_error(message), time(time), element(element), yarn(std::move(yarn)) {}
+  double time;           // s, the last committed time
+  std::int64_t element;  // from 0; -1: none in particular
+  std::string yarn;      // "warp", "weft", "shear" or empty
+};
+
+}  // namespace fabricsh

@@ -1,0 +1,43 @@
+// A surface mesh: nodes, quadrilaterals (triangles later), named node sets.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tensor/vec.hpp"
+
+namespace fabricsh::mesh {
+
+using Index = std::int64_t;
+using NodeSet = std::vector<Index>;  // ids from 0, ascending, each once
+
+struct Mesh {
+  std::vector<Vec3> nodes;                     // reference positions, m, global
+  std::vector<std::array<Index, 4>> elements;  // node ids from 0, counter-clockwise about the shell normal;
+                                               // a triangle has -1 in the last place
+  std::map<std::string, NodeSet, std::less<>> sets;
+  bool flat = false;  // generated in the x-y plane and not mapped since: the warp direction may default to +x
+  std::string origin;  // "rectangle 3x9", "file disc.msh": for messages and the printed model
+
+  // The named set. Error: unknown name, with the nearest known one and the list.
+  const NodeSet& set(std::string_view name) const;
+  // Elements all of whose nodes are in the set.
+  std::vector<Index> elements_in(const NodeSet& nodes) const;
+  // New or replaced set; error on an id outside the mesh or an empty list.
+  void define(const std::string& name, NodeSet ids);
+  void define(const std::string& name, const std::function<bool(const Vec3&)>& inside);
+  // Move every node; error if a position is not finite. Clears `flat`. On error nothing is moved.
+  void map(const std::function<Vec3(const Vec3&)>& f);
+};
+
+// Structured rectangle in the x-y plane, normal +z, nodes row-major from the origin corner.
+// Sets: left right bottom top boundary corners all. Errors: sizes not positive and finite, cells < 1.
+Mesh rectangle(double width, double height, Index nx, Index ny, const Vec3& origin = Vec3::Zero());
+
+// Shortest edge or diagonal-bisector length of an element, m: the h of the explicit step.
+double smallest_length(const Mesh& mesh, Index element);
+
+}  // namespace fabricsh::mesh
