@@ -1,0 +1,136 @@
+// What a deck drives: a run in time over a compiled model. Static is the quasi-static one.
+#pragma once
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assembly/assembly.hpp"
+#include "base/notice.hpp"
+#include "model/model.hpp"
+#include "solver/newton.hpp"
+
+namespace fabricsh::analysis {
+
+// Read-only averages over an element's reference volume, material axes, tensor components.
+struct ElementValues {
+  double E11 = 0, E22 = 0, E23 = 0, E13 = 0, E12 = 0;
+  double S11 = 0, S22 = 0, S23 = 0, S13 = 0, S12 = 0;
+  double stored = 0, dissipated = 0;  // J/m^3
+  double residual1 = 0, residual2 = 0, slack1 = 0, slack2 = 0;
+};
+// Names in the order of the members above, for a:mean, a:field and the outputs.
+const std::vector<std::string>& element_value_names();
+double element_value(const ElementValues& v, const std::string& name);  // Error: unknown name
+
+struct NodeValues {
+  Vec3 x, X, u, v, n;  // current, reference, displacement (m), velocity (m/s; zero in statics), director
+};
+
+struct Energy {  // J
+  double kinetic = 0, stored = 0, dissipated = 0, damping = 0, external = 0;
+  double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
+  double internal() const { return stored + dissipated; }
+  double error = 0;  // |kinetic + stored + dissipated + damping - external| / largest |external| so far
+};
+
+struct StaticOptions {
+  double duration = 0;            // s, required, positive
+  std::optional<double> step;     // largest step, s; default duration / 20
+  double tolerance = 1e-10;       // residual over the largest nodal force so far
+  int max_iterations = 25;
+  int max_cuts = 12;              // halvings of one step before the run gives up
+  bool line_search = true;
+};
+
+// One line per committed step.
+struct StepReport {
+  double time = 0, step = 0;
+  int iterations = 0;
+  int cuts = 0;                     // halvings that this step took
+  std::vector<double> residuals;    // relative residual of each iteration, the first one is the predictor's
+};
+
+class Static {
+ public:
+  // Compiles and seals the model. Errors: options out of range; model.validate().
+  Static(std::shared_ptr<model::Model> model, const StaticOptions& options, std::shared_ptr<Notices> notices);
+  ~Static();
+
+  void solve() { advance(options_.duration); }  // runs to the duration, or to where a hook stopped it
+  void advance(double time);                    // to the absolute time, landing on it. NumericalFailure when stuck
+  void step();                                  // one committed step (clipped at the duration)
+  void stop(const std::string& reason);         // from a hook or event: the run ends after the current step's hooks
+  bool stopped() const { return stopped_; }
+  const std::string& stop_reason() const { return stop_reason_; }
+
+  // Called after each committed step, or whenever `every` seconds have passed (the run lands on those times); also at
+  // the start (time 0), before the first step. Hooks run in the order in which they were added.
+  using Hook = std::function<void(Static&)>;
+  void every_step(Hook hook);
+  void every(double interval, Hook hook);  // Error: interval not positive
+  // Locates, inside the step, where value(a) crosses zero (after having been non-zero), lands there within
+  // |value| <= tolerance * largest |value| so far, commits, and runs the hook.
+  void event(std::function<double(Static&)> value, double tolerance, Hook hook);
+
+  double time() const;
+  double duration() const { return options_.duration; }
+  Vec3 reaction(const std::string& set) const;  // N, global: the force the supports exert on the cloth
+  NodeValues node(mesh::Index i) const;         // from 0; Error outside
+  ElementValues element(mesh::Index i) const;   // from 0; Error outside
+  double mean(const std::string& name, const std::string& set = "all") const;
+  std::vector<double> field(const std::string& name) const;  // one per element
+  const std::vector<ElementValues>& elements() const;        // of the current state, computed once per state
+  Energy energy() const;
+
+  const model::Model& model() const { return *model_; }
+  const assembly::Assembly& assembly() const { return *assembly_; }
+  const std::vector<StepReport>& steps() const { return reports_; }
+  const StaticOptions& options() const { return options_; }
+  Notices& notices() { return *notices_; }
+
+  // A snapshot is a copy of the whole state; restore goes back to it (a snapshot of another analysis is an Error).
+  struct Snapshot;
+  std::shared_ptr<const Snapshot> snapshot() const;
+  void restore(const Snapshot& snapshot);
+
+ private:
+  struct Timed {
+    double interval = 0, next = 0;  // interval 0: every step
+    Hook hook;
+  };
+  struct Event {
+    std::function<double(Static&)> value;
+    double tolerance = 0, last = 0, largest = 0;
+    Hook hook;
+    bool armed = false;
+  };
+  void start();
+  bool try_step(double target, StepReport& report);
+  void commit(const StepReport& report);
+  double next_landing(double limit) const;
+  bool locate_events(double t0, double t1, StepReport& report);
+  void run_hooks();
+  [[noreturn]] void give_up(const StepReport& report);
+
+  std::shared_ptr<model::Model> model_;
+  StaticOptions options_;
+  std::shared_ptr<Notices> notices_;
+  std::unique_ptr<assembly::Assembly> assembly_;
+  std::unique_ptr<solver::Newton> newton_;
+  std::vector<Timed> timed_;
+  std::vector<Event> events_;
+  std::vector<StepReport> reports_;
+  std::vector<double> kinks_;
+  std::vector<Hook> pending_;
+  double current_step_ = 0;
+  double external_ = 0, largest_external_ = 0;
+  bool started_ = false, stopped_ = false;
+  std::string stop_reason_;
+  mutable std::vector<ElementValues> cache_;
+  mutable std::uint64_t cache_version_ = 0;
+};
+
+}  // namespace fabricsh::analysis

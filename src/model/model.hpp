@@ -1,0 +1,111 @@
+// The declared problem: a mesh, a card, supports, motions, loads. Nothing is computed here; validate() checks the whole
+// once, and an analysis compiles it.
+#pragma once
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/notice.hpp"
+#include "card/card.hpp"
+#include "history/history.hpp"
+#include "mesh/mesh.hpp"
+#include "section/section.hpp"
+
+namespace fabricsh::model {
+
+using history::History;
+
+// Warp direction at a point of the reference surface: an angle in degrees, counter-clockwise about the shell normal from
+// global +x projected on the surface, or a vector (projected on the surface).
+using Direction = std::variant<double, Vec3>;
+using WarpField = std::function<Direction(const Vec3& X)>;
+
+// Orthonormal frame of an oblique support or load: rows e1 e2 e3, global components; x y z of the call count along them.
+Mat3 frame_from(const Vec3& e1, const Vec3& e2);  // Error unless they span a plane; e2 is made orthogonal to e1
+inline Mat3 global_frame() { return Mat3::Identity(); }
+
+// Freedoms of a node: three translations, three rotation axes (a director has two rotations; a rotation axis acts on the
+// part of it that is tangent to the sphere of directors). rotation = both director rotations.
+struct Freedoms {
+  std::array<bool, 3> translation{};
+  std::array<bool, 3> axis{};
+  bool rotation = false;
+};
+// "x y z rx ry rz rotation", blanks or commas between. Error: unknown or empty word, with the accepted list.
+Freedoms parse_freedoms(const std::string& words);
+
+using Components = std::array<std::optional<History>, 3>;
+
+struct Support {
+  std::string set;
+  Freedoms fixed;
+  Mat3 frame;
+};
+struct Motion {
+  std::string set;
+  Components displacement;  // m, from the reference position, along the frame
+  Mat3 frame;
+};
+struct Force {
+  std::string set;
+  Components total;  // N, shared by tributary length (edges) or area; a single node takes it whole
+  Mat3 frame;
+};
+
+struct Options {
+  std::optional<double> thickness;  // m; wins over the card's
+  std::optional<WarpField> warp;    // required unless the mesh is flat
+  std::string warp_text;            // for the printed model
+  int points = 3;                   // through the thickness, 1 to 9
+  double offset = 0;                // reference surface at zeta_bar in [-1, 1] (0: middle surface)
+};
+
+class Model {
+ public:
+  // Errors: points outside 1..9; thickness not positive; warp missing on a mesh that is not flat; a card that the law
+  // refuses (with its reason).
+  Model(std::shared_ptr<mesh::Mesh> mesh, card::Card card, Options options);
+
+  // Errors of all four: unknown set; model already compiled; no component given.
+  void fix(const std::string& set, const Freedoms& fixed, const Mat3& frame = global_frame());
+  void move(const std::string& set, Components displacement, const Mat3& frame = global_frame());
+  void force(const std::string& set, Components total, const Mat3& frame = global_frame());
+  void gravity(const Vec3& acceleration);  // m/s^2
+
+  // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at once.
+  void validate() const;
+  void seal() { sealed_ = true; }  // by the analysis that compiles it: any change after that is an Error
+
+  const mesh::Mesh& mesh() const { return *mesh_; }
+  std::shared_ptr<const mesh::Mesh> mesh_pointer() const { return mesh_; }
+  const card::Card& card() const { return card_; }
+  const section::Section& section() const { return section_; }
+  const Options& options() const { return options_; }
+  double thickness() const { return section_.thickness; }
+  const std::vector<Support>& supports() const { return supports_; }
+  const std::vector<Motion>& motions() const { return motions_; }
+  const std::vector<Force>& forces() const { return forces_; }
+  const Vec3& gravity() const { return gravity_; }
+  // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite, or no
+  // direction left after projection.
+  Vec3 warp_at(const Vec3& X, const Vec3& n) const;
+  std::string describe() const;  // a few lines: mesh, card, warp, thickness, points, supports
+
+ private:
+  void check_open(const char* call) const;
+  std::shared_ptr<mesh::Mesh> mesh_;
+  card::Card card_;
+  Options options_;
+  section::Section section_;
+  std::vector<Support> supports_;
+  std::vector<Motion> motions_;
+  std::vector<Force> forces_;
+  Vec3 gravity_ = Vec3::Zero();
+  bool sealed_ = false;
+};
+
+}  // namespace fabricsh::model

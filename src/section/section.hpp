@@ -1,0 +1,35 @@
+// Through the thickness: integration points with their laws and weights, or a membrane with its own bending rigidity.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "card/card.hpp"
+#include "fabric/law.hpp"
+
+namespace fabricsh::section {
+
+// One integration point: zeta in [-1, 1], Gauss weight (the weights sum to 2), its law.
+struct Point {
+  double zeta = 0, weight = 2;
+  std::shared_ptr<const fabric::Law> law;
+  int state = 0;  // where its state begins within the section's state
+};
+
+struct Section {
+  double thickness = 0;     // m
+  double offset = 0;        // zeta_bar of the reference surface; z = (t/2)(zeta - zeta_bar)
+  double areal_mass = 0;    // kg/m^2
+  double density = 0;       // kg/m^3
+  std::vector<Point> points;
+  int state_size = 0;       // numbers per in-plane integration point, all thickness points together
+  bool symmetric = true;    // is every tangent symmetric
+  std::optional<card::Bending> bending;  // given: one thickness point in the middle, M = B kappa beside it
+};
+
+// Gauss-Legendre points through the thickness (PHYSICS section 6). Errors: the law's refusals; points outside 1..9.
+Section integrated(const card::Card& card, double thickness, int points, double offset);
+
+// Nodes and weights of the n-point Gauss-Legendre rule on [-1, 1], 1 <= n <= 9.
+std::vector<std::pair<double, double>> gauss_legendre(int n);
+
+}  // namespace fabricsh::section
