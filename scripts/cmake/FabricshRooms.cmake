@@ -1,12 +1,14 @@
 # One static library fabricsh_<room> per line of src/LAYERS, linked to the rooms that the line names.
 add_library(fabricsh_flags INTERFACE)
 target_include_directories(fabricsh_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/generated)
-target_compile_options(fabricsh_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -fno-math-errno -ffp-contract=off
-  $<$<BOOL:${FABRICSH_WERROR}>:-Werror>)
+target_compile_options(fabricsh_flags INTERFACE -Wall -Wextra -Wpedantic $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow> -Wno-psabi -fno-math-errno -ffp-contract=off
+  $<$<BOOL:${FABRICSH_WERROR}>:-Werror>
+  "$<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined;-fno-omit-frame-pointer>")
+target_link_options(fabricsh_flags INTERFACE $<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined>)
 target_link_libraries(fabricsh_flags INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX)
 
 # Sources named *_isa.cpp hold the batch kernels: compiled once per instruction set, each into its own
-# namespace (FABRICSH_ISA), and chosen at run time by base/cpu.hpp.
+# namespace (FABRICSH_ISA), and chosen at run time by base/isa.hpp.
 function(fabricsh_isa_sources target)
   foreach(source ${ARGN})
     get_filename_component(stem ${source} NAME_WE)
@@ -28,6 +30,7 @@ function(fabricsh_isa_sources target)
 endfunction()
 
 function(fabricsh_rooms layers)
+  set(targets)
   file(STRINGS ${layers} lines REGEX "^[a-z]+:")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${layers})
   foreach(line ${lines})
@@ -39,8 +42,9 @@ function(fabricsh_rooms layers)
     set(kernels ${sources})
     list(FILTER kernels INCLUDE REGEX "_isa\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "_isa\\.cpp$")
-    if(sources)
+    if(sources OR kernels)
       add_library(fabricsh_${room} STATIC ${sources})
+      set_target_properties(fabricsh_${room} PROPERTIES LINKER_LANGUAGE CXX)
       target_link_libraries(fabricsh_${room} PUBLIC fabricsh_flags)
       fabricsh_isa_sources(fabricsh_${room} ${kernels})
       set(kind PUBLIC)
@@ -52,17 +56,19 @@ function(fabricsh_rooms layers)
     foreach(need ${needs})
       target_link_libraries(fabricsh_${room} ${kind} fabricsh_${need})
     endforeach()
+    list(APPEND targets fabricsh_${room})
   endforeach()
+  set(FABRICSH_ROOM_TARGETS ${targets} PARENT_SCOPE)
   # The only rooms that may see a third-party library.
-  fabricsh_room_uses(solver fabricsh_dep_suitesparse)
-  fabricsh_room_uses(files VTK::CommonCore VTK::CommonDataModel VTK::IOXML)
-  fabricsh_room_uses(script PkgConfig::LUA)
-  fabricsh_room_uses(repl PkgConfig::LUA PkgConfig::EDIT)
+  fabricsh_room_uses(solver PRIVATE fabricsh_dep_suitesparse)
+  fabricsh_room_uses(files PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOXML)
+  fabricsh_room_uses(script PUBLIC PkgConfig::LUA)
+  fabricsh_room_uses(repl PRIVATE PkgConfig::EDIT)
 endfunction()
 
-function(fabricsh_room_uses room)
+function(fabricsh_room_uses room visibility)
   get_target_property(type fabricsh_${room} TYPE)
   if(NOT type STREQUAL "INTERFACE_LIBRARY")
-    target_link_libraries(fabricsh_${room} PUBLIC ${ARGN})
+    target_link_libraries(fabricsh_${room} ${visibility} ${ARGN})
   endif()
 endfunction()

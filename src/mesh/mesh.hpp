@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tensor/vec.hpp"
@@ -37,7 +38,7 @@ struct Mesh {
 // Sets: left right bottom top boundary corners all. Errors: sizes not positive and finite, cells < 1.
 Mesh rectangle(double width, double height, Index nx, Index ny, const Vec3& origin = Vec3::Zero());
 
-// Shortest edge or diagonal-bisector length of an element, m: the h of the explicit step.
+// Shortest edge of an element, or its smallest height where it is skewed, m: the h of the explicit step.
 double smallest_length(const Mesh& mesh, Index element);
 
 }  // namespace fabricsh::mesh

@@ -1,0 +1,59 @@
+#include "base/paths.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "fabricsh_config.hpp"
+
+namespace fabricsh {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Resolved, or as given when it cannot be.
+fs::path resolved(const fs::path& path) {
+  std::error_code trouble;
+  const fs::path real = fs::weakly_canonical(path, trouble);
+  return trouble ? path : real;
+}
+
+bool inside(const fs::path& path, const fs::path& folder) {
+  const fs::path relative = path.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+void add_folder(std::vector<std::string>& roots, const fs::path& folder) {
+  std::error_code trouble;
+  if (fs::is_directory(folder, trouble)) roots.push_back(resolved(folder).string());
+}
+
+}  // namespace
+
+std::string program_path() {
+  std::error_code trouble;
+  const fs::path program = fs::read_symlink("/proc/self/exe", trouble);
+  return trouble ? std::string() : program.string();
+}
+
+std::vector<std::string> data_roots() {
+  std::vector<std::string> roots;
+  const char* home = std::getenv("FABRICSH_HOME");
+  if (home != nullptr && *home != '\0') add_folder(roots, home);
+  const fs::path program = program_path();
+  if (program.empty()) return roots;
+  add_folder(roots, program.parent_path() / config::data_from_program);
+  if (inside(program, resolved(config::build_dir))) add_folder(roots, config::source_dir);
+  return roots;
+}
+
+std::string data_file(const std::string& relative) {
+  for (const std::string& root : data_roots()) {
+    const fs::path file = fs::path(root) / relative;
+    std::error_code trouble;
+    if (fs::exists(file, trouble)) return file.string();
+  }
+  return {};
+}
+
+}  // namespace fabricsh

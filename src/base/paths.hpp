@@ -1,0 +1,19 @@
+// Where the program's own files are: Lua modules, cards, pages, sample meshes and decks.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace fabricsh {
+
+// Folders that hold lua/, share/cards/, share/doc/, scripts/ and meshes/, the first one wins: $FABRICSH_HOME,
+// the installed share/fabricsh beside the program, the source tree (for a program inside its build tree).
+// Only folders that exist; no trailing slash.
+std::vector<std::string> data_roots();
+
+// The first existing <root>/<relative>, or empty: data_file("share/cards/denim.lua").
+std::string data_file(const std::string& relative);
+
+// The running program, absolute; empty when the system cannot tell.
+std::string program_path();
+
+}  // namespace fabricsh

@@ -1,0 +1,11 @@
+// What this program is: the version that CMakeLists.txt states.
+#pragma once
+#include <string>
+
+namespace fabricsh {
+
+std::string version();     // "0.1.0"
+std::string build_kind();  // "Release", "Debug", ...: how it was compiled
+std::string compiler();    // "GNU 12.2.0"
+
+}  // namespace fabricsh

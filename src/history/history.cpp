@@ -1,0 +1,101 @@
+#include "history/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace fabricsh::history {
+
+namespace {
+
+std::string text(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.10g", x);
+  return buffer;
+}
+
+void require(bool good, const std::string& message) {
+  if (!good) throw Error(message);
+}
+
+void check_point(const std::vector<std::pair<double, double>>& points, std::size_t i) {
+  const auto [t, v] = points[i];
+  const std::string row = "history: row " + std::to_string(i + 1);
+  require(std::isfinite(t), row + ": expected a finite time, got " + text(t));
+  require(std::isfinite(v), row + ": expected a finite value, got " + text(v));
+  require(i == 0 || t > points[i - 1].first, row + ": expected a time later than " +
+                                                 text(points[std::max<std::size_t>(i, 1) - 1].first) +
+                                                 ", got " + text(t));
+}
+
+double slope(const std::pair<double, double>& a, const std::pair<double, double>& b) {
+  return (b.second - a.second) / (b.first - a.first);
+}
+
+// The first point later than t.
+auto later(const std::vector<std::pair<double, double>>& points, double t) {
+  return std::upper_bound(points.begin(), points.end(), t,
+                          [](double time, const auto& point) { return time < point.first; });
+}
+
+}  // namespace
+
+History History::constant(double value) {
+  require(std::isfinite(value), "history: expected a finite value, got " + text(value));
+  History h;
+  h.points_ = {{0.0, value}};
+  return h;
+}
+
+History History::table(std::vector<std::pair<double, double>> points) {
+  require(!points.empty(), "history: expected at least one row {time, value}, got an empty table");
+  for (std::size_t i = 0; i < points.size(); ++i) check_point(points, i);
+  History h;
+  if (points.size() > 1)
+    for (const auto& point : points) h.kinks_.push_back(point.first);
+  h.points_ = std::move(points);
+  return h;
+}
+
+History History::ramp(double value, double duration) {
+  require(std::isfinite(value), "ramp: field 'value': expected a finite number, got " + text(value));
+  require(std::isfinite(duration) && duration > 0,
+          "ramp: field 'duration': expected a positive time, s, got " + text(duration));
+  return table({{0.0, 0.0}, {duration, value}});
+}
+
+History History::callback(std::function<double(double)> f) {
+  require(static_cast<bool>(f), "history: expected a function of time, got nothing");
+  History h;
+  h.callback_ = std::move(f);
+  return h;
+}
+
+double History::value(double t) const {
+  if (callback_) {
+    const double v = callback_(t);
+    require(std::isfinite(v),
+            "history: expected a finite value from the function at time " + text(t) + " s, got " + text(v));
+    return v;
+  }
+  if (points_.empty()) return 0.0;
+  const auto next = later(points_, t);
+  if (next == points_.begin()) return points_.front().second;
+  if (next == points_.end()) return points_.back().second;
+  const auto& last = *(next - 1);
+  // Exact at both ends of the interval.
+  const double w = (t - last.first) / (next->first - last.first);
+  return (1.0 - w) * last.second + w * next->second;
+}
+
+double History::rate(double t, double step) const {
+  if (callback_) return (value(t + step) - value(t - step)) / (2.0 * step);
+  const auto next = later(points_, t);
+  if (next == points_.begin() || next == points_.end()) return 0.0;
+  return slope(*(next - 1), *next);
+}
+
+}  // namespace fabricsh::history
