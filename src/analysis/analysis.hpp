@@ -37,11 +37,11 @@ struct Energy {  // J
 };
 
 struct StaticOptions {
-  double duration = 0;            // s, required, positive
-  std::optional<double> step;     // largest step, s; default duration / 20
-  double tolerance = 1e-10;       // residual over the largest nodal force so far
+  double duration = 0;         // s, required, positive
+  std::optional<double> step;  // largest step, s; default duration / 20
+  double tolerance = 1e-10;    // residual over the largest nodal force so far
   int max_iterations = 25;
-  int max_cuts = 12;              // halvings of one step before the run gives up
+  int max_cuts = 12;  // halvings of one step before the run gives up
   bool line_search = true;
 };
 
@@ -49,8 +49,8 @@ struct StaticOptions {
 struct StepReport {
   double time = 0, step = 0;
   int iterations = 0;
-  int cuts = 0;                     // halvings that this step took
-  std::vector<double> residuals;    // relative residual of each iteration, the first one is the predictor's
+  int cuts = 0;                   // halvings that this step took
+  std::vector<double> residuals;  // relative residual of each iteration, the first one is the predictor's
 };
 
 class Static {
@@ -60,14 +60,14 @@ class Static {
   ~Static();
 
   void solve() { advance(options_.duration); }  // runs to the duration, or to where a hook stopped it
-  void advance(double time);                    // to the absolute time, landing on it. NumericalFailure when stuck
-  void step();                                  // one committed step (clipped at the duration)
-  void stop(const std::string& reason);         // from a hook or event: the run ends after the current step's hooks
+  void advance(double time);             // to the absolute time, landing on it. NumericalFailure when stuck
+  void step();                           // one committed step (clipped at the duration)
+  void stop(const std::string& reason);  // from a hook or event: the run ends after the current step's hooks
   bool stopped() const { return stopped_; }
   const std::string& stop_reason() const { return stop_reason_; }
 
-  // Called after each committed step, or whenever `every` seconds have passed (the run lands on those times); also at
-  // the start (time 0), before the first step. Hooks run in the order in which they were added.
+  // Called after each committed step, or whenever `every` seconds have passed (the run lands on those times);
+  // also at the start (time 0), before the first step. Hooks run in the order in which they were added.
   using Hook = std::function<void(Static&)>;
   void every_step(Hook hook);
   void every(double interval, Hook hook);  // Error: interval not positive
@@ -91,42 +91,52 @@ class Static {
   const StaticOptions& options() const { return options_; }
   Notices& notices() { return *notices_; }
 
-  // A snapshot is a copy of the whole state; restore goes back to it (a snapshot of another analysis is an Error).
+  // A snapshot is a copy of the whole state; restore goes back to it (a snapshot of another analysis is an
+  // Error).
   struct Snapshot;
   std::shared_ptr<const Snapshot> snapshot() const;
   void restore(const Snapshot& snapshot);
 
  private:
+  class Problem;  // what Newton sees
   struct Timed {
-    double interval = 0, next = 0;  // interval 0: every step
+    double interval = 0;     // 0: every step
+    std::int64_t count = 0;  // next landing at count * interval
     Hook hook;
   };
   struct Event {
     std::function<double(Static&)> value;
     double tolerance = 0, last = 0, largest = 0;
     Hook hook;
-    bool armed = false;
+    bool fired = false;
   };
   void start();
-  bool try_step(double target, StepReport& report);
-  void commit(const StepReport& report);
   double next_landing(double limit) const;
-  bool locate_events(double t0, double t1, StepReport& report);
+  double plan(double limit) const;                        // end of the next step
+  void advance_to(double landing);                        // one committed step towards the landing
+  bool attempt(double target, StepReport& report);        // Newton to the target; not committed
+  bool land_on_event(double target, StepReport& report);  // shortens the attempt to the first event inside it
+  void commit(StepReport report);
   void run_hooks();
-  [[noreturn]] void give_up(const StepReport& report);
+  void add_external_work();
+  [[noreturn]] void give_up(const StepReport& report) const;
+  std::string switching_yarn(mesh::Index element) const;  // "warp", "weft", "shear" or empty
 
   std::shared_ptr<model::Model> model_;
   StaticOptions options_;
   std::shared_ptr<Notices> notices_;
   std::unique_ptr<assembly::Assembly> assembly_;
+  std::unique_ptr<Problem> problem_;
   std::unique_ptr<solver::Newton> newton_;
   std::vector<Timed> timed_;
   std::vector<Event> events_;
   std::vector<StepReport> reports_;
   std::vector<double> kinks_;
-  std::vector<Hook> pending_;
-  double current_step_ = 0;
-  double external_ = 0, largest_external_ = 0;
+  solver::NewtonResult last_;
+  double largest_step_ = 0, current_step_ = 0, trial_time_ = 0;
+  double external_work_ = 0, largest_external_work_ = 0;
+  std::vector<double> previous_x_,
+      previous_force_;  // 3 per node: at the last commit; dead loads plus support forces
   bool started_ = false, stopped_ = false;
   std::string stop_reason_;
   mutable std::vector<ElementValues> cache_;

@@ -1,5 +1,5 @@
-// The declared problem: a mesh, a card, supports, motions, loads. Nothing is computed here; validate() checks the whole
-// once, and an analysis compiles it.
+// The declared problem: a mesh, a card, supports, motions, loads. Nothing is computed here; validate() checks
+// the whole once, and an analysis compiles it.
 #pragma once
 #include <array>
 #include <functional>
@@ -19,17 +19,19 @@ namespace fabricsh::model {
 
 using history::History;
 
-// Warp direction at a point of the reference surface: an angle in degrees, counter-clockwise about the shell normal from
-// global +x projected on the surface, or a vector (projected on the surface).
+// Warp direction at a point of the reference surface: an angle in degrees, counter-clockwise about the shell
+// normal from global +x projected on the surface, or a vector (projected on the surface).
 using Direction = std::variant<double, Vec3>;
 using WarpField = std::function<Direction(const Vec3& X)>;
 
-// Orthonormal frame of an oblique support or load: rows e1 e2 e3, global components; x y z of the call count along them.
-Mat3 frame_from(const Vec3& e1, const Vec3& e2);  // Error unless they span a plane; e2 is made orthogonal to e1
+// Orthonormal frame of an oblique support or load: rows e1 e2 e3, global components; x y z of the call count
+// along them.
+Mat3 frame_from(const Vec3& e1,
+                const Vec3& e2);  // Error unless they span a plane; e2 is made orthogonal to e1
 inline Mat3 global_frame() { return Mat3::Identity(); }
 
-// Freedoms of a node: three translations, three rotation axes (a director has two rotations; a rotation axis acts on the
-// part of it that is tangent to the sphere of directors). rotation = both director rotations.
+// Freedoms of a node: three translations, three rotation axes (a director has two rotations; a rotation axis
+// acts on the part of it that is tangent to the sphere of directors). rotation = both director rotations.
 struct Freedoms {
   std::array<bool, 3> translation{};
   std::array<bool, 3> axis{};
@@ -66,8 +68,8 @@ struct Options {
 
 class Model {
  public:
-  // Errors: points outside 1..9; thickness not positive; warp missing on a mesh that is not flat; a card that the law
-  // refuses (with its reason).
+  // Errors: points outside 1..9; thickness not positive; warp missing on a mesh that is not flat; a card that
+  // the law refuses (with its reason).
   Model(std::shared_ptr<mesh::Mesh> mesh, card::Card card, Options options);
 
   // Errors of all four: unknown set; model already compiled; no component given.
@@ -76,7 +78,8 @@ class Model {
   void force(const std::string& set, Components total, const Mat3& frame = global_frame());
   void gravity(const Vec3& acceleration);  // m/s^2
 
-  // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at once.
+  // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at
+  // once.
   void validate() const;
   void seal() { sealed_ = true; }  // by the analysis that compiles it: any change after that is an Error
 
@@ -90,8 +93,8 @@ class Model {
   const std::vector<Motion>& motions() const { return motions_; }
   const std::vector<Force>& forces() const { return forces_; }
   const Vec3& gravity() const { return gravity_; }
-  // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite, or no
-  // direction left after projection.
+  // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite,
+  // or no direction left after projection.
   Vec3 warp_at(const Vec3& X, const Vec3& n) const;
   std::string describe() const;  // a few lines: mesh, card, warp, thickness, points, supports
 

@@ -1,4 +1,5 @@
-// Through the thickness: integration points with their laws and weights, or a membrane with its own bending rigidity.
+// Through the thickness: integration points with their laws and weights, or a membrane with its own bending
+// rigidity.
 #pragma once
 #include <memory>
 #include <vector>
@@ -16,17 +17,18 @@ struct Point {
 };
 
 struct Section {
-  double thickness = 0;     // m
-  double offset = 0;        // zeta_bar of the reference surface; z = (t/2)(zeta - zeta_bar)
-  double areal_mass = 0;    // kg/m^2
-  double density = 0;       // kg/m^3
+  double thickness = 0;   // m
+  double offset = 0;      // zeta_bar of the reference surface; z = (t/2)(zeta - zeta_bar)
+  double areal_mass = 0;  // kg/m^2
+  double density = 0;     // kg/m^3
   std::vector<Point> points;
-  int state_size = 0;       // numbers per in-plane integration point, all thickness points together
-  bool symmetric = true;    // is every tangent symmetric
+  int state_size = 0;     // numbers per in-plane integration point, all thickness points together
+  bool symmetric = true;  // is every tangent symmetric
   std::optional<card::Bending> bending;  // given: one thickness point in the middle, M = B kappa beside it
 };
 
-// Gauss-Legendre points through the thickness (PHYSICS section 6). Errors: the law's refusals; points outside 1..9.
+// Gauss-Legendre points through the thickness (PHYSICS section 6). Errors: the law's refusals; points
+// outside 1..9.
 Section integrated(const card::Card& card, double thickness, int points, double offset);
 
 // Nodes and weights of the n-point Gauss-Legendre rule on [-1, 1], 1 <= n <= 9.

@@ -1,0 +1,232 @@
+// Reading a run: nodes, elements, reactions, energies, snapshots.
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/analysis.hpp"
+#include "analysis/problem.hpp"
+#include "base/error.hpp"
+
+namespace fabricsh::analysis {
+
+namespace {
+
+using Member = double ElementValues::*;
+struct Named {
+  const char* name;
+  Member member;
+};
+constexpr Named kValues[] = {{"E11", &ElementValues::E11},
+                             {"E22", &ElementValues::E22},
+                             {"E23", &ElementValues::E23},
+                             {"E13", &ElementValues::E13},
+                             {"E12", &ElementValues::E12},
+                             {"S11", &ElementValues::S11},
+                             {"S22", &ElementValues::S22},
+                             {"S23", &ElementValues::S23},
+                             {"S13", &ElementValues::S13},
+                             {"S12", &ElementValues::S12},
+                             {"stored", &ElementValues::stored},
+                             {"dissipated", &ElementValues::dissipated},
+                             {"residual1", &ElementValues::residual1},
+                             {"residual2", &ElementValues::residual2},
+                             {"slack1", &ElementValues::slack1},
+                             {"slack2", &ElementValues::slack2}};
+
+void check_index(mesh::Index i, std::size_t size, const char* what) {
+  if (i < 0 || i >= static_cast<mesh::Index>(size))
+    throw Error(std::string(what) + ": expected a number from 1 to " + std::to_string(size) + ", got " +
+                std::to_string(i + 1));
+}
+
+void add(ElementValues& v, double w, const fabric::Law& law, const double* E, const double* state) {
+  thread_local std::vector<double> scratch;
+  scratch.resize(std::max(1, fabric::state_size(law)));
+  double S[5];
+  fabric::evaluate(law, fabric::AtSwitch::loading, E, state, scratch.data(), S, nullptr);
+  const auto energy = fabric::energy(law, E, state);
+  const auto in = fabric::internal(law, E, state);
+  v.E11 += w * E[0];
+  v.E22 += w * E[1];
+  v.E23 += w * E[2] / 2;
+  v.E13 += w * E[3] / 2;
+  v.E12 += w * E[4] / 2;
+  v.S11 += w * S[0];
+  v.S22 += w * S[1];
+  v.S23 += w * S[2];
+  v.S13 += w * S[3];
+  v.S12 += w * S[4];
+  v.stored += w * energy.stored;
+  v.dissipated += w * energy.dissipated();
+  v.residual1 += w * in.residual1;
+  v.residual2 += w * in.residual2;
+  v.slack1 += w * in.slack1;
+  v.slack2 += w * in.slack2;
+}
+
+}  // namespace
+
+const std::vector<std::string>& element_value_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> n;
+    for (const auto& v : kValues) n.emplace_back(v.name);
+    return n;
+  }();
+  return names;
+}
+
+double element_value(const ElementValues& v, const std::string& name) {
+  for (const auto& value : kValues)
+    if (name == value.name) return v.*value.member;
+  std::string known;
+  for (const auto& value : kValues) known += std::string(known.empty() ? "" : " ") + value.name;
+  throw Error("unknown element value '" + name + "', expected one of " + known);
+}
+
+Vec3 Static::reaction(const std::string& set) const {
+  Vec3 sum = Vec3::Zero();
+  for (const auto n : model_->mesh().set(set)) sum += assembly_->support_force(n, problem_->external());
+  return sum;
+}
+
+NodeValues Static::node(mesh::Index i) const {
+  check_index(i, model_->mesh().nodes.size(), "node");
+  const auto& state = std::as_const(*assembly_).state();
+  NodeValues v;
+  v.x = Eigen::Map<const Vec3>(state.x().data() + 3 * i);
+  v.n = Eigen::Map<const Vec3>(state.d().data() + 3 * i);
+  v.X = assembly_->reference()[i];
+  v.u = v.x - v.X;
+  v.v = Vec3::Zero();
+  return v;
+}
+
+const std::vector<ElementValues>& Static::elements() const {
+  const auto version = std::as_const(*assembly_).state().version();
+  if (cache_version_ == version) return cache_;
+  cache_.assign(assembly_->elements(), {});
+#pragma omp parallel for schedule(static)
+  for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
+    double volume = 0;
+    ElementValues sum;
+    assembly_->visit(e, [&](double w, const fabric::Law& law, const double* E, const double* state) {
+      volume += w;
+      add(sum, w, law, E, state);
+    });
+    for (const auto& value : kValues) sum.*value.member /= volume;
+    cache_[e] = sum;
+  }
+  cache_version_ = version;
+  return cache_;
+}
+
+ElementValues Static::element(mesh::Index i) const {
+  check_index(i, model_->mesh().elements.size(), "element");
+  return elements()[i];
+}
+
+double Static::mean(const std::string& name, const std::string& set) const {
+  const auto inside = model_->mesh().elements_in(model_->mesh().set(set));
+  if (inside.empty()) throw Error("mean: set '" + set + "' holds no whole element");
+  const auto& values = elements();
+  double sum = 0;
+  for (const auto e : inside) sum += element_value(values[e], name);
+  return sum / static_cast<double>(inside.size());
+}
+
+std::vector<double> Static::field(const std::string& name) const {
+  std::vector<double> out;
+  for (const auto& v : elements()) out.push_back(element_value(v, name));
+  return out;
+}
+
+Energy Static::energy() const {
+  const mesh::Index count = assembly_->elements();
+  std::vector<fabric::Energy> per(count);
+  std::vector<double> bending(count);
+#pragma omp parallel for schedule(static)
+  for (mesh::Index e = 0; e < count; ++e) {
+    assembly_->visit(e, [&](double w, const fabric::Law& law, const double* E, const double* state) {
+      const auto energy = fabric::energy(law, E, state);
+      per[e].stored += w * energy.stored;
+      per[e].dissipated_warp += w * energy.dissipated_warp;
+      per[e].dissipated_weft += w * energy.dissipated_weft;
+      per[e].dissipated_shear += w * energy.dissipated_shear;
+      per[e].created += w * energy.created;
+    });
+    bending[e] = assembly_->bending_energy(e);
+  }
+  Energy sum;
+  for (mesh::Index e = 0; e < count; ++e) {
+    sum.stored += per[e].stored + bending[e];
+    sum.dissipated_warp += per[e].dissipated_warp;
+    sum.dissipated_weft += per[e].dissipated_weft;
+    sum.dissipated_shear += per[e].dissipated_shear;
+    sum.created += per[e].created;
+  }
+  sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending;
+  sum.external = external_work_;
+  if (largest_external_work_ > 0)
+    sum.error = std::abs(sum.kinetic + sum.stored + sum.dissipated + sum.damping - sum.external) /
+                largest_external_work_;
+  return sum;
+}
+
+std::string Static::switching_yarn(mesh::Index element) const {
+  // Branches of the committed state at the committed strain: a point within a hair of a switch is the one to
+  // name.
+  std::string yarn;
+  assembly_->visit(element, [&](double, const fabric::Law& law, const double* E, const double* state) {
+    if (!yarn.empty()) return;
+    const auto in = fabric::internal(law, E, state);
+    if (in.warp != fabric::Branch::virgin)
+      yarn = "warp";
+    else if (in.weft != fabric::Branch::virgin)
+      yarn = "weft";
+    else if (in.shear != fabric::Branch::virgin)
+      yarn = "shear";
+  });
+  return yarn;
+}
+
+struct Static::Snapshot {
+  const Static* owner;
+  std::vector<double> data;
+  double time, current_step, external_work, largest_external_work;
+  std::vector<double> previous_x, previous_force;
+  std::vector<std::int64_t> counts;
+  bool stopped;
+};
+
+std::shared_ptr<const Static::Snapshot> Static::snapshot() const {
+  auto s = std::make_shared<Snapshot>();
+  s->owner = this;
+  s->data = assembly_->state().data();
+  s->time = assembly_->state().time();
+  s->current_step = current_step_;
+  s->external_work = external_work_;
+  s->largest_external_work = largest_external_work_;
+  s->previous_x = previous_x_;
+  s->previous_force = previous_force_;
+  for (const auto& t : timed_) s->counts.push_back(t.count);
+  s->stopped = stopped_;
+  return s;
+}
+
+void Static::restore(const Snapshot& s) {
+  if (s.owner != this) throw Error("restore: this snapshot was taken of another analysis");
+  assembly_->state().restore(s.data, s.time);
+  trial_time_ = s.time;
+  current_step_ = s.current_step;
+  external_work_ = s.external_work;
+  largest_external_work_ = s.largest_external_work;
+  previous_x_ = s.previous_x;
+  previous_force_ = s.previous_force;
+  for (std::size_t i = 0; i < s.counts.size() && i < timed_.size(); ++i) timed_[i].count = s.counts[i];
+  stopped_ = s.stopped;
+  problem_->aim(s.time);
+  assembly_->forces(fabric::AtSwitch::loading);
+  problem_->committed();
+  for (auto& event : events_) event.last = event.value(*this);
+}
+
+}  // namespace fabricsh::analysis

@@ -1,0 +1,115 @@
+// A model compiled into arrays: element batches in colours, equation numbers, the sparse pattern with fixed
+// slots, the state store. Gives forces and tangents for the trial configuration, the same bits for any number
+// of threads: elements of one colour share no node, and colours follow one another.
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "assembly/freedoms.hpp"
+#include "assembly/state.hpp"
+#include "element/shell4.hpp"
+#include "model/model.hpp"
+#include "solver/sparse.hpp"
+
+namespace fabricsh::assembly {
+
+// Where an element sits in the batches.
+struct Place {
+  Index batch;
+  int lane;
+};
+
+class Assembly {
+ public:
+  // Errors: a degenerate element (named); warp without a direction.
+  explicit Assembly(const model::Model& model);
+  ~Assembly();
+
+  Index unknowns() const { return freedoms_.unknowns; }
+  StateStore& state() { return *state_; }
+  const StateStore& state() const { return *state_; }
+  const Freedoms& freedoms() const { return freedoms_; }
+  const std::vector<Vec3>& reference() const { return X_; }
+
+  // --- configurations; trial = iterate moved by scale * delta, driven freedoms at `targets` (m, along the
+  // frames).
+  void begin_iterate();  // iterate = trial
+  void retract(std::span<const double> delta, double scale, std::span<const double> targets);
+  std::vector<double> targets(double time) const;  // values of the driven freedoms; Error when not finite
+
+  // --- at the trial configuration. False: the law failed in some element (see failed_element).
+  bool forces(fabric::AtSwitch at);  // internal forces, trial law states
+  // Tangent into K (its pattern is pattern()). With `lead` (increments of the driven freedoms) also the
+  // product of the coupling block with them, one number per unknown, into `product`.
+  bool tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
+               std::span<double> product);
+  Index failed_element() const { return failed_element_; }
+  // Dead loads at a time, 3 per node, N, global.
+  void external(double time, std::vector<double>& out) const;
+  // r = f_ext - f_int on the unknowns, along the nodes' frames.
+  void residual(std::span<const double> external, std::span<double> r) const;
+  std::span<const double> internal_on_x() const { return force_x_; }  // 3 per node, N, global
+  std::span<const double> internal_on_d() const { return force_d_; }  // 3 per node, N m
+  double largest_force() const;                                       // N, largest component on any node
+  // Force of the supports on one node, N, global: internal minus external along the held and driven
+  // directions.
+  Vec3 support_force(Index node, std::span<const double> external) const;
+
+  // --- reading a state
+  // Material strains and law states of one element: f(point weight m^3, law, E[5], state*).
+  using PointVisitor =
+      std::function<void(double weight, const fabric::Law& law, const double* E, const double* state)>;
+  void visit(Index element, const PointVisitor& f) const;  // trial configuration
+  double bending_energy(Index element) const;              // J, of separate bending; 0 without
+  Index elements() const { return static_cast<Index>(place_.size()); }
+  Index element_of_unknown(Index unknown) const;  // some element of the node that carries it
+  Index node_of_unknown(Index unknown) const;
+  const std::vector<double>& nodal_mass() const { return mass_; }  // kg, lumped
+  const solver::SparseMatrix& pattern() const { return pattern_; }
+
+ private:
+  struct Batch;
+  void colour_elements();
+  void make_geometry(const std::vector<Vec3>& directors);
+  void make_pattern();
+  void gather(const Batch& batch, double* x, double* d, double* b) const;
+  bool run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix* K, std::span<const double> lead,
+           std::span<double> product);
+  void scatter_force(const Batch& batch, const double* f);
+  void scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
+                       std::span<const double> lead, std::span<double> product) const;
+  double* trial_law(Index batch);
+  const double* committed_law(Index batch) const;
+  void realign(Index node, std::span<double> d, std::span<double> b1) const;
+  void tributary_weights(const model::Force& force, std::vector<double>& out) const;
+
+  const model::Model& model_;
+  std::vector<Vec3> X_;
+  Freedoms freedoms_;
+  std::unique_ptr<StateStore> state_;
+  element::Shell4Kernels kernels_;
+  std::vector<Batch> batches_;
+  std::vector<Index> colour_start_;       // batches of colour c: [colour_start_[c], colour_start_[c + 1])
+  std::vector<Place> place_;              // per element
+  std::vector<double> geometry_;          // per batch, contiguous
+  int geometry_size_ = 0, law_size_ = 0;  // numbers per batch
+  solver::SparseMatrix pattern_;
+  std::vector<Index> slots_;     // per batch, lane, row-major 20x20: slot in K or -1
+  std::vector<double> iterate_;  // kinematics
+  std::vector<double> force_x_, force_d_, mass_;
+  std::vector<std::vector<double>> force_shares_;  // per model force: share of each node of its set
+  std::vector<Index> node_element_, unknown_node_;
+  Index failed_element_ = -1;
+};
+
+// Unit normals at the nodes: the mean of the elements' corner normals, weighted by area.
+std::vector<Vec3> reference_directors(const mesh::Mesh& mesh);
+// Colours such that elements of one colour share no node: greedy in element order. Returns the colour of each
+// element.
+std::vector<int> colour(const mesh::Mesh& mesh);
+// Shares (sum 1) of a set's nodes in a total force: by area where the set holds whole elements, else by
+// length where it holds whole element edges, else equal.
+std::vector<double> tributary_shares(const mesh::Mesh& mesh, const mesh::NodeSet& nodes);
+
+}  // namespace fabricsh::assembly

@@ -1,0 +1,15 @@
+// Eight elements side by side, as the kernels take them. Internal to the assembly.
+#pragma once
+#include <array>
+
+#include "assembly/assembly.hpp"
+
+namespace fabricsh::assembly {
+
+struct Assembly::Batch {
+  std::array<Index, lanes> element{};  // lanes from `used` on repeat the last one
+  std::array<std::array<Index, 4>, lanes> nodes{};
+  int used = 0;
+};
+
+}  // namespace fabricsh::assembly

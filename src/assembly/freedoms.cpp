@@ -1,0 +1,90 @@
+#include "assembly/freedoms.hpp"
+
+namespace fabricsh::assembly {
+
+namespace {
+
+constexpr double kNoShadow =
+    1e-8;  // a held axis this close to the director (sine of the angle) holds nothing
+
+Vec3 shadow(const Vec3& axis, const Vec3& d) { return axis - axis.dot(d) * d; }
+
+// How many of the two director rotations the held axes take away: the rank of their shadows on the tangent
+// plane.
+int held_rotations(const std::vector<Vec3>& axes, const Vec3& d) {
+  const Vec3 first = allowed_direction(axes, d);
+  if (first.isZero()) return 0;
+  for (const Vec3& axis : axes) {
+    const Vec3 s = shadow(axis, d);
+    if ((s - s.dot(first) * first).norm() > kNoShadow) return 2;
+  }
+  return 1;
+}
+
+struct Held {
+  std::array<bool, 3> translation{};
+  std::vector<Vec3> axes;
+  bool rotation = false;
+};
+
+}  // namespace
+
+Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d) {
+  Vec3 best = Vec3::Zero();
+  for (const Vec3& axis : held_axes) {
+    const Vec3 s = shadow(axis, d);
+    if (s.norm() > best.norm()) best = s;
+  }
+  return best.norm() > kNoShadow ? Vec3(best.normalized()) : Vec3(Vec3::Zero());
+}
+
+Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors) {
+  const auto& mesh = model.mesh();
+  Freedoms f;
+  f.nodes.resize(mesh.nodes.size());
+  std::vector<Held> holds(mesh.nodes.size());
+  std::vector<std::array<Index, 3>> motion(mesh.nodes.size(), {-1, -1, -1});
+  auto use_frame = [&](Index n, const Mat3& frame) {
+    f.nodes[n].frame = frame;
+    f.nodes[n].oblique = frame != Mat3::Identity();
+  };
+  for (const auto& support : model.supports())
+    for (const Index n : mesh.set(support.set)) {
+      Held& h = holds[n];
+      bool translates = false;
+      for (int i = 0; i < 3; ++i) {
+        h.translation[i] = h.translation[i] || support.fixed.translation[i];
+        translates = translates || support.fixed.translation[i];
+        if (support.fixed.axis[i]) h.axes.push_back(support.frame.row(i).transpose());
+      }
+      h.rotation = h.rotation || support.fixed.rotation;
+      // A node held along all three directions may keep any frame.
+      const bool whole =
+          support.fixed.translation[0] && support.fixed.translation[1] && support.fixed.translation[2];
+      if (translates && !whole) use_frame(n, support.frame);
+      if (whole) h.translation = {true, true, true};
+    }
+  for (const auto& move : model.motions())
+    for (const Index n : mesh.set(move.set)) {
+      use_frame(n, move.frame);
+      for (int i = 0; i < 3; ++i)
+        if (move.displacement[i]) {
+          motion[n][i] = static_cast<Index>(f.motions.size());
+          f.motions.push_back({n, i, *move.displacement[i]});
+        }
+    }
+  for (std::size_t n = 0; n < f.nodes.size(); ++n) {
+    auto& node = f.nodes[n];
+    for (int i = 0; i < 3; ++i)
+      node.equation[i] = motion[n][i] >= 0         ? driven(motion[n][i])
+                         : holds[n].translation[i] ? held
+                                                   : f.unknowns++;
+    const int lost = holds[n].rotation ? 2 : held_rotations(holds[n].axes, directors[n]);
+    if (lost == 1) node.held_axes = holds[n].axes;
+    node.equation[3] = lost == 2 ? held : f.unknowns++;
+    node.equation[4] = lost >= 1 ? held : f.unknowns++;
+  }
+  return f;
+}
+
+}  // namespace fabricsh::assembly

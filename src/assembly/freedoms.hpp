@@ -1,0 +1,45 @@
+// Which freedoms of which node are unknown, held or driven, and in which frame.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace fabricsh::assembly {
+
+using Index = std::int64_t;
+
+// Equation numbers of one node, order u1 u2 u3 (along the node's frame) q1 q2: >= 0 unknown, held = -1,
+// driven <= -2.
+inline constexpr Index held = -1;
+inline constexpr Index driven(Index motion) { return -2 - motion; }
+inline constexpr Index motion_of(Index equation) { return -2 - equation; }
+
+struct DrivenFreedom {
+  Index node;
+  int component;
+  history::History history;
+};
+
+struct NodeFreedoms {
+  std::array<Index, 5> equation{};
+  Mat3 frame = Mat3::Identity();  // rows: the directions of u1 u2 u3, global
+  bool oblique = false;
+  std::vector<Vec3> held_axes;  // rotation axes held, global; empty with both rotations free or held outright
+};
+
+struct Freedoms {
+  std::vector<NodeFreedoms> nodes;
+  std::vector<DrivenFreedom> motions;
+  Index unknowns = 0;
+};
+
+// Numbers the unknowns node by node. The model must have been validated.
+Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors);
+
+// The tangent direction that a director d may still take when some rotation axes are held: the projection of
+// the held axis with the longest shadow on the tangent plane, unit length. Zero if none casts a shadow.
+Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d);
+
+}  // namespace fabricsh::assembly

@@ -1,0 +1,85 @@
+// What the assembly reads off a mesh before it compiles: directors, colours, tributary shares.
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "assembly/assembly.hpp"
+#include "base/error.hpp"
+
+namespace fabricsh::assembly {
+
+std::vector<Vec3> reference_directors(const mesh::Mesh& mesh) {
+  std::vector<Vec3> normals(mesh.nodes.size(), Vec3::Zero());
+  for (const auto& e : mesh.elements) {
+    const int n = e[3] < 0 ? 3 : 4;
+    for (int a = 0; a < n; ++a) {
+      const Vec3& here = mesh.nodes[e[a]];
+      normals[e[a]] += (mesh.nodes[e[(a + 1) % n]] - here).cross(mesh.nodes[e[(a + n - 1) % n]] - here);
+    }
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!(normals[i].norm() > 0))
+      throw Error("mesh: node " + std::to_string(i + 1) +
+                  " has no normal: its elements are degenerate, or fold onto each other");
+    normals[i].normalize();
+  }
+  return normals;
+}
+
+std::vector<int> colour(const mesh::Mesh& mesh) {
+  std::vector<std::uint64_t> taken(mesh.nodes.size(), 0);  // bit c: an element of colour c touches the node
+  std::vector<int> colours;
+  for (const auto& e : mesh.elements) {
+    std::uint64_t used = 0;
+    for (const auto n : e)
+      if (n >= 0) used |= taken[n];
+    int c = 0;
+    while (c < 63 && (used >> c & 1) != 0) ++c;
+    if (c == 63) throw Error("mesh: more than 62 elements meet at one node");
+    for (const auto n : e)
+      if (n >= 0) taken[n] |= std::uint64_t{1} << c;
+    colours.push_back(c);
+  }
+  return colours;
+}
+
+namespace {
+
+std::vector<double> normalised(std::vector<double> shares) {
+  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& s : shares) s /= total;
+  return shares;
+}
+
+}  // namespace
+
+std::vector<double> tributary_shares(const mesh::Mesh& mesh, const mesh::NodeSet& nodes) {
+  std::map<mesh::Index, std::size_t> where;
+  for (std::size_t i = 0; i < nodes.size(); ++i) where[nodes[i]] = i;
+  std::vector<double> by_area(nodes.size(), 0.0), by_length(nodes.size(), 0.0);
+  bool has_area = false, has_edges = false;
+  std::map<std::pair<mesh::Index, mesh::Index>, bool> seen;
+  for (const auto& e : mesh.elements) {
+    const int n = e[3] < 0 ? 3 : 4;
+    if (std::all_of(e.begin(), e.begin() + n, [&](mesh::Index i) { return where.contains(i); })) {
+      has_area = true;
+      const Vec3 area =
+          n == 3 ? (mesh.nodes[e[1]] - mesh.nodes[e[0]]).cross(mesh.nodes[e[2]] - mesh.nodes[e[0]])
+                 : (mesh.nodes[e[2]] - mesh.nodes[e[0]]).cross(mesh.nodes[e[3]] - mesh.nodes[e[1]]);
+      for (int a = 0; a < n; ++a) by_area[where[e[a]]] += area.norm();
+    }
+    for (int a = 0; a < n; ++a) {
+      const auto [i, j] = std::minmax(e[a], e[(a + 1) % n]);
+      if (!where.contains(i) || !where.contains(j) || seen[{i, j}]) continue;
+      seen[{i, j}] = has_edges = true;
+      const double length = (mesh.nodes[i] - mesh.nodes[j]).norm();
+      by_length[where[i]] += length;
+      by_length[where[j]] += length;
+    }
+  }
+  if (has_area) return normalised(by_area);
+  if (has_edges) return normalised(by_length);
+  return std::vector<double>(nodes.size(), 1.0 / static_cast<double>(nodes.size()));
+}
+
+}  // namespace fabricsh::assembly

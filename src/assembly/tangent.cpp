@@ -1,0 +1,169 @@
+// Forces and tangents of all elements: batches of a colour in parallel, colours one after the other, fixed
+// slots.
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/assembly.hpp"
+#include "assembly/batch.hpp"
+#include "base/error.hpp"
+
+namespace fabricsh::assembly {
+
+namespace {
+
+using element::shell4_dofs;
+constexpr int kEntries = shell4_dofs * shell4_dofs;
+
+std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std::array<Index, 4>& nodes) {
+  std::array<Index, shell4_dofs> eq;
+  for (int a = 0; a < 4; ++a)
+    for (int i = 0; i < 5; ++i) eq[5 * a + i] = freedoms.nodes[nodes[a]].equation[i];
+  return eq;
+}
+
+}  // namespace
+
+void Assembly::make_pattern() {
+  const Index n = freedoms_.unknowns;
+  unknown_node_.assign(n, -1);
+  for (std::size_t i = 0; i < freedoms_.nodes.size(); ++i)
+    for (const Index eq : freedoms_.nodes[i].equation)
+      if (eq >= 0) unknown_node_[eq] = static_cast<Index>(i);
+  std::vector<std::vector<Index>> rows(n);
+  for (const auto& e : model_.mesh().elements) {
+    const auto eq = equations_of(freedoms_, e);
+    for (const Index c : eq)
+      if (c >= 0)
+        for (const Index r : eq)
+          if (r >= 0) rows[c].push_back(r);
+  }
+  pattern_.size = n;
+  pattern_.column.assign(1, 0);
+  for (auto& column : rows) {
+    std::sort(column.begin(), column.end());
+    column.erase(std::unique(column.begin(), column.end()), column.end());
+    pattern_.row.insert(pattern_.row.end(), column.begin(), column.end());
+    pattern_.column.push_back(static_cast<Index>(pattern_.row.size()));
+    std::vector<Index>().swap(column);
+  }
+  pattern_.value.assign(pattern_.row.size(), 0);
+  slots_.assign(batches_.size() * lanes * kEntries, -1);
+  for (std::size_t b = 0; b < batches_.size(); ++b)
+    for (int l = 0; l < batches_[b].used; ++l) {
+      const auto eq = equations_of(freedoms_, batches_[b].nodes[l]);
+      Index* slot = slots_.data() + (b * lanes + l) * kEntries;
+      for (int r = 0; r < shell4_dofs; ++r)
+        for (int c = 0; c < shell4_dofs; ++c) {
+          if (eq[r] < 0 || eq[c] < 0) continue;
+          const auto first = pattern_.row.begin() + pattern_.column[eq[c]];
+          const auto last = pattern_.row.begin() + pattern_.column[eq[c] + 1];
+          slot[r * shell4_dofs + c] = std::lower_bound(first, last, eq[r]) - pattern_.row.begin();
+        }
+    }
+}
+
+void Assembly::gather(const Batch& batch, double* x, double* d, double* b) const {
+  const auto& s = std::as_const(*state_);
+  const double* px = s.x().data();
+  const double* pd = s.d().data();
+  const double* pb = px + 6 * X_.size();
+  for (int l = 0; l < lanes; ++l)
+    for (int a = 0; a < 4; ++a) {
+      const Index n = 3 * batch.nodes[l][a];
+      for (int i = 0; i < 3; ++i) {
+        x[(3 * a + i) * lanes + l] = px[n + i];
+        d[(3 * a + i) * lanes + l] = pd[n + i];
+      }
+      if (b == nullptr) continue;
+      const Eigen::Map<const Vec3> dd(pd + n), b1(pb + n);
+      const Vec3 b2 = dd.cross(b1);
+      for (int i = 0; i < 3; ++i) {
+        b[(6 * a + i) * lanes + l] = b1[i];
+        b[(6 * a + 3 + i) * lanes + l] = b2[i];
+      }
+    }
+}
+
+void Assembly::scatter_force(const Batch& batch, const double* f) {
+  for (int l = 0; l < batch.used; ++l)
+    for (int a = 0; a < 4; ++a)
+      for (int i = 0; i < 3; ++i) {
+        const Index n = 3 * batch.nodes[l][a] + i;
+        force_x_[n] += f[(3 * a + i) * lanes + l];
+        force_d_[n] += f[(12 + 3 * a + i) * lanes + l];
+      }
+}
+
+namespace {
+
+using Dense = Eigen::Matrix<double, shell4_dofs, shell4_dofs, Eigen::RowMajor>;
+
+// Turns the translations of oblique nodes into their frames.
+void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, Dense& K) {
+  for (int a = 0; a < 4; ++a) {
+    const NodeFreedoms& node = freedoms.nodes[nodes[a]];
+    if (!node.oblique) continue;
+    K.middleRows<3>(5 * a) = (node.frame * K.middleRows<3>(5 * a)).eval();
+    K.middleCols<3>(5 * a) = (K.middleCols<3>(5 * a) * node.frame.transpose()).eval();
+  }
+}
+
+}  // namespace
+
+void Assembly::scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
+                               std::span<const double> lead, std::span<double> product) const {
+  const Index b = &batch - batches_.data();
+  for (int l = 0; l < batch.used; ++l) {
+    Dense k;
+    for (int i = 0; i < kEntries; ++i) k.data()[i] = K[i * lanes + l];
+    into_frames(freedoms_, batch.nodes[l], k);
+    const Index* slot = slots_.data() + (b * lanes + l) * kEntries;
+    for (int i = 0; i < kEntries; ++i)
+      if (slot[i] >= 0) out.value[slot[i]] += k.data()[i];
+    if (lead.empty()) continue;
+    const auto eq = equations_of(freedoms_, batch.nodes[l]);
+    for (int c = 0; c < shell4_dofs; ++c) {
+      if (eq[c] >= 0 || eq[c] == held) continue;
+      const double move = lead[motion_of(eq[c])];
+      for (int r = 0; r < shell4_dofs; ++r)
+        if (eq[r] >= 0) product[eq[r]] += k(r, c) * move;
+    }
+  }
+}
+
+bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix* K,
+                   std::span<const double> lead, std::span<double> product) {
+  std::fill(force_x_.begin(), force_x_.end(), 0.0);
+  std::fill(force_d_.begin(), force_d_.end(), 0.0);
+  if (with_tangent) std::fill(K->value.begin(), K->value.end(), 0.0);
+  std::fill(product.begin(), product.end(), 0.0);
+  const auto& section = model_.section();
+  Index failed = -1;
+  for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
+#pragma omp parallel for schedule(static) reduction(max : failed)
+    for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
+      alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes], f[24 * lanes], k[kEntries * lanes];
+      const Batch& batch = batches_[b];
+      gather(batch, x, d, basis);
+      const element::Shell4Batch data{
+          geometry_.data() + b * geometry_size_, x, d, basis, committed_law(b), trial_law(b)};
+      unsigned bad =
+          with_tangent ? kernels_.tangent(section, at, data, f, k) : kernels_.force(section, at, data, f);
+      bad &= (1u << batch.used) - 1;
+      if (bad != 0) failed = std::max(failed, batch.element[__builtin_ctz(bad)]);
+      scatter_force(batch, f);
+      if (with_tangent) scatter_tangent(batch, k, *K, lead, product);
+    }
+  }
+  failed_element_ = failed;
+  return failed < 0;
+}
+
+bool Assembly::forces(fabric::AtSwitch at) { return run(at, false, nullptr, {}, {}); }
+
+bool Assembly::tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
+                       std::span<double> product) {
+  return run(at, true, &K, lead, product);
+}
+
+}  // namespace fabricsh::assembly

@@ -1,0 +1,76 @@
+// The four-node degenerated shell with assumed transverse shear (MITC4): total Lagrangian, finite rotations
+// of the directors, 2x2 points in the plane, the section's points through the thickness. [williams2010, ch.
+// 5], corrected after PHYSICS sections 2 and 6; MITC4: [dvorkin1984].
+//
+//   x(xi, eta, zeta) = sum_A N_A (x_A + z d_A),   z = (t/2)(zeta - zeta_bar)
+//
+// Generalised covariant strains at an in-plane point, with a_i = sum N_A,i x_A and b_i = sum N_A,i d_A:
+//   c(z) = eps + z kappa + z^2 rho in the order (c11, c22, 2 c12);
+//   eps ~ a.a / 2,  kappa ~ sym(a.b),  rho ~ b.b / 2;  shear g_i = 2 c_i3 from the four edge midpoints.
+#pragma once
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "base/isa.hpp"
+#include "section/section.hpp"
+#include "tensor/vec.hpp"
+
+namespace fabricsh::element {
+
+inline constexpr int gauss_points = 4;  // in the plane, order (-,-) (+,-) (+,+) (-,+)
+inline constexpr int shell4_dofs = 20;  // per node: u1 u2 u3, q1 q2 with delta d = q1 b1 + q2 b2
+
+// Reference geometry of one element as the kernels read it; entry i of lane l at [i * lanes + l].
+//   0..3   reference edge shears (t/8)(X_j - X_i).(D_i + D_j): edges 1-2, 4-3, 1-4, 2-3
+//   then per in-plane point: eps (3), kappa (3), rho (3) of the reference;
+//   then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
+// where T_ij takes covariant to material components (T_ij = G^j . m_i), q_j = G^j . m_3, s = G^3 . m_3, w =
+// weight J, m^3.
+struct Shell4Layout {
+  explicit Shell4Layout(int points) : points(points) {}
+  int points;  // through the thickness
+  static constexpr int edges = 4, strains = 9, transform = 8;
+  int reference(int g) const { return edges + strains * g; }
+  int point(int g, int k) const { return edges + strains * gauss_points + transform * (points * g + k); }
+  int size() const { return point(gauss_points, 0); }
+};
+
+// Warp direction at a point with unit normal, global, not yet projected.
+using WarpAt = std::function<Vec3(const Vec3& X, const Vec3& normal)>;
+
+// Fills the geometry column of one lane. X, D: reference nodes (m) and unit directors.
+// Error: an element that is degenerate or inverted at an in-plane point (J <= 0).
+void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
+                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
+                     int stride);
+
+// Current state of a batch of elements, structure of arrays: entry i of lane l at [i * lanes + l].
+struct Shell4Batch {
+  const double* geometry;
+  const double* x;   // 12: node A, component i at 3 A + i, m
+  const double* d;   // 12: directors, the same order
+  const double* b;   // 24: b1 then b2 per node, at 6 A + 3 (alpha) + i; tangent only
+  const double* s0;  // committed law states, [gauss][section state]
+  double* s1;        // trial law states
+};
+
+// All return the mask of lanes whose law failed.
+// f   24 per lane: internal force on x (12, N) and on d (12, N m), the derivative of the internal energy.
+// K   20x20 per lane, row-major: tangent on (u, q) with the directors' second variation -(f_d . d) I2 of the
+// INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
+using Shell4Force = unsigned (*)(const section::Section&, fabric::AtSwitch, const Shell4Batch&, double* f);
+using Shell4Tangent = unsigned (*)(const section::Section&, fabric::AtSwitch, const Shell4Batch&, double* f,
+                                   double* K);
+using Shell4Strain = void (*)(const section::Section&, const Shell4Batch&, double* E);
+// kappa  [gauss][3] material curvatures k11 k22 2k12 at the section's first thickness point, 1/m.
+using Shell4Curvature = Shell4Strain;
+struct Shell4Kernels {
+  Shell4Force force;
+  Shell4Tangent tangent;
+  Shell4Strain strain;
+  Shell4Curvature curvature;
+};
+Shell4Kernels shell4_kernels(Isa isa);
+
+}  // namespace fabricsh::element

@@ -1,0 +1,77 @@
+#include <cmath>
+
+#include "base/error.hpp"
+#include "element/shell4.hpp"
+
+namespace fabricsh::element {
+
+namespace {
+
+struct Shape {
+  std::array<double, 4> N, N1, N2;  // values and derivatives along xi, eta
+};
+
+Shape shape_at(double xi, double eta) {
+  static constexpr double sx[4] = {-1, 1, 1, -1}, sy[4] = {-1, -1, 1, 1};
+  Shape s;
+  for (int a = 0; a < 4; ++a) {
+    s.N[a] = (1 + sx[a] * xi) * (1 + sy[a] * eta) / 4;
+    s.N1[a] = sx[a] * (1 + sy[a] * eta) / 4;
+    s.N2[a] = sy[a] * (1 + sx[a] * xi) / 4;
+  }
+  return s;
+}
+
+Vec3 sum(const std::array<double, 4>& weights, const std::array<Vec3, 4>& v) {
+  return weights[0] * v[0] + weights[1] * v[1] + weights[2] * v[2] + weights[3] * v[3];
+}
+
+// (v11, v22, 2 v12) of sym(u_i . w_j).
+std::array<double, 3> metric(const Vec3& u1, const Vec3& u2, const Vec3& w1, const Vec3& w2) {
+  return {u1.dot(w1), u2.dot(w2), u1.dot(w2) + u2.dot(w1)};
+}
+
+}  // namespace
+
+void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
+                     const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
+                     int stride) {
+  const Shell4Layout at(static_cast<int>(section.points.size()));
+  auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
+  static constexpr int edge[4][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
+  for (int e = 0; e < 4; ++e) {
+    const auto [i, j] = std::pair(edge[e][0], edge[e][1]);
+    put(e, section.thickness / 8 * (X[j] - X[i]).dot(D[i] + D[j]));
+  }
+  static const double g = 1 / std::sqrt(3.0);
+  const double px[4] = {-g, g, g, -g}, py[4] = {-g, -g, g, g};
+  for (int p = 0; p < gauss_points; ++p) {
+    const Shape s = shape_at(px[p], py[p]);
+    const Vec3 A1 = sum(s.N1, X), A2 = sum(s.N2, X), B1 = sum(s.N1, D), B2 = sum(s.N2, D);
+    const auto eps = metric(A1, A2, A1, A2), kappa = metric(A1, A2, B1, B2), rho = metric(B1, B2, B1, B2);
+    for (int i = 0; i < 3; ++i) {
+      put(at.reference(p) + i, eps[i] / 2);
+      put(at.reference(p) + 3 + i, kappa[i]);
+      put(at.reference(p) + 6 + i, rho[i] / 2);
+    }
+    for (std::size_t k = 0; k < section.points.size(); ++k) {
+      const double z = section.thickness / 2 * (section.points[k].zeta - section.offset);
+      const Vec3 G1 = A1 + z * B1, G2 = A2 + z * B2, G3 = section.thickness / 2 * sum(s.N, D);
+      const Vec3 normal = G1.cross(G2);
+      const double J = normal.dot(G3);
+      if (!(J > 0) || !std::isfinite(J))
+        throw Error("is degenerate or inverted: its Jacobian is " + std::to_string(J) +
+                    ", expected a positive number");
+      const Vec3 m3 = normal.normalized();
+      const Vec3 wanted = warp(sum(s.N, X), m3);
+      const Vec3 m1 = (wanted - wanted.dot(m3) * m3).normalized();
+      const Vec3 m2 = m3.cross(m1);
+      const Vec3 C1 = G2.cross(G3) / J, C2 = G3.cross(G1) / J, C3 = normal / J;
+      const double column[8] = {C1.dot(m1), C2.dot(m1), C1.dot(m2), C2.dot(m2),
+                                C1.dot(m3), C2.dot(m3), C3.dot(m3), section.points[k].weight * J};
+      for (int i = 0; i < 8; ++i) put(at.point(p, static_cast<int>(k)) + i, column[i]);
+    }
+  }
+}
+
+}  // namespace fabricsh::element

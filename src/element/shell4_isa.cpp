@@ -1,0 +1,513 @@
+// The batch kernels of the four-node shell; compiled once per instruction set. The mathematics is in
+// shell4.hpp's head.
+#include "element/shell4.hpp"
+#include "tensor/pack.hpp"
+
+namespace fabricsh::element {
+inline namespace FABRICSH_ISA {
+namespace {
+
+constexpr Isa isa_of_this_file = Isa::FABRICSH_ISA;
+
+constexpr double kGauss = 0.57735026918962576451;  // 1 / sqrt(3)
+constexpr double kXi[4] = {-kGauss, kGauss, kGauss, -kGauss};
+constexpr double kEta[4] = {-kGauss, -kGauss, kGauss, kGauss};
+constexpr double kSx[4] = {-1, 1, 1, -1};
+constexpr double kSy[4] = {-1, -1, 1, 1};
+constexpr int kEdge[4][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};  // two along xi, two along eta
+
+constexpr double shape1(int g, int a) { return kSx[a] * (1 + kSy[a] * kEta[g]) / 4; }
+constexpr double shape2(int g, int a) { return kSy[a] * (1 + kSx[a] * kXi[g]) / 4; }
+// Weight of edge e in the assumed shear at in-plane point g: edges 0, 1 give g1, edges 2, 3 give g2.
+constexpr double tie(int g, int e) {
+  switch (e) {
+    case 0:
+      return (1 - kEta[g]) / 2;
+    case 1:
+      return (1 + kEta[g]) / 2;
+    case 2:
+      return (1 - kXi[g]) / 2;
+    default:
+      return (1 + kXi[g]) / 2;
+  }
+}
+
+struct V3 {
+  Pack x, y, z;
+  friend V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend V3 operator*(Pack s, V3 a) { return {s * a.x, s * a.y, s * a.z}; }
+  V3& operator+=(V3 b) { return *this = *this + b; }
+  V3& operator-=(V3 b) { return *this = *this - b; }
+};
+inline Pack dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline V3 load3(const double* p, int i) {
+  return {load(p + i * lanes), load(p + (i + 1) * lanes), load(p + (i + 2) * lanes)};
+}
+inline void store3(double* p, int i, V3 v) {
+  store(p + i * lanes, v.x);
+  store(p + (i + 1) * lanes, v.y);
+  store(p + (i + 2) * lanes, v.z);
+}
+
+struct Nodes {
+  V3 x[4], d[4];
+};
+
+// Everything at one in-plane point that does not depend on the thickness coordinate.
+struct InPlane {
+  V3 a1, a2, b1, b2;
+  Pack eps[3], kappa[3], rho[3];  // changes from the reference
+  Pack g1, g2;
+};
+
+// Assumed-shear samples 2 c_i3 at the four edge midpoints.
+inline void edge_shears(const Nodes& n, const double* geometry, double thickness, Pack gamma[4]) {
+  for (int e = 0; e < 4; ++e) {
+    const int i = kEdge[e][0], j = kEdge[e][1];
+    gamma[e] = Pack(thickness / 8) * dot(n.x[j] - n.x[i], n.d[i] + n.d[j]) - load(geometry + e * lanes);
+  }
+}
+
+inline InPlane in_plane(const Nodes& n, const double* reference, const Pack gamma[4], int g) {
+  InPlane p;
+  const Pack zero(0.0);
+  p.a1 = p.a2 = p.b1 = p.b2 = {zero, zero, zero};
+  for (int a = 0; a < 4; ++a) {
+    p.a1 += Pack(shape1(g, a)) * n.x[a];
+    p.a2 += Pack(shape2(g, a)) * n.x[a];
+    p.b1 += Pack(shape1(g, a)) * n.d[a];
+    p.b2 += Pack(shape2(g, a)) * n.d[a];
+  }
+  const Pack half(0.5);
+  auto ref = [&](int i) { return load(reference + i * lanes); };
+  p.eps[0] = half * dot(p.a1, p.a1) - ref(0);
+  p.eps[1] = half * dot(p.a2, p.a2) - ref(1);
+  p.eps[2] = dot(p.a1, p.a2) - ref(2);
+  p.kappa[0] = dot(p.a1, p.b1) - ref(3);
+  p.kappa[1] = dot(p.a2, p.b2) - ref(4);
+  p.kappa[2] = dot(p.a1, p.b2) + dot(p.a2, p.b1) - ref(5);
+  p.rho[0] = half * dot(p.b1, p.b1) - ref(6);
+  p.rho[1] = half * dot(p.b2, p.b2) - ref(7);
+  p.rho[2] = dot(p.b1, p.b2) - ref(8);
+  p.g1 = Pack(tie(g, 0)) * gamma[0] + Pack(tie(g, 1)) * gamma[1];
+  p.g2 = Pack(tie(g, 2)) * gamma[2] + Pack(tie(g, 3)) * gamma[3];
+  return p;
+}
+
+// L: covariant (c11 c22 2c12 g1 g2) to material (E11 E22 2E23 2E13 2E12).
+struct Transform {
+  Pack L[5][5];
+  Pack weight;
+};
+
+inline Transform transform(const double* column) {
+  auto in = [&](int i) { return load(column + i * lanes); };
+  const Pack T11 = in(0), T12 = in(1), T21 = in(2), T22 = in(3), q1 = in(4), q2 = in(5), s = in(6);
+  const Pack two(2.0), zero(0.0);
+  Transform t{{{T11 * T11, T12 * T12, T11 * T12, zero, zero},
+               {T21 * T21, T22 * T22, T21 * T22, zero, zero},
+               {two * T21 * q1, two * T22 * q2, T21 * q2 + T22 * q1, T21 * s, T22 * s},
+               {two * T11 * q1, two * T12 * q2, T11 * q2 + T12 * q1, T11 * s, T12 * s},
+               {two * T11 * T21, two * T12 * T22, T11 * T22 + T12 * T21, zero, zero}},
+              in(7)};
+  return t;
+}
+
+inline void material_strain(const InPlane& p, const Transform& t, double z, double* E) {
+  const Pack zz(z), z2(z * z);
+  Pack c[5];
+  for (int i = 0; i < 3; ++i) c[i] = p.eps[i] + zz * p.kappa[i] + z2 * p.rho[i];
+  c[3] = p.g1;
+  c[4] = p.g2;
+  for (int i = 0; i < 5; ++i) {
+    Pack e = t.L[i][0] * c[0] + t.L[i][1] * c[1] + t.L[i][2] * c[2];
+    if (i == 2 || i == 3) e += t.L[i][3] * c[3] + t.L[i][4] * c[4];
+    store(E + i * lanes, e);
+  }
+}
+
+// Stress resultants of an in-plane point, times the reference volume weights: work-conjugate to (eps kappa
+// rho g).
+struct Resultants {
+  Pack N[3], M[3], K[3], Q[2];
+};
+
+// Tangent of the eleven resultants: Z[m] holds sum w z^m L^T C L over in-plane rows and columns; shear blocks
+// apart.
+struct Stiffness {
+  Pack Z[5][3][3];     // z^0 .. z^4
+  Pack in_g[3][3][2];  // z^0 .. z^2: rows in-plane, columns shear
+  Pack g_in[3][2][3];
+  Pack g_g[2][2];
+};
+
+inline void clear(Resultants& r) {
+  for (Pack* p : {r.N, r.M, r.K})
+    for (int i = 0; i < 3; ++i) p[i] = Pack(0.0);
+  r.Q[0] = r.Q[1] = Pack(0.0);
+}
+
+inline void clear(Stiffness& s) {
+  Pack* p = &s.Z[0][0][0];
+  for (unsigned i = 0; i < sizeof(Stiffness) / sizeof(Pack); ++i) p[i] = Pack(0.0);
+}
+
+inline void add_stress(const Transform& t, const double* S, double z, Resultants& r) {
+  Pack s[5];
+  for (int i = 0; i < 5; ++i) s[i] = t.weight * load(S + i * lanes);
+  const Pack zz(z), z2(z * z);
+  for (int j = 0; j < 3; ++j) {
+    Pack c(0.0);
+    for (int i = 0; i < 5; ++i) c += t.L[i][j] * s[i];
+    r.N[j] += c;
+    r.M[j] += zz * c;
+    r.K[j] += z2 * c;
+  }
+  for (int j = 0; j < 2; ++j) r.Q[j] += t.L[2][3 + j] * s[2] + t.L[3][3 + j] * s[3];
+}
+
+inline void add_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
+  Pack CL[5][5], D[5][5];
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      Pack c(0.0);
+      for (int m = 0; m < 5; ++m)
+        if (j < 3 || m == 2 || m == 3) c += load(C + (5 * i + m) * lanes) * t.L[m][j];
+      CL[i][j] = t.weight * c;
+    }
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      Pack c(0.0);
+      for (int m = 0; m < 5; ++m)
+        if (i < 3 || m == 2 || m == 3) c += t.L[m][i] * CL[m][j];
+      D[i][j] = c;
+    }
+  double power = 1;
+  for (int m = 0; m < 5; ++m, power *= z)
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) k.Z[m][i][j] += Pack(power) * D[i][j];
+      if (m < 3)
+        for (int j = 0; j < 2; ++j) {
+          k.in_g[m][i][j] += Pack(power) * D[i][3 + j];
+          k.g_in[m][j][i] += Pack(power) * D[3 + j][i];
+        }
+    }
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) k.g_g[i][j] += D[3 + i][3 + j];
+}
+
+// Separate bending: M = B kappa in material axes, rigidities in the order (11, 22, 2 12), at the middle
+// thickness point.
+inline void add_bending(const section::Section& section, const InPlane& p, const Transform& t, Resultants& r,
+                        Stiffness* k) {
+  const Pack B[3] = {Pack(section.bending->warp), Pack(section.bending->weft), Pack(section.bending->twist)};
+  const Pack area = t.weight / Pack(section.thickness);
+  constexpr int row[3] = {0, 1, 4};
+  for (int m = 0; m < 3; ++m) {
+    const Pack* L = t.L[row[m]];
+    const Pack moment = area * B[m] * (L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2]);
+    for (int i = 0; i < 3; ++i) {
+      r.M[i] += L[i] * moment;
+      if (k != nullptr)
+        for (int j = 0; j < 3; ++j) k->Z[2][i][j] += area * B[m] * L[i] * L[j];
+    }
+  }
+}
+
+inline double height(const section::Section& section, int k) {
+  return section.thickness / 2 * (section.points[k].zeta - section.offset);
+}
+
+// Law evaluations of one in-plane point, all through the thickness.
+inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch,
+                          const InPlane& p, int g, Resultants& r, Stiffness* k) {
+  const int n = static_cast<int>(section.points.size());
+  const Shell4Layout layout(n);
+  alignas(64) double E[5 * lanes], S[5 * lanes], C[25 * lanes];
+  unsigned failed = 0;
+  clear(r);
+  if (k != nullptr) clear(*k);
+  for (int i = 0; i < n; ++i) {
+    const auto& point = section.points[i];
+    const Transform t = transform(batch.geometry + layout.point(g, i) * lanes);
+    const double z = height(section, i);
+    material_strain(p, t, z, E);
+    const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
+    failed |= fabric::batch_function(*point.law, isa_of_this_file)(
+        *point.law, at, E, batch.s0 + offset, batch.s1 + offset, S, k != nullptr ? C : nullptr);
+    add_stress(t, S, z, r);
+    if (k != nullptr) add_tangent(t, C, z, *k);
+    if (section.bending) add_bending(section, p, t, r, k);
+  }
+  return failed;
+}
+
+struct Forces {
+  V3 x[4], d[4];
+  Pack edge[4];  // sum over points of Q times the tie weight, times t / 8
+};
+
+inline void add_force(const InPlane& p, const Resultants& r, double thickness, int g, Forces& f) {
+  const V3 nx1 = r.N[0] * p.a1 + r.N[2] * p.a2 + r.M[0] * p.b1 + r.M[2] * p.b2;
+  const V3 nx2 = r.N[2] * p.a1 + r.N[1] * p.a2 + r.M[2] * p.b1 + r.M[1] * p.b2;
+  const V3 nd1 = r.M[0] * p.a1 + r.M[2] * p.a2 + r.K[0] * p.b1 + r.K[2] * p.b2;
+  const V3 nd2 = r.M[2] * p.a1 + r.M[1] * p.a2 + r.K[2] * p.b1 + r.K[1] * p.b2;
+  for (int a = 0; a < 4; ++a) {
+    f.x[a] += Pack(shape1(g, a)) * nx1 + Pack(shape2(g, a)) * nx2;
+    f.d[a] += Pack(shape1(g, a)) * nd1 + Pack(shape2(g, a)) * nd2;
+  }
+  for (int e = 0; e < 4; ++e) f.edge[e] += Pack(tie(g, e) * thickness / 8) * r.Q[e / 2];
+}
+
+inline void add_edge_forces(const Nodes& n, Forces& f) {
+  for (int e = 0; e < 4; ++e) {
+    const int i = kEdge[e][0], j = kEdge[e][1];
+    const V3 on_x = f.edge[e] * (n.d[i] + n.d[j]), on_d = f.edge[e] * (n.x[j] - n.x[i]);
+    f.x[j] += on_x;
+    f.x[i] -= on_x;
+    f.d[i] += on_d;
+    f.d[j] += on_d;
+  }
+}
+
+inline Nodes load_nodes(const Shell4Batch& batch) {
+  Nodes n;
+  for (int a = 0; a < 4; ++a) {
+    n.x[a] = load3(batch.x, 3 * a);
+    n.d[a] = load3(batch.d, 3 * a);
+  }
+  return n;
+}
+
+inline void clear(Forces& f) {
+  const V3 zero{Pack(0.0), Pack(0.0), Pack(0.0)};
+  for (int a = 0; a < 4; ++a) f.x[a] = f.d[a] = zero, f.edge[a] = Pack(0.0);
+}
+
+inline void store_forces(const Forces& f, double* out) {
+  for (int a = 0; a < 4; ++a) {
+    store3(out, 3 * a, f.x[a]);
+    store3(out, 12 + 3 * a, f.d[a]);
+  }
+}
+
+unsigned force(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f) {
+  const Nodes n = load_nodes(batch);
+  const Shell4Layout layout(static_cast<int>(section.points.size()));
+  Pack gamma[4];
+  edge_shears(n, batch.geometry, section.thickness, gamma);
+  Forces forces;
+  clear(forces);
+  unsigned failed = 0;
+  for (int g = 0; g < gauss_points; ++g) {
+    const InPlane p = in_plane(n, batch.geometry + layout.reference(g) * lanes, gamma, g);
+    Resultants r;
+    failed |= integrate(section, at, batch, p, g, r, nullptr);
+    add_force(p, r, section.thickness, g, forces);
+  }
+  add_edge_forces(n, forces);
+  store_forces(forces, f);
+  return failed;
+}
+
+// Rows of the strain operator on (u, q): eps (0-2), kappa (3-5), rho (6-8), g (9, 10); column 5 A + dof.
+struct Operator {
+  Pack B[11][shell4_dofs];
+};
+
+inline void set3(Pack* row, int a, V3 v) {
+  row[5 * a] = v.x;
+  row[5 * a + 1] = v.y;
+  row[5 * a + 2] = v.z;
+}
+inline void set2(Pack* row, int a, V3 v, const V3 (&b)[4][2]) {
+  row[5 * a + 3] = dot(v, b[a][0]);
+  row[5 * a + 4] = dot(v, b[a][1]);
+}
+
+inline void fill_in_plane(const InPlane& p, int g, const V3 (&b)[4][2], Operator& o) {
+  const Pack zero(0.0);
+  const V3 none{zero, zero, zero};
+  for (int a = 0; a < 4; ++a) {
+    const Pack N1(shape1(g, a)), N2(shape2(g, a));
+    const V3 a11 = N1 * p.a1, a22 = N2 * p.a2, a12 = N1 * p.a2 + N2 * p.a1;
+    const V3 b11 = N1 * p.b1, b22 = N2 * p.b2, b12 = N1 * p.b2 + N2 * p.b1;
+    const V3 onx[9] = {a11, a22, a12, b11, b22, b12, none, none, none};
+    const V3 ond[9] = {none, none, none, a11, a22, a12, b11, b22, b12};
+    for (int i = 0; i < 9; ++i) {
+      set3(o.B[i], a, onx[i]);
+      set2(o.B[i], a, ond[i], b);
+    }
+  }
+}
+
+inline void fill_edges(const Nodes& n, double thickness, const V3 (&b)[4][2], Pack (&edge)[4][shell4_dofs]) {
+  const Pack h(thickness / 8), zero(0.0);
+  for (int e = 0; e < 4; ++e) {
+    for (Pack& v : edge[e]) v = zero;
+    const int i = kEdge[e][0], j = kEdge[e][1];
+    const V3 director = h * (n.d[i] + n.d[j]), chord = h * (n.x[j] - n.x[i]);
+    set3(edge[e], j, director);
+    set3(edge[e], i, Pack(-1.0) * director);
+    set2(edge[e], i, chord, b);
+    set2(edge[e], j, chord, b);
+  }
+}
+
+// The 11x11 tangent of the resultants, row i column j.
+inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
+  if (i < 9 && j < 9) return k.Z[i / 3 + j / 3][i % 3][j % 3];
+  if (i < 9) return k.in_g[i / 3][i % 3][j - 9];
+  if (j < 9) return k.g_in[j / 3][i - 9][j % 3];
+  return k.g_g[i - 9][j - 9];
+}
+
+// K += B^T D B. Rows 6..8 act on rotations alone and rows 0..2 on displacements alone; the zeros cost little.
+inline void add_material(const Operator& o, const Stiffness& k, Pack (&K)[shell4_dofs][shell4_dofs]) {
+  Pack D[11][11];
+  for (int i = 0; i < 11; ++i)
+    for (int j = 0; j < 11; ++j) D[i][j] = stiffness_entry(k, i, j);
+  for (int c = 0; c < shell4_dofs; ++c) {
+    Pack DB[11];
+    for (int i = 0; i < 11; ++i) {
+      Pack v(0.0);
+      for (int j = 0; j < 11; ++j) v += D[i][j] * o.B[j][c];
+      DB[i] = v;
+    }
+    for (int r = 0; r < shell4_dofs; ++r) {
+      Pack v = K[r][c];
+      for (int i = 0; i < 11; ++i) v += o.B[i][r] * DB[i];
+      K[r][c] = v;
+    }
+  }
+}
+
+// Scalar factors of the geometric stiffness between node pairs: displacement-displacement,
+// displacement-director, director-director.
+struct Geometric {
+  Pack xx[4][4], xd[4][4], dd[4][4];
+};
+
+inline void add_geometric(const Resultants& r, int g, Geometric& k) {
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      const Pack n11(shape1(g, a) * shape1(g, b)), n22(shape2(g, a) * shape2(g, b));
+      const Pack n12(shape1(g, a) * shape2(g, b) + shape2(g, a) * shape1(g, b));
+      k.xx[a][b] += n11 * r.N[0] + n22 * r.N[1] + n12 * r.N[2];
+      k.xd[a][b] += n11 * r.M[0] + n22 * r.M[1] + n12 * r.M[2];
+      k.dd[a][b] += n11 * r.K[0] + n22 * r.K[1] + n12 * r.K[2];
+    }
+}
+
+inline void add_edge_geometric(const Forces& f, Geometric& k) {
+  for (int e = 0; e < 4; ++e) {
+    const int i = kEdge[e][0], j = kEdge[e][1];
+    for (int m : {i, j}) {
+      k.xd[j][m] += f.edge[e];
+      k.xd[i][m] -= f.edge[e];
+    }
+  }
+}
+
+inline void put_geometric(const Geometric& k, const Forces& f, const Nodes& n, const V3 (&b)[4][2],
+                          Pack (&K)[shell4_dofs][shell4_dofs]) {
+  for (int a = 0; a < 4; ++a)
+    for (int c = 0; c < 4; ++c) {
+      for (int i = 0; i < 3; ++i) K[5 * a + i][5 * c + i] += k.xx[a][c];
+      for (int q = 0; q < 2; ++q) {
+        const V3 v = k.xd[a][c] * b[c][q];
+        const Pack parts[3] = {v.x, v.y, v.z};
+        for (int i = 0; i < 3; ++i) {
+          K[5 * a + i][5 * c + 3 + q] += parts[i];
+          K[5 * c + 3 + q][5 * a + i] += parts[i];
+        }
+        for (int p = 0; p < 2; ++p) K[5 * a + 3 + p][5 * c + 3 + q] += k.dd[a][c] * dot(b[a][p], b[c][q]);
+      }
+    }
+  for (int a = 0; a < 4; ++a) {
+    const Pack along = dot(f.d[a], n.d[a]);  // second variation of the director: delta2 d = -(q.q) d
+    K[5 * a + 3][5 * a + 3] -= along;
+    K[5 * a + 4][5 * a + 4] -= along;
+  }
+}
+
+unsigned tangent(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f,
+                 double* out) {
+  const Nodes n = load_nodes(batch);
+  V3 b[4][2];
+  for (int a = 0; a < 4; ++a)
+    for (int q = 0; q < 2; ++q) b[a][q] = load3(batch.b, 6 * a + 3 * q);
+  const Shell4Layout layout(static_cast<int>(section.points.size()));
+  Pack gamma[4], edge[4][shell4_dofs], K[shell4_dofs][shell4_dofs];
+  edge_shears(n, batch.geometry, section.thickness, gamma);
+  fill_edges(n, section.thickness, b, edge);
+  Forces forces;
+  clear(forces);
+  Geometric geometric;
+  for (auto* block : {geometric.xx, geometric.xd, geometric.dd})
+    for (int a = 0; a < 4; ++a)
+      for (int c = 0; c < 4; ++c) block[a][c] = Pack(0.0);
+  for (auto& row : K)
+    for (Pack& v : row) v = Pack(0.0);
+  unsigned failed = 0;
+  Operator o;
+  for (int g = 0; g < gauss_points; ++g) {
+    const InPlane p = in_plane(n, batch.geometry + layout.reference(g) * lanes, gamma, g);
+    Resultants r;
+    Stiffness k;
+    failed |= integrate(section, at, batch, p, g, r, &k);
+    add_force(p, r, section.thickness, g, forces);
+    fill_in_plane(p, g, b, o);
+    for (int c = 0; c < shell4_dofs; ++c) {
+      o.B[9][c] = Pack(tie(g, 0)) * edge[0][c] + Pack(tie(g, 1)) * edge[1][c];
+      o.B[10][c] = Pack(tie(g, 2)) * edge[2][c] + Pack(tie(g, 3)) * edge[3][c];
+    }
+    add_material(o, k, K);
+    add_geometric(r, g, geometric);
+  }
+  add_edge_forces(n, forces);
+  add_edge_geometric(forces, geometric);
+  put_geometric(geometric, forces, n, b, K);
+  store_forces(forces, f);
+  for (int r = 0; r < shell4_dofs; ++r)
+    for (int c = 0; c < shell4_dofs; ++c) store(out + (shell4_dofs * r + c) * lanes, K[r][c]);
+  return failed;
+}
+
+void strain(const section::Section& section, const Shell4Batch& batch, double* E) {
+  const Nodes n = load_nodes(batch);
+  const int points = static_cast<int>(section.points.size());
+  const Shell4Layout layout(points);
+  Pack gamma[4];
+  edge_shears(n, batch.geometry, section.thickness, gamma);
+  for (int g = 0; g < gauss_points; ++g) {
+    const InPlane p = in_plane(n, batch.geometry + layout.reference(g) * lanes, gamma, g);
+    for (int k = 0; k < points; ++k)
+      material_strain(p, transform(batch.geometry + layout.point(g, k) * lanes), height(section, k),
+                      E + (g * points + k) * 5 * lanes);
+  }
+}
+
+void curvature(const section::Section& section, const Shell4Batch& batch, double* kappa) {
+  const Nodes n = load_nodes(batch);
+  const Shell4Layout layout(static_cast<int>(section.points.size()));
+  Pack gamma[4];
+  edge_shears(n, batch.geometry, section.thickness, gamma);
+  constexpr int row[3] = {0, 1, 4};
+  for (int g = 0; g < gauss_points; ++g) {
+    const InPlane p = in_plane(n, batch.geometry + layout.reference(g) * lanes, gamma, g);
+    const Transform t = transform(batch.geometry + layout.point(g, 0) * lanes);
+    for (int i = 0; i < 3; ++i) {
+      const Pack* L = t.L[row[i]];
+      store(kappa + (3 * g + i) * lanes, L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2]);
+    }
+  }
+}
+
+}  // namespace
+
+Shell4Kernels shell4_kernels_of_isa() { return {&force, &tangent, &strain, &curvature}; }
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::element

@@ -1,0 +1,214 @@
+#include "model/model.hpp"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+#include "base/error.hpp"
+
+namespace fabricsh::model {
+
+namespace {
+
+const char* const kFreedomNames[] = {"x", "y", "z", "rx", "ry", "rz"};
+
+std::string quoted(const std::string& s) { return "'" + s + "'"; }
+
+void take_word(Freedoms& f, const std::string& word) {
+  if (word == "rotation") {
+    f.rotation = true;
+    return;
+  }
+  for (int i = 0; i < 6; ++i)
+    if (word == kFreedomNames[i]) {
+      (i < 3 ? f.translation[i] : f.axis[i - 3]) = true;
+      return;
+    }
+  throw Error("fix: unknown freedom " + quoted(word) + ", expected some of x y z rx ry rz rotation");
+}
+
+bool none_given(const Components& c) { return !c[0] && !c[1] && !c[2]; }
+
+section::Section make_section(const card::Card& card, const Options& options) {
+  return section::integrated(card, options.thickness.value_or(card.thickness), options.points,
+                             options.offset);
+}
+
+}  // namespace
+
+Mat3 frame_from(const Vec3& e1, const Vec3& e2) {
+  const Vec3 third = e1.cross(e2);
+  if (!(third.norm() > 1e-9 * e1.norm() * e2.norm()) || !std::isfinite(third.norm()))
+    throw Error("frame: expected two directions {e1, e2} that are not parallel");
+  Mat3 frame;
+  frame.row(0) = e1.normalized().transpose();
+  frame.row(2) = third.normalized().transpose();
+  frame.row(1) = frame.row(2).cross(frame.row(0));
+  return frame;
+}
+
+Freedoms parse_freedoms(const std::string& words) {
+  Freedoms f;
+  std::string word;
+  bool any = false;
+  for (const char c : words + " ") {
+    if (c != ' ' && c != ',' && c != '\t' && c != '\n') {
+      word += c;
+      continue;
+    }
+    if (word.empty()) continue;
+    take_word(f, word);
+    any = true;
+    word.clear();
+  }
+  if (!any) throw Error("fix: no freedom named, expected some of x y z rx ry rz rotation");
+  return f;
+}
+
+Model::Model(std::shared_ptr<mesh::Mesh> mesh, card::Card card, Options options)
+    : mesh_(std::move(mesh)),
+      card_(std::move(card)),
+      options_(std::move(options)),
+      section_(make_section(card_, options_)) {
+  if (mesh_->elements.empty()) throw Error("model: the mesh has no elements");
+  if (!options_.warp && !mesh_->flat)
+    throw Error(
+        "model: field 'warp': expected a direction {x,y,z}, an angle in degrees or a function, got nil: this "
+        "mesh is "
+        "not a flat generated one, so the warp has no default");
+}
+
+void Model::check_open(const char* call) const {
+  if (sealed_)
+    throw Error(std::string(call) + ": the model is in use by an analysis and can't be changed any more");
+}
+
+void Model::fix(const std::string& set, const Freedoms& fixed, const Mat3& frame) {
+  check_open("fix");
+  mesh_->set(set);
+  supports_.push_back({set, fixed, frame});
+}
+
+void Model::move(const std::string& set, Components displacement, const Mat3& frame) {
+  check_open("move");
+  mesh_->set(set);
+  if (none_given(displacement)) throw Error("move: expected at least one of x, y, z");
+  motions_.push_back({set, std::move(displacement), frame});
+}
+
+void Model::force(const std::string& set, Components total, const Mat3& frame) {
+  check_open("force");
+  mesh_->set(set);
+  if (none_given(total)) throw Error("force: expected at least one of x, y, z");
+  forces_.push_back({set, std::move(total), frame});
+}
+
+void Model::gravity(const Vec3& acceleration) {
+  check_open("gravity");
+  if (!acceleration.allFinite()) throw Error("gravity: expected three finite numbers in m/s^2");
+  gravity_ = acceleration;
+}
+
+namespace {
+
+// What a validation has seen of a node so far, per direction: 0 free, 1 fixed, 2 moved; and by which set.
+struct Seen {
+  std::array<int, 3> kind{};
+  std::array<std::string, 3> by;
+  Mat3 frame = global_frame();
+  bool framed = false;  // held along one or two directions only: the frame matters
+  std::string framed_by;
+};
+
+[[noreturn]] void clash(mesh::Index node, const std::string& what) {
+  throw Error("model: node " + std::to_string(node + 1) + ": " + what);
+}
+
+void take_frame(Seen& seen, mesh::Index node, const Mat3& frame, const std::string& set) {
+  if (seen.framed && (seen.frame - frame).norm() > 1e-12)
+    clash(node, "sets " + quoted(seen.framed_by) + " and " + quoted(set) +
+                    " hold or move it in two different frames");
+  seen.frame = frame;
+  seen.framed = true;
+  seen.framed_by = set;
+}
+
+void take_support(Seen& seen, mesh::Index node, const Support& s) {
+  const auto& t = s.fixed.translation;
+  if (!(t[0] || t[1] || t[2])) return;
+  if (!(t[0] && t[1] && t[2])) take_frame(seen, node, s.frame, s.set);
+  for (int i = 0; i < 3; ++i)
+    if (t[i] && seen.kind[i] == 0) {
+      seen.kind[i] = 1;
+      seen.by[i] = s.set;
+    }
+}
+
+void take_motion(Seen& seen, mesh::Index node, const Motion& m) {
+  take_frame(seen, node, m.frame, m.set);
+  for (int i = 0; i < 3; ++i) {
+    if (!m.displacement[i]) continue;
+    const std::string direction = kFreedomNames[i];
+    if (seen.kind[i] == 1)
+      clash(node,
+            direction + " is fixed (set " + quoted(seen.by[i]) + ") and moved (set " + quoted(m.set) + ")");
+    if (seen.kind[i] == 2 && seen.by[i] != m.set)
+      clash(node, direction + " is moved twice (sets " + quoted(seen.by[i]) + " and " + quoted(m.set) + ")");
+    if (seen.kind[i] == 2) clash(node, direction + " is moved twice (set " + quoted(m.set) + ")");
+    seen.kind[i] = 2;
+    seen.by[i] = m.set;
+  }
+}
+
+}  // namespace
+
+void Model::validate() const {
+  std::map<mesh::Index, Seen> seen;
+  for (const auto& s : supports_)
+    for (const auto n : mesh_->set(s.set)) take_support(seen[n], n, s);
+  for (const auto& m : motions_)
+    for (const auto n : mesh_->set(m.set)) take_motion(seen[n], n, m);
+  for (const auto& m : motions_)
+    for (const auto& h : m.displacement)
+      if (h) h->value(0);
+  std::vector<bool> used(mesh_->nodes.size(), false);
+  for (const auto& e : mesh_->elements)
+    for (const auto n : e)
+      if (n >= 0) used[n] = true;
+  for (std::size_t n = 0; n < used.size(); ++n)
+    if (!used[n]) throw Error("model: node " + std::to_string(n + 1) + " belongs to no element");
+}
+
+Vec3 Model::warp_at(const Vec3& X, const Vec3& n) const {
+  const Direction direction = options_.warp ? (*options_.warp)(X) : Direction(0.0);
+  Vec3 wanted;
+  if (const double* angle = std::get_if<double>(&direction)) {
+    const Vec3 e1 = (Vec3::UnitX() - n.x() * n).normalized();
+    const double a = *angle * std::numbers::pi / 180;
+    wanted = std::cos(a) * e1 + std::sin(a) * n.cross(e1);
+    if (std::abs(n.x()) > 1 - 1e-12) wanted.setZero();
+  } else {
+    wanted = std::get<Vec3>(direction);
+  }
+  if (!wanted.allFinite() || (wanted - wanted.dot(n) * n).norm() <= 1e-9 * wanted.norm()) {
+    std::ostringstream text;
+    text << "model: field 'warp': no direction in the surface at (" << X.transpose() << "), whose normal is ("
+         << n.transpose() << ")";
+    throw Error(text.str());
+  }
+  return wanted;
+}
+
+std::string Model::describe() const {
+  std::ostringstream text;
+  text << "model: " << mesh_->origin << ", " << mesh_->nodes.size() << " nodes, " << mesh_->elements.size()
+       << " elements; card " << card_.name << ", " << section_.thickness * 1e3 << " mm, "
+       << section_.areal_mass * 1e3 << " g/m2; warp "
+       << (options_.warp ? options_.warp_text : "0 degrees from +x (default)") << "; "
+       << section_.points.size() << " thickness point" << (section_.points.size() == 1 ? "" : "s") << "; "
+       << supports_.size() << " supports, " << motions_.size() << " motions, " << forces_.size() << " forces";
+  return text.str();
+}
+
+}  // namespace fabricsh::model

@@ -1,0 +1,103 @@
+#include "solver/newton.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace fabricsh::solver {
+
+namespace {
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+bool all_finite(std::span<const double> v) {
+  for (const double x : v)
+    if (!std::isfinite(x)) return false;
+  return true;
+}
+
+std::pair<double, Index> largest(std::span<const double> v) {
+  std::pair<double, Index> best{0, -1};
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (std::abs(v[i]) > best.first) best = {std::abs(v[i]), static_cast<Index>(i)};
+  return best;
+}
+
+}  // namespace
+
+const char* describe(NewtonStatus status) {
+  switch (status) {
+    case NewtonStatus::converged:
+      return "converged";
+    case NewtonStatus::law_failed:
+      return "the fabric law failed (strain not finite)";
+    case NewtonStatus::singular:
+      return "the tangent is singular (a part can move freely, or has buckled)";
+    case NewtonStatus::diverged:
+      return "the residual grew without bound";
+    default:
+      return "too many iterations";
+  }
+}
+
+Newton::Newton(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern)
+    : linear_(std::move(linear)), K_(std::move(pattern)), r_(K_.size), delta_(K_.size), trial_r_(K_.size) {}
+
+bool Newton::direction(std::span<const double> r) {
+  if (K_.size == 0) return true;
+  if (!analysed_) analysed_ = linear_->analyse(K_);
+  return analysed_ && linear_->factorise(K_) && linear_->solve(K_, r, delta_) && all_finite(delta_);
+}
+
+// Steps along delta until |g(a)| <= |g(0)| / 2 with g(a) = delta . r(d + a delta) (regula falsi on a
+// bracketed zero, else halving). Leaves r_ at the trial configuration. False: the law failed even on a short
+// step.
+bool Newton::search(Problem& problem, bool line_search) {
+  const double g0 = dot(delta_, r_);
+  double low = 0, g_low = g0, a = 1;
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    problem.retract(delta_, a);
+    if (!problem.residual(trial_r_) || !all_finite(trial_r_)) {
+      a = low + (a - low) / 4;
+      continue;
+    }
+    const double g = dot(delta_, trial_r_);
+    r_.swap(trial_r_);
+    if (!line_search || std::abs(g) <= std::abs(g0) / 2 || attempt == 9) return true;
+    const bool crossed = (g > 0) != (g_low > 0);
+    if (!crossed) return true;  // still descending at the full step: Newton goes on from there
+    const double next = low + (a - low) * g_low / (g_low - g);
+    a = std::max(next, 0.1 * a);
+  }
+  return false;
+}
+
+NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
+  NewtonResult result;
+  auto stop = [&](NewtonStatus status) {
+    result.status = status;
+    return result;
+  };
+  if (!problem.predict(K_, r_)) return stop(NewtonStatus::law_failed);
+  if (!all_finite(r_)) return stop(NewtonStatus::law_failed);
+  for (int i = 0; i < options.max_iterations; ++i) {
+    if (!direction(r_)) return stop(NewtonStatus::singular);
+    ++result.iterations;
+    // The first step carries the supports' move, whose residual is linearised: it is taken whole where it can
+    // be.
+    if (!search(problem, options.line_search && i > 0)) return stop(NewtonStatus::law_failed);
+    problem.accept();
+    const auto [size, where] = largest(r_);
+    const double scale = problem.force_scale();
+    const double relative = size == 0 ? 0 : size / scale;
+    result.residuals.push_back(relative);
+    result.worst = where;
+    if (relative <= options.tolerance) return stop(NewtonStatus::converged);
+    if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
+    if (!problem.tangent(K_)) return stop(NewtonStatus::law_failed);
+  }
+  return stop(NewtonStatus::too_many_iterations);
+}
+
+}  // namespace fabricsh::solver

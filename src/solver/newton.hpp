@@ -1,0 +1,62 @@
+// Newton's method with a line search (PHYSICS section 7; [williams2010, Box 5-1]). Knows vectors, not meshes.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solver/sparse.hpp"
+
+namespace fabricsh::solver {
+
+// What a solver sees of a problem: unknowns, forces, tangent, and a way to step on the configuration
+// (directors live on a sphere, so a step is a retraction, not a sum). Three configurations: committed,
+// iterate, trial.
+class Problem {
+ public:
+  virtual ~Problem() = default;
+  virtual Index size() const = 0;
+  // At the committed configuration: the tangent K, and the residual r in which the supports' move to their
+  // targets is linearised, r = f_ext - f_int - K_fp du_p. Sets iterate = trial = committed. False: the law
+  // failed.
+  virtual bool predict(SparseMatrix& K, std::span<double> r) = 0;
+  // trial = iterate moved by scale * delta, supports at their targets.
+  virtual void retract(std::span<const double> delta, double scale) = 0;
+  virtual void accept() = 0;                       // iterate = trial
+  virtual bool residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
+  virtual bool tangent(SparseMatrix& K) = 0;       // at the trial configuration
+  virtual double force_scale() const = 0;          // N: what a residual is measured against
+};
+
+struct NewtonOptions {
+  double tolerance = 1e-10;
+  int max_iterations = 25;
+  bool line_search = true;
+};
+
+enum class NewtonStatus { converged, law_failed, singular, diverged, too_many_iterations };
+const char* describe(NewtonStatus status);
+
+struct NewtonResult {
+  NewtonStatus status = NewtonStatus::too_many_iterations;
+  int iterations = 0;             // linear solves
+  std::vector<double> residuals;  // relative, after each solve
+  Index worst = -1;               // unknown that carries the largest residual
+};
+
+class Newton {
+ public:
+  Newton(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern);
+  NewtonResult solve(Problem& problem, const NewtonOptions& options);
+  LinearReport linear_report() const { return linear_->report(); }
+
+ private:
+  bool direction(std::span<const double> r);  // delta_ = K^-1 r
+  bool search(Problem& problem, bool line_search);
+  std::unique_ptr<LinearSolver> linear_;
+  SparseMatrix K_;
+  std::vector<double> r_, delta_, trial_r_;
+  bool analysed_ = false;
+};
+
+}  // namespace fabricsh::solver
