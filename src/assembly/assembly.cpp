@@ -262,6 +262,23 @@ void Assembly::visit(Index element, const PointVisitor& f) const {
     }
 }
 
+std::pair<Vec3, Vec3> Assembly::yarns(Index element) const {
+  const Place place = place_[element];
+  const auto& nodes = batches_[place.batch].nodes[place.lane];
+  const auto x = std::as_const(*state_).x();
+  const Vec3 a1 = (at(x, nodes[1]) + at(x, nodes[2]) - at(x, nodes[0]) - at(x, nodes[3])) / 4;
+  const Vec3 a2 = (at(x, nodes[2]) + at(x, nodes[3]) - at(x, nodes[0]) - at(x, nodes[1])) / 4;
+  // A material direction m_i = T_i1 G_1 + T_i2 G_2 goes to T_i1 a_1 + T_i2 a_2; T is averaged over the
+  // in-plane points.
+  const element::Shell4Layout layout(static_cast<int>(model_.section().points.size()));
+  const int middle = layout.points / 2;
+  double T[4] = {};
+  for (int g = 0; g < gauss_points; ++g)
+    for (int i = 0; i < 4; ++i)
+      T[i] += geometry_[place.batch * geometry_size_ + (layout.point(g, middle) + i) * lanes + place.lane];
+  return {(T[0] * a1 + T[1] * a2).normalized(), (T[2] * a1 + T[3] * a2).normalized()};
+}
+
 double Assembly::bending_energy(Index element) const {
   const auto& bending = model_.section().bending;
   if (!bending) return 0;

@@ -4,6 +4,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "assembly/freedoms.hpp"
@@ -61,7 +62,10 @@ class Assembly {
   using PointVisitor =
       std::function<void(double weight, const fabric::Law& law, const double* E, const double* state)>;
   void visit(Index element, const PointVisitor& f) const;  // trial configuration
-  double bending_energy(Index element) const;              // J, of separate bending; 0 without
+  // Warp and weft of an element in the trial configuration: unit vectors, global, convected with the cloth,
+  // at its middle.
+  std::pair<Vec3, Vec3> yarns(Index element) const;
+  double bending_energy(Index element) const;  // J, of separate bending; 0 without
   Index elements() const { return static_cast<Index>(place_.size()); }
   Index element_of_unknown(Index unknown) const;  // some element of the node that carries it
   Index node_of_unknown(Index unknown) const;
