@@ -1,0 +1,111 @@
+#include "files/atomic.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "files/descriptor.hpp"
+
+namespace fabricsh::files {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reason_text(int reason) { return std::generic_category().message(reason); }
+
+// The file that path means: what a link points to. Anything but a regular file is not for replacing.
+fs::path target_of(const std::string& path) {
+  std::error_code trouble;
+  const fs::file_status status = fs::status(path, trouble);
+  if (fs::is_directory(status)) cannot_write(path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw Error("cannot write '" + path + "': it is not a regular file");
+  if (!fs::is_symlink(path, trouble)) return path;
+  return fs::exists(status) ? fs::canonical(path) : fs::path(path).parent_path() / fs::read_symlink(path);
+}
+
+// A new empty file beside the target, its name taken by nobody else.
+std::string make_temporary(const fs::path& target, const std::string& path) {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+  for (int attempt = 0;; ++attempt) {
+    const std::string tail = std::to_string(getpid()) + "-" + std::to_string(now + attempt) + ".part";
+    const fs::path name = target.parent_path() / ("." + target.filename().string() + "." + tail);
+    const Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.open()) return name.string();
+    if (errno != EEXIST || attempt == 100) cannot_write(path, errno);
+  }
+}
+
+int sync_to_disk(const std::string& file) {
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!opened.open() || fsync(opened.number()) != 0) return errno;
+  return 0;
+}
+
+}  // namespace
+
+void cannot_write(const std::string& path, int reason) {
+  throw Error("cannot write '" + path + "': " + reason_text(reason));
+}
+
+Descriptor::~Descriptor() {
+  if (open()) close(number_);
+}
+
+int Descriptor::write(std::string_view bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t done = ::write(number_, bytes.data(), bytes.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(done));
+  }
+  return 0;
+}
+
+void make_folder_for(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) return;
+  std::error_code trouble;
+  fs::create_directories(folder, trouble);
+  if (trouble) throw Error("cannot make the folder '" + folder.string() + "': " + trouble.message());
+  if (!fs::is_directory(folder, trouble)) throw Error("'" + folder.string() + "' is not a folder");
+}
+
+AtomicFile::AtomicFile(const std::string& path) : path_(path) {
+  if (path.empty() || path.back() == '/')
+    throw Error("cannot write '" + path + "': expected the name of a file");
+  const fs::path target = target_of(path);
+  make_folder_for(target.string());
+  target_ = target.string();
+  temporary_ = make_temporary(target, path);
+}
+
+AtomicFile::~AtomicFile() {
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void AtomicFile::commit(Sync sync) {
+  if (sync == Sync::yes)
+    if (const int reason = sync_to_disk(temporary_)) cannot_write(path_, reason);
+  if (rename(temporary_.c_str(), target_.c_str()) != 0) cannot_write(path_, errno);
+  temporary_.clear();
+}
+
+void write_file(const std::string& path, std::string_view content, Sync sync) {
+  AtomicFile file(path);
+  {
+    const Descriptor opened(::open(file.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
+    if (!opened.open()) cannot_write(path, errno);
+    if (const int reason = opened.write(content)) cannot_write(path, reason);
+  }
+  file.commit(sync);
+}
+
+}  // namespace fabricsh::files

@@ -1,0 +1,37 @@
+// Whole files, written so that a reader sees the old one or the new one and never a part: into a temporary
+// file beside it, then renamed. Every error names the path and the system's reason.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace fabricsh::files {
+
+// Whether the bytes are forced to the disk before the rename: a checkpoint survives a power cut, a frame of a
+// series need only survive the program.
+enum class Sync { no, yes };
+
+// Makes the folder that path lies in, and those above it, where they are missing.
+void make_folder_for(const std::string& path);
+
+// Replaces the file at path, or leaves it as it was. A link is followed. Error: path is a folder or a device.
+void write_file(const std::string& path, std::string_view content, Sync sync = Sync::yes);
+
+// The same for a writer that wants a file name: it writes to temporary(), then commit() puts that in place.
+// Without commit() the temporary file goes away and the old file stays.
+class AtomicFile {
+ public:
+  explicit AtomicFile(const std::string& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  const std::string& temporary() const { return temporary_; }
+  void commit(Sync sync = Sync::yes);
+
+ private:
+  std::string path_, target_, temporary_;  // as given; what a link at path points to; beside the target
+};
+
+// Error: "cannot write 'out/x.csv': No space left on device".
+[[noreturn]] void cannot_write(const std::string& path, int reason);
+
+}  // namespace fabricsh::files

@@ -1,0 +1,70 @@
+#include "files/csv.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <set>
+
+#include "base/error.hpp"
+#include "files/atomic.hpp"
+#include "files/number.hpp"
+
+namespace fabricsh::files {
+
+namespace {
+
+// A name with a comma, quote or line end goes between quotes, its quotes doubled (RFC 4180).
+std::string cell(const std::string& name) {
+  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+  std::string quoted = "\"";
+  for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+void check_columns(const std::string& path, const std::vector<std::string>& columns) {
+  if (columns.empty()) throw Error("table '" + path + "': expected at least one column");
+  std::set<std::string> seen;
+  for (const std::string& name : columns) {
+    if (name.empty()) throw Error("table '" + path + "': a column has no name");
+    if (!seen.insert(name).second) throw Error("table '" + path + "': two columns are named '" + name + "'");
+  }
+}
+
+template <class Items, class Text>
+std::string line_of(const Items& items, Text text) {
+  std::string line;
+  for (const auto& item : items) line += text(item) + ",";
+  line.back() = '\n';
+  return line;
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const std::string& path, const std::vector<std::string>& columns)
+    : path_(path), columns_(columns.size()) {
+  check_columns(path, columns);
+  make_folder_for(path);
+  file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!file_.open()) cannot_write(path, errno);
+  append(line_of(columns, cell));
+}
+
+void CsvWriter::row(std::span<const double> values) {
+  if (values.size() != columns_)
+    throw Error("table '" + path_ + "': expected " + std::to_string(columns_) + " values in a row, got " +
+                std::to_string(values.size()));
+  append(line_of(values, number));
+}
+
+// One line by one write; what a full disk took of it is cut off again (a pipe or device has no length to
+// cut).
+void CsvWriter::append(const std::string& line) {
+  if (const int reason = file_.write(line)) {
+    [[maybe_unused]] const int cut = ftruncate(file_.number(), length_);
+    cannot_write(path_, reason);
+  }
+  length_ += static_cast<std::int64_t>(line.size());
+}
+
+}  // namespace fabricsh::files

@@ -1,0 +1,34 @@
+// One picture of a surface and what is known on it, as a VTK unstructured grid that ParaView reads.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/atomic.hpp"
+#include "mesh/mesh.hpp"
+
+namespace fabricsh::files {
+
+using mesh::Index;
+
+// Values of one name, item by item: component c of item i at values[i * components + c].
+struct Array {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;
+  std::vector<std::string> component_names = {};  // none, or one per component: shown by ParaView
+};
+
+struct Grid {
+  const std::vector<Vec3>& points;                 // m, global
+  const std::vector<std::array<Index, 4>>& cells;  // node ids from 0; a triangle has -1 in the last place
+  std::vector<Array> point_data = {}, cell_data = {};
+  std::optional<double> time = {};  // s
+};
+
+// Replaces the file, compressed. Error: an array whose length is not components times points (or cells), a
+// file that cannot be written.
+void write_vtu(const std::string& path, const Grid& grid, Sync sync = Sync::yes);
+
+}  // namespace fabricsh::files

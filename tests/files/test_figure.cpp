@@ -1,0 +1,74 @@
+#include <cstdlib>
+#include <limits>
+
+#include "files/figure.hpp"
+#include "files/gnuplot.hpp"
+#include "message_of.hpp"
+#include "scratch.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::files;
+using Names = std::set<std::string>;
+
+namespace {
+
+const std::vector<Curve> two_curves = {{"it's a_b {x}", {0, 1, 2}, {0, 1, 4}},
+                                       {"second\nline", {0, 2}, {0, 2}, CurveStyle::dashed}};
+
+struct Path {
+  explicit Path(const char* value) : before(std::getenv("PATH")) { setenv("PATH", value, 1); }
+  ~Path() { setenv("PATH", before.c_str(), 1); }
+  std::string before;
+};
+
+}  // namespace
+
+TEST_CASE("a figure in each format, text taken as it is", "[files]") {
+  const ScratchFolder folder;
+  figure(folder / "out/a.svg", "S over E", "E", "S, MPa", two_curves);
+  figure(folder / "out/a.png", "t", "x", "y", two_curves);
+  figure(folder / "out/a.pdf", "t", "x", "y", two_curves);
+  CHECK(folder.listing() == Names{"out", "out/a.pdf", "out/a.png", "out/a.svg"});
+  const std::string svg = content_of(folder / "out/a.svg");
+  CHECK(svg.find("<svg") != std::string::npos);
+  CHECK(svg.find("</svg>") != std::string::npos);
+  CHECK(svg.find("S, MPa") != std::string::npos);
+  CHECK(svg.find("a_b {x}") != std::string::npos);
+  CHECK(svg.find("second line") != std::string::npos);
+  CHECK(content_of(folder / "out/a.png").starts_with("\x89PNG"));
+  CHECK(content_of(folder / "out/a.pdf").starts_with("%PDF"));
+}
+
+TEST_CASE("all styles, and a value that is not finite", "[files]") {
+  const ScratchFolder folder;
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Curve> curves;
+  for (const CurveStyle style :
+       {CurveStyle::line, CurveStyle::dashed, CurveStyle::points, CurveStyle::line_points})
+    curves.push_back({"", {0, 1, 2, 3}, {0, gap, 1, 2}, style});
+  figure(folder / "a.svg", "", "", "", curves);
+  CHECK(content_of(folder / "a.svg").find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("a figure that cannot be says why and leaves the old one", "[files]") {
+  const ScratchFolder folder;
+  std::ofstream(folder / "a.svg") << "old";
+  says(message_of([&] { figure(folder / "a.gif", "", "", "", two_curves); }), "ends in .svg, .png or .pdf");
+  says(message_of([&] { figure(folder / "a.svg", "", "", "", {}); }), "at least one curve");
+  says(message_of([&] { figure(folder / "a.svg", "", "", "", {{"k", {1, 2}, {1}}}); }), "curve 'k'");
+  says(message_of([&] { figure(folder / "a.svg", "", "", "", {{"k", {}, {}}}); }), "gnuplot failed: ");
+  says(message_of([&] { figure(folder / "a.svg/b.svg", "", "", "", two_curves); }), "Not a directory");
+  CHECK(content_of(folder / "a.svg") == "old");
+  CHECK(folder.listing() == Names{"a.svg"});
+}
+
+TEST_CASE("without gnuplot the figure says what to install", "[files]") {
+  const ScratchFolder folder;
+  const Path path(folder.path.c_str());
+  says(message_of([&] { figure(folder / "a.svg", "", "", "", two_curves); }), "apt-get install gnuplot-nox");
+  CHECK(folder.listing().empty());
+}
+
+TEST_CASE("gnuplot's own complaint comes through", "[files]") {
+  says(message_of([] { run_gnuplot("plot no_such_function(x)\n"); }), "no_such_function");
+}
