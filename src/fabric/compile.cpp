@@ -1,0 +1,186 @@
+// From a card to a compiled law; refuses what PHYSICS section 4 refuses.
+#include <cmath>
+
+#include "base/error.hpp"
+#include "fabric/curve.hpp"
+#include "fabric/data.hpp"
+#include "fabric/text.hpp"
+
+namespace fabricsh::fabric {
+
+namespace {
+
+std::string at(const card::Card& card, const std::string& field) {
+  return "card '" + card.name + "': field '" + field + "': ";
+}
+
+void require_positive(const card::Card& card, const std::string& field, double value,
+                      const std::string& shown) {
+  if (std::isfinite(value) && value > 0) return;
+  throw Error(at(card, field) + "expected a positive number, got " + shown);
+}
+
+void require_ratios(const card::Card& card, double nu12, double nu21) {
+  for (const auto& [field, nu] : {std::pair{"warp.poisson", nu12}, {"weft.poisson", nu21}})
+    if (!std::isfinite(nu) || nu < 0)
+      throw Error(at(card, field) + "expected a ratio of 0 or more, got " + number(nu));
+  if ((nu12 == 0) != (nu21 == 0))
+    throw Error(at(card, nu12 == 0 ? "warp.poisson" : "weft.poisson") +
+                "expected both Poisson ratios zero or neither, got nu12 = " + number(nu12) +
+                ", nu21 = " + number(nu21));
+  if (nu12 * nu21 >= 1)
+    throw Error(at(card, "warp.poisson") + "expected nu12 nu21 < 1, got " + number(nu12) + " x " +
+                number(nu21) + " = " + number(nu12 * nu21));
+}
+
+void compile_axis(const card::Card& card, const std::string& side, const std::string& strain,
+                  const card::Yarn& yarn, double tested, AxisData& axis, std::vector<Piece>& pieces) {
+  require_positive(card, side + ".unloading", yarn.unloading, pressure(yarn.unloading));
+  axis.unloading = yarn.unloading;
+  axis.poisson = yarn.poisson;
+  CurveSpec spec;
+  spec.card = card.name;
+  spec.field = side + ".loading";
+  spec.strain = strain;
+  spec.unloading = yarn.unloading;
+  spec.tested = tested;
+  axis.curve = compile_curve(yarn.loading, spec, pieces);
+}
+
+void compile_shear(const card::Card& card, const card::Shear& shear, double tested, ShearData& out,
+                   std::vector<Piece>& pieces) {
+  require_positive(card, "shear.unloading", shear.unloading, pressure(shear.unloading));
+  const bool tensor = shear.measure == card::Measure::tensor;
+  CurveSpec spec;
+  spec.card = card.name;
+  spec.field = "shear.loading";
+  spec.strain = tensor ? "E12" : "2E12";
+  spec.scale = tensor ? 2 : 1;
+  spec.unloading = shear.unloading / spec.scale;
+  spec.tested = 2 * tested;
+  spec.assumed = 0.6;
+  spec.lenient = !tensor;
+  out.unloading = spec.unloading;
+  out.fading = shear.memory == card::ShearMemory::fading;
+  out.curve = compile_curve(shear.loading, spec, pieces);
+}
+
+void compile_biaxial(const card::Card& card, const card::Biaxial& spring, BiaxialData& out,
+                     std::vector<Piece>& pieces) {
+  require_positive(card, "biaxial.alpha", spring.alpha, number(spring.alpha));
+  require_positive(card, "biaxial.loading", spring.loading, pressure(spring.loading));
+  require_positive(card, "biaxial.unloading", spring.unloading, pressure(spring.unloading));
+  if (!std::isfinite(spring.offset) || spring.offset < 0)
+    throw Error(at(card, "biaxial.offset") + "expected a strain of 0 or more, got " + number(spring.offset));
+  pieces = polynomial_pieces({0, spring.loading}, 1);
+  out.on = true;
+  out.alpha = spring.alpha;
+  out.offset = spring.offset;
+  out.unloading = spring.unloading;
+  out.curve.piece = pieces.data();
+  out.curve.pieces = 1;
+  out.curve.limit = spring.unloading / spring.loading;
+}
+
+// c = min(nu21 d, nu12 k) / (1 - nn), h1 = c / nu21, h2 = c / nu12; both ratios zero: c = 0, h_i = D_i(0).
+void compile_coupling(WovenData& w) {
+  AxisData &warp = w.axis[0], &weft = w.axis[1];
+  const double nu12 = warp.poisson, nu21 = weft.poisson;
+  const double d = warp.curve.initial, k = weft.curve.initial;
+  w.coupling = std::min(nu21 * d, nu12 * k) / (1 - nu12 * nu21);
+  warp.slack = nu21 > 0 ? w.coupling / nu21 : d;
+  weft.slack = nu12 > 0 ? w.coupling / nu12 : k;
+}
+
+int woven_state(const Law& law) {
+  if (law.kind != Kind::potential) return rate_state::count;
+  return potential_state::count + (law.woven.shear.fading ? 1 : 0) + (law.woven.biaxial.on ? 1 : 0);
+}
+
+void compile_tested(const card::Card& card, const card::Tested& tested) {
+  for (const auto& [field, value] :
+       {std::pair{"tested.warp", tested.warp}, {"tested.weft", tested.weft}, {"tested.shear", tested.shear}})
+    if (!std::isfinite(value) || value < 0 || value > 10)
+      throw Error(at(card, field) + "expected a strain from 0 to 10, got " + number(value));
+}
+
+void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
+  WovenData& w = law.woven;
+  require_ratios(card, woven.warp.poisson, woven.weft.poisson);
+  compile_tested(card, woven.tested);
+  compile_axis(card, "warp", "E11", woven.warp, woven.tested.warp, w.axis[0], law.warp_pieces);
+  compile_axis(card, "weft", "E22", woven.weft, woven.tested.weft, w.axis[1], law.weft_pieces);
+  compile_shear(card, woven.shear, woven.tested.shear, w.shear, law.shear_pieces);
+  compile_coupling(w);
+  w.transverse = 5.0 / 6.0 * w.shear.curve.initial;
+  law.kind = woven.law == card::LawKind::potential     ? Kind::potential
+             : woven.law == card::LawKind::incremental ? Kind::incremental
+                                                       : Kind::thesis;
+  if (law.kind != Kind::potential) {
+    w.follow = woven.transverse == card::Transverse::follow;
+    w.shear.hysteresis = woven.shear_hysteresis;
+    w.shear.fading = false;
+  }
+  if (law.kind == Kind::potential && woven.biaxial)
+    compile_biaxial(card, *woven.biaxial, w.biaxial, law.biaxial_pieces);
+  law.symmetric = law.kind == Kind::potential;
+  law.state_size = woven_state(law);
+}
+
+// C11 = d / (1 - nn), C22 = k / (1 - nn), C12 = sqrt(nn d k) / (1 - nn): keeps both moduli and nn.
+void compile_svk(const card::Card& card, const card::Svk& svk, ElasticData& e) {
+  require_positive(card, "warp", svk.warp, pressure(svk.warp));
+  require_positive(card, "weft", svk.weft, pressure(svk.weft));
+  require_positive(card, "shear", svk.shear, pressure(svk.shear));
+  const double nn = svk.nu12 * svk.nu21;
+  if (!std::isfinite(nn) || svk.nu12 < 0 || svk.nu21 < 0 || nn >= 1)
+    throw Error(at(card, "poisson") + "expected two ratios of 0 or more with nu12 nu21 < 1, got " +
+                number(svk.nu12) + " and " + number(svk.nu21));
+  e.C11 = svk.warp / (1 - nn);
+  e.C22 = svk.weft / (1 - nn);
+  e.C12 = std::sqrt(nn * svk.warp * svk.weft) / (1 - nn);
+  e.G12 = svk.shear;
+  e.G13 = svk.g13.value_or(5.0 / 6.0 * svk.shear);
+  e.G23 = svk.g23.value_or(5.0 / 6.0 * svk.shear);
+  require_positive(card, "transverse", e.G13, pressure(e.G13));
+  require_positive(card, "transverse", e.G23, pressure(e.G23));
+  e.young1 = svk.warp;
+  e.young2 = svk.weft;
+}
+
+// [williams2010, eq. 4.2] with nu12 / E1 = nu21 / E2, without which it has no energy.
+void compile_linear(const card::Card& card, const card::Linear& linear, ElasticData& e) {
+  const double a = linear.nu12 * linear.weft, b = linear.nu21 * linear.warp;
+  if (std::fabs(a - b) > 1e-6 * std::fmax(std::fabs(a), std::fabs(b)))
+    throw Error(at(card, "poisson") +
+                "expected nu12 / E1 = nu21 / E2 (a symmetric law), got nu12 = " + number(linear.nu12) +
+                ", nu21 = " + number(linear.nu21) + " with E1 = " + pressure(linear.warp) +
+                ", E2 = " + pressure(linear.weft) + "; nu21 = " + number(a / linear.warp) + " would do");
+  card::Svk same{linear.warp, linear.weft, linear.shear, linear.nu12, linear.nu21, {}, {}};
+  compile_svk(card, same, e);
+}
+
+void compile_elastic(const card::Card& card, Law& law) {
+  law.kind = Kind::elastic;
+  law.symmetric = true;
+  law.state_size = 0;
+  if (const auto* svk = std::get_if<card::Svk>(&card.law))
+    compile_svk(card, *svk, law.elastic);
+  else
+    compile_linear(card, std::get<card::Linear>(card.law), law.elastic);
+}
+
+}  // namespace
+
+std::shared_ptr<const Law> compile(const card::Card& card) {
+  require_positive(card, "density", card.density, number(card.density) + " kg/m3");
+  require_positive(card, "thickness", card.thickness, number(card.thickness) + " m");
+  auto law = std::make_shared<Law>();
+  if (const auto* woven = std::get_if<card::Woven>(&card.law))
+    compile_woven(card, *woven, *law);
+  else
+    compile_elastic(card, *law);
+  return law;
+}
+
+}  // namespace fabricsh::fabric

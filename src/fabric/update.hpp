@@ -1,0 +1,36 @@
+// One update of any law over a number type T: chooses the kernel by the kind of law.
+#pragma once
+#include "fabric/elastic.hpp"
+#include "fabric/potential.hpp"
+
+namespace fabricsh::fabric {
+inline namespace FABRICSH_ISA {
+
+template <class T>
+Response<T> update(const Law& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
+  switch (law.kind) {
+    case Kind::potential:
+      return potential_update(law.woven, at, E, s0, s1);
+    default:
+      return elastic_update(law.elastic, E);
+  }
+}
+
+// Row-major 5x5, entry e handed to put(e, value).
+template <class T, class Put>
+void put_tangent(const Response<T>& out, Put put) {
+  const T nought(0.0);
+  for (int e = 0; e < 25; ++e) put(e, nought);
+  put(0, out.C11);
+  put(1, out.C12);
+  put(5, out.C21);
+  put(6, out.C22);
+  put(12, out.C33);
+  put(14, out.C35);
+  put(18, out.C44);
+  put(19, out.C45);
+  put(24, out.C55);
+}
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::fabric
