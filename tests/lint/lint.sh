@@ -1,0 +1,19 @@
+#!/bin/sh
+# The order of the rooms, and that every deck checks itself. Usage: lint.sh <root of the tree>
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$1"
+status=0
+
+sources=$(find src -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.in' \) | sort)
+# shellcheck disable=SC2086  # names of sources have no spaces
+awk -f "$here/includes.awk" src/LAYERS $sources || status=1
+
+if [ -d scripts ]; then
+  for deck in $(find scripts -name '*.lua' | sort); do
+    grep -Eq '(^|[^A-Za-z_])expect *[{(]' "$deck" && continue
+    echo "$deck: has no expect{...} block"
+    status=1
+  done
+fi
+exit $status

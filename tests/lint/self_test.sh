@@ -1,0 +1,82 @@
+#!/bin/sh
+# The lint can fail: each bad tree must be refused with its own words, and the good one must pass.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# A tree with three rooms, in order, without a fault.
+good_tree() {
+  rm -rf "$work/tree"
+  mkdir -p "$work/tree/src/base" "$work/tree/src/solver" "$work/tree/src/app" "$work/tree/scripts"
+  cd "$work/tree" || exit 1
+  printf '# rooms\nbase:\nsolver: base\nfiles: base\napp: base solver\n' >src/LAYERS
+  printf '#pragma once\n#include <vector>\n// printf("x") is only words\n' >src/base/a.hpp
+  printf '#include "base/a.hpp"\n#include "fabricsh_config.hpp"\n' >src/base/a.cpp
+  printf '#include <umfpack.h>\n#include "base/a.hpp"\n' >src/solver/s.cpp
+  printf '#include "solver/s.hpp"\nint main() { std::cout << 1; std::exit(0); }\n' >src/app/main.cpp
+  printf 'fabric.expect{ {"x", 1, 1} }\n' >scripts/deck.lua
+}
+
+# refuses <words>: the tree as it stands must fail, and say the words.
+refuses() {
+  if output=$(sh "$here/lint.sh" "$work/tree" 2>&1); then
+    echo "passed a tree that it should refuse with: $1"
+    failures=$((failures + 1))
+  elif ! printf '%s\n' "$output" | grep -qF -- "$1"; then
+    printf 'expected the words: %s\ngot: %s\n' "$1" "$output"
+    failures=$((failures + 1))
+  fi
+}
+
+# bad <file> <line> <words>: one more line makes the good tree bad.
+bad() {
+  good_tree
+  mkdir -p "$(dirname "$1")"
+  printf '%s\n' "$2" >>"$1"
+  refuses "$3"
+}
+
+good_tree
+if ! sh "$here/lint.sh" "$work/tree"; then
+  echo "refused the good tree"
+  failures=$((failures + 1))
+fi
+
+bad src/base/a.hpp '#include "solver/s.hpp"' "of a room below it"
+bad src/solver/s.cpp '  #  include "app/x.hpp"' "of a room below it"
+bad src/LAYERS 'output: files solver assembly' "needs 'assembly', which does not stand above it"
+bad src/LAYERS 'base: base' "stands there twice"
+bad src/LAYERS 'Base = x' "expected 'room: rooms it needs'"
+bad src/app/main.cpp '#include "files/csv.hpp"' "src/LAYERS does not name 'files' for it"
+bad src/app/main.cpp '#include "plugin/x.hpp"' "is no room of src/LAYERS"
+bad src/app/main.cpp '#include "x.hpp"' "without its room"
+bad src/solver/s.cpp '#include "fabricsh_config.hpp"' "without its room"
+bad src/base/a.cpp '#include "../solver/s.hpp"' "is no room of src/LAYERS"
+bad src/extra/x.cpp 'int x;' "room 'extra' is not in src/LAYERS"
+bad src/app/main.cpp '#include <umfpack.h>' "<umfpack.h>, which belongs to: solver"
+bad src/app/main.cpp '#include <suitesparse/cholmod.h>' "which belongs to: solver"
+bad src/solver/s.cpp '#include <vtkNew.h>' "which belongs to: files"
+bad src/solver/s.cpp '#include <lauxlib.h>' "which belongs to: script repl"
+bad src/solver/s.cpp '#include <lua.hpp>' "which belongs to: script repl"
+bad src/app/main.cpp '#include <histedit.h>' "which belongs to: repl"
+bad src/base/a.hpp '#include "base/a.hpp"' "in a circle"
+bad src/solver/s.cpp '  std::cerr << 1;' "prints; only app and repl do"
+bad src/solver/s.cpp '  printf("x");' "prints; only app and repl do"
+bad src/solver/s.cpp '  std::fputs(text, stderr);' "prints; only app and repl do"
+bad src/solver/s.cpp '  std::exit(1);' "ends the program"
+bad src/base/long.hpp "$(yes '//' | head -n 801)" "is 801 lines long"
+bad scripts/other.lua 'print(1)' "scripts/other.lua: has no expect{...} block"
+
+good_tree
+printf '#include "base/c.hpp"\n' >src/base/b.hpp
+printf '#include "base/b.hpp"\n' >src/base/c.hpp
+refuses "in a circle"
+
+good_tree
+: >src/LAYERS
+refuses "names no room"
+
+[ "$failures" -eq 0 ] || exit 1
+echo "the lint refuses what it should"
