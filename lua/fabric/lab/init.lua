@@ -1,0 +1,2 @@
+-- fabric.lab: virtual tests.
+require "fabric.lab.uniaxial"

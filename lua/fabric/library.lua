@@ -1,0 +1,3 @@
+-- What `require "fabric"` adds to the bindings: the part of the library that is written in Lua.
+require "fabric.expect"
+require "fabric.lab"

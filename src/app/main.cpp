@@ -1,0 +1,91 @@
+// fabricsh: options and exit codes. 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure.
+#include <omp.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+
+#include "app/command_line.hpp"
+#include "base/version.hpp"
+#include "repl/evaluator.hpp"
+#include "repl/prompt.hpp"
+
+namespace {
+
+using namespace fabricsh;
+using repl::Outcome;
+
+int exit_code(const repl::Result& result) {
+  if (result.outcome == Outcome::done) return 0;
+  std::fflush(stdout);
+  std::cerr << "fabricsh: " << result.message << std::endl;
+  return result.outcome == Outcome::numerical_failure ? 3 : 1;
+}
+
+script::Options session_options(const app::CommandLine& command) {
+  const auto say = [](const std::string& text) {
+    std::fflush(stdout);
+    std::cerr << text << std::endl;
+  };
+  script::Options options;
+  options.check = command.check;
+  options.quiet = command.quiet;
+  options.threads = command.threads;
+  options.command_line = command.line;
+  options.deck = command.deck;
+  options.notice = say;
+  if (!command.quiet) options.progress = say;
+  return options;
+}
+
+void print_version() {
+  std::cout << "fabricsh " << version() << " (" << build_kind() << ", " << compiler() << ", " << LUA_RELEASE << ")\n";
+}
+
+// -e and -l in their order, then the deck. The first failure ends it.
+repl::Result run(script::Session& session, const app::CommandLine& command) {
+  repl::Result result;
+  const bool spill = command.interactive || !command.has_deck || !command.before.empty();
+  repl::set_arguments(session, command.line, command.deck_place);
+  if (spill) result = repl::spill_globals(session);
+  for (const auto& [kind, text] : command.before) {
+    if (result.outcome != Outcome::done) return result;
+    result = kind == 'e' ? repl::run_text(session, text, "=(command line)") : repl::run_module(session, text);
+  }
+  if (result.outcome == Outcome::done && command.has_deck)
+    result = repl::run_deck(session, command.deck, command.arguments);
+  return result;
+}
+
+void converse(script::Session& session) {
+  const repl::InterruptGuard guard(session);
+  const bool terminal = isatty(STDIN_FILENO) != 0;
+  if (terminal) print_version();
+  const auto lines = terminal ? repl::terminal_lines(repl::history_file()) : repl::stream_lines(std::cin);
+  repl::converse(session, *lines, std::cout, std::cerr);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const app::CommandLine command = app::read_command_line(count, words);
+  if (!command.trouble.empty()) {
+    std::cerr << "fabricsh: " << command.trouble << "\n" << app::usage;
+    return 2;
+  }
+  if (command.help) return std::cout << app::usage, 0;
+  if (command.version) return print_version(), 0;
+  if (command.check && !command.has_deck) return std::cerr << "fabricsh: --check needs a deck\n", 2;
+  if (command.threads > 0) omp_set_num_threads(command.threads);
+  try {
+    script::Session session(session_options(command));
+    const int code = exit_code(run(session, command));
+    const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
+    if (!prompt) return code;
+    converse(session);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "fabricsh: " << error.what() << std::endl;
+    return 1;
+  }
+}

@@ -1,0 +1,138 @@
+#include "repl/evaluator.hpp"
+
+#include "repl/present.hpp"
+
+namespace fabricsh::repl {
+
+namespace {
+
+bool is_numerical(lua_State* L, int index) {
+  if (!lua_istable(L, index)) return false;
+  const bool named = lua_getfield(L, index, "kind") == LUA_TSTRING && std::string(lua_tostring(L, -1)) == "numerical";
+  lua_pop(L, 1);
+  return named;
+}
+
+int value_text(lua_State* L) {
+  luaL_tolstring(L, 1, nullptr);
+  return 1;
+}
+
+// The error on top of the stack as a result; popped. A __tostring of the user's may itself fail.
+Result failed(lua_State* L) {
+  Result result{is_numerical(L, -1) ? Outcome::numerical_failure : Outcome::deck_error};
+  lua_pushcfunction(L, value_text);
+  lua_insert(L, -2);
+  lua_pcall(L, 1, 1, 0);
+  result.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "(error object without text)";
+  lua_settop(L, 0);
+  return result;
+}
+
+// Calls the chunk below `arguments` values with all results left on the stack.
+Result call(lua_State* L, int arguments) {
+  if (lua_pcall(L, arguments, LUA_MULTRET, 0) != LUA_OK) return failed(L);
+  return {};
+}
+
+bool wants_more(lua_State* L, int status) {
+  if (status != LUA_ERRSYNTAX) return false;
+  const std::string message = lua_tostring(L, -1);
+  const std::string mark = "<eof>";
+  return message.size() >= mark.size() && message.compare(message.size() - mark.size(), mark.size(), mark) == 0;
+}
+
+int load(lua_State* L, const std::string& text, const std::string& name) {
+  return luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t");
+}
+
+Result finish(script::Session& session) {
+  lua_State* L = session.lua();
+  Result result = call(L, 0);
+  if (result.outcome != Outcome::done) return result;
+  if (lua_gettop(L) > 0) {
+    lua_pushcfunction(L, present_all);
+    lua_insert(L, 1);
+    if (lua_pcall(L, lua_gettop(L) - 1, 1, 0) != LUA_OK) return failed(L);
+    result.shown = lua_tostring(L, -1);
+  }
+  lua_settop(L, 0);
+  return result;
+}
+
+int require_module(lua_State* L) {
+  lua_getglobal(L, "require");
+  lua_pushvalue(L, 1);
+  lua_call(L, 1, 1);
+  lua_setglobal(L, lua_tostring(L, 2));
+  return 0;
+}
+
+int call_globals(lua_State* L) {
+  lua_getglobal(L, "require");
+  lua_pushliteral(L, "fabric");
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, "globals");
+  lua_call(L, 0, 0);
+  return 0;
+}
+
+}  // namespace
+
+Result evaluate(script::Session& session, const std::string& input) {
+  lua_State* L = session.lua();
+  lua_settop(L, 0);
+  if (load(L, "return " + input, "=prompt") == LUA_OK) return finish(session);
+  lua_pop(L, 1);
+  const int status = load(L, input, "=prompt");
+  if (status == LUA_OK) return finish(session);
+  if (!wants_more(L, status)) return failed(L);
+  lua_settop(L, 0);
+  return {Outcome::incomplete};
+}
+
+Result run_text(script::Session& session, const std::string& text, const std::string& name) {
+  lua_State* L = session.lua();
+  if (load(L, text, name) != LUA_OK) return failed(L);
+  Result result = call(L, 0);
+  lua_settop(L, 0);
+  return result;
+}
+
+Result run_deck(script::Session& session, const std::string& path, const std::vector<std::string>& arguments) {
+  lua_State* L = session.lua();
+  if (luaL_loadfilex(L, path.empty() ? nullptr : path.c_str(), "t") != LUA_OK) return failed(L);
+  luaL_checkstack(L, static_cast<int>(arguments.size()) + 1, "too many arguments");
+  for (const std::string& argument : arguments) lua_pushlstring(L, argument.data(), argument.size());
+  Result result = call(L, static_cast<int>(arguments.size()));
+  lua_settop(L, 0);
+  return result;
+}
+
+Result run_module(script::Session& session, const std::string& module) {
+  lua_State* L = session.lua();
+  const auto equals = module.find('=');
+  const std::string global = module.substr(0, equals);
+  const std::string name = equals == std::string::npos ? module : module.substr(equals + 1);
+  lua_pushcfunction(L, require_module);
+  lua_pushstring(L, name.c_str());
+  lua_pushstring(L, global.c_str());
+  return call(L, 2);
+}
+
+Result spill_globals(script::Session& session) {
+  lua_pushcfunction(session.lua(), call_globals);
+  return call(session.lua(), 0);
+}
+
+void set_arguments(script::Session& session, const std::vector<std::string>& line, std::size_t script) {
+  lua_State* L = session.lua();
+  lua_createtable(L, static_cast<int>(line.size()), 2);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    lua_pushlstring(L, line[i].data(), line[i].size());
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) - static_cast<lua_Integer>(script));
+  }
+  lua_setglobal(L, "arg");
+}
+
+}  // namespace fabricsh::repl

@@ -1,0 +1,60 @@
+// The bindings, one file per room of the core. Each gives its rows; some need a word with the session besides.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "card/card.hpp"
+#include "history/history.hpp"
+#include "mesh/mesh.hpp"
+#include "script/call.hpp"
+#include "script/entry.hpp"
+#include "script/session.hpp"
+
+namespace fabricsh::script {
+
+void bind_all(Session& session);
+
+void bind_core(Session& session);
+void bind_history(Session& session);
+void bind_mesh(Session& session);
+void bind_card(Session& session);
+
+// require "fabric.define": how a Lua module adds a function with its row to the registry.
+int open_define(lua_State* L);
+
+template <>
+struct ClassName<mesh::Mesh> {
+  static constexpr const char* name = "mesh";
+};
+template <>
+struct ClassName<card::Card> {
+  static constexpr const char* name = "card";
+};
+template <>
+struct ClassName<history::History> {
+  static constexpr const char* name = "history";
+};
+
+// A history argument: number | function(t) | history object.
+inline constexpr unsigned history_kinds = number | function | object;
+Argument history_(std::string name, std::string unit, std::string sentence);
+// The value at index as a history; call names it in errors.
+history::History read_history(Session& session, lua_State* L, int index, const std::string& what);
+
+// Arrays as Lua tables; ids from 0 in C++ are from 1 in Lua.
+void push_numbers(lua_State* L, const std::vector<double>& values);
+void push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
+void set_number(lua_State* L, const char* name, double value);
+void set_text(lua_State* L, const char* name, const std::string& value);
+// Sets a metamethod of a class; f runs unprotected and must not throw.
+void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f);
+
+// The constructor's table of a card, and back (its "kind" is woven, svk or linear).
+void push_card_table(lua_State* L, const card::Card& card);
+std::string card_kind(const card::Card& card);
+card::Card read_card(lua_State* L, int index, const std::string& kind);
+// The card as a Lua file that reads back equal.
+std::string card_text(const card::Card& card);
+
+}  // namespace fabricsh::script

@@ -1,0 +1,199 @@
+// fabric.woven, fabric.svk, fabric.linear, fabric.card, fabric.cards, and what a card can do.
+#include <dirent.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/paths.hpp"
+#include "script/bind.hpp"
+#include "script/card_rows.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+using card::Card;
+
+namespace {
+
+int push_card(lua_State* L, Card card) {
+  push_object(L, std::make_shared<Card>(std::move(card)));
+  return 1;
+}
+
+int construct(Call& call) { return push_card(call.L(), card_from(call, last_word(call.entry().name))); }
+
+// Lets a card's field be read: the constructor's table, nested tables and all.
+int card_index(lua_State* L) {
+  push_card_table(L, *to_object<Card>(L, 1));
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+  lua_pop(L, 2);
+  push_class(L, "card", nullptr);
+  lua_getfield(L, -1, "methods");
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+  std::string message;
+  {
+    std::vector<std::string> known = {"write", "with", "check", "kind"};
+    for (const Argument& row : card_rows(card_kind(*to_object<Card>(L, 1)))) known.push_back(row.name);
+    const std::string word = luaL_tolstring(L, 2, nullptr);
+    if (std::find(known.begin(), known.end(), word) != known.end()) return 0;
+    message = position(L) + "card: " + unknown("field", word, known);
+  }
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+// Copies the fields of the table at `from` into the one at `to`; two tables of named fields merge.
+void merge(lua_State* L, int to, int from) {
+  to = lua_absindex(L, to);
+  from = lua_absindex(L, from);
+  luaL_checkstack(L, 6, "tables nested too deeply");
+  lua_pushnil(L);
+  while (lua_next(L, from) != 0) {
+    lua_pushvalue(L, -2);
+    const bool both = lua_rawget(L, to) == LUA_TTABLE && lua_istable(L, -2) && lua_rawlen(L, -1) == 0 &&
+                      lua_rawlen(L, -2) == 0;
+    if (both) {
+      merge(L, -1, -2);
+      lua_pop(L, 2);
+      continue;
+    }
+    lua_pop(L, 1);
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, to);
+  }
+}
+
+int with(Call& call) {
+  lua_State* L = call.L();
+  const auto card = call.self<Card>();
+  push_card_table(L, *card);
+  lua_pushnil(L);
+  lua_setfield(L, -2, "kind");
+  const int merged = lua_gettop(L);
+  call.push("changes");
+  merge(L, merged, -1);
+  lua_pop(L, 1);
+  return push_card(L, read_card(L, merged, card_kind(*card)));
+}
+
+bool is_path(const std::string& name) {
+  return name.find('/') != std::string::npos || (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0);
+}
+
+std::vector<std::string> shipped() {
+  std::set<std::string> names;
+  for (const std::string& root : data_roots()) {
+    DIR* folder = opendir((root + "/share/cards").c_str());
+    if (folder == nullptr) continue;
+    while (const dirent* file = readdir(folder)) {
+      const std::string name = file->d_name;
+      if (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0) names.insert(name.substr(0, name.size() - 4));
+    }
+    closedir(folder);
+  }
+  return {names.begin(), names.end()};
+}
+
+int card_by_name(Call& call) {
+  lua_State* L = call.L();
+  const std::string name = call.text("name");
+  const std::string path = is_path(name) ? name : data_file("share/cards/" + name + ".lua");
+  if (path.empty()) throw Error(unknown("fabric", name, shipped()));
+  if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK)
+    throw Error("cannot read the card '" + name + "': " + lua_tostring(L, -1));
+  lua_call(L, 0, 1);
+  if (to_object<Card>(L, -1) == nullptr)
+    throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
+  return 1;
+}
+
+int cards(Call& call) {
+  lua_newtable(call.L());
+  lua_Integer i = 0;
+  for (const std::string& name : shipped()) {
+    lua_pushstring(call.L(), name.c_str());
+    lua_rawseti(call.L(), -2, ++i);
+  }
+  return 1;
+}
+
+int card_string(lua_State* L) {
+  const auto card = to_object<Card>(L, 1);
+  char words[200];
+  std::snprintf(words, sizeof words, "<card %s, %s, %.4g kg/m3, %.4g mm, %.4g g/m2>",
+                card->name.empty() ? "without name" : card->name.c_str(), card_kind(*card).c_str(), card->density,
+                card->thickness * 1e3, card->density * card->thickness * 1e3);
+  lua_pushstring(L, words);
+  return 1;
+}
+
+int card_equal(lua_State* L) {
+  const auto a = to_object<Card>(L, 1), b = to_object<Card>(L, 2);
+  lua_pushboolean(L, a != nullptr && b != nullptr && card_text(*a) == card_text(*b));
+  return 1;
+}
+
+constexpr const char* woven_example =
+    "local fabric = require 'fabric'\nlocal u = fabric.units\n"
+    "local card = fabric.woven{ name='blend', density=590, thickness=0.38*u.mm,\n"
+    "  warp={ loading=fabric.poly({8, 826}, u.MPa), unloading=864*u.MPa, poisson=0.25 },\n"
+    "  weft={ loading=fabric.poly({37, 1650}, u.MPa), unloading=1080*u.MPa, poisson=0.42 },\n"
+    "  shear={ loading=fabric.poly({2, -18, 90, -24}, u.MPa), unloading=12*u.MPa, measure='tensor' } }\n"
+    "assert(card.warp.poisson == 0.25)";
+
+std::vector<Entry> constructors() {
+  return {
+      {"fabric.woven", Style::fields, card_rows("woven"),
+       "A woven fabric: loading curves, unloading moduli and Poisson ratios along warp and weft, and in shear.", woven_example,
+       construct},
+      {"fabric.svk", Style::fields, card_rows("svk"),
+       "A St. Venant-Kirchhoff sheet: the comparator with constant moduli; S12 = 2 shear E12.",
+       "local c = require 'fabric'.svk{ young=1.2e6, poisson=0.3, density=500, thickness=0.5e-3 }\n"
+       "assert(c.warp == 1.2e6 and c.poisson[2] == 0.3)",
+       construct},
+      {"fabric.linear", Style::fields, card_rows("linear"),
+       "A linear orthotropic sheet for small strains; refused unless nu12/warp = nu21/weft.",
+       "local c = require 'fabric'.linear{ warp=2e6, weft=1e6, shear=5e5, poisson={0.2, 0.1}, density=500, thickness=0.5e-3 }\n"
+       "assert(c.kind == 'linear')",
+       construct},
+  };
+}
+
+std::vector<Entry> rows() {
+  return {
+      {"fabric.card",
+       Style::positional,
+       {value_("name", text, "of a shipped card, or a path (with / or ending in .lua)")},
+       "A shipped card by name, or the card that a Lua file returns.",
+       "assert(require 'fabric'.card 'denim'.name == 'denim')",
+       card_by_name},
+      {"fabric.cards", Style::positional, {}, "Names of the shipped cards.",
+       "assert(#require 'fabric'.cards() >= 4)", cards},
+      {"card:with",
+       Style::positional,
+       {value_("changes", table, "fields of the constructor that differ; tables merge deeply")},
+       "A copy of the card with some fields changed.",
+       "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
+       with},
+  };
+}
+
+}  // namespace
+
+std::string card_kind(const Card& card) {
+  if (std::holds_alternative<card::Svk>(card.law)) return "svk";
+  return std::holds_alternative<card::Linear>(card.law) ? "linear" : "woven";
+}
+
+void bind_card(Session& session) {
+  install(session, constructors());
+  install(session, rows());
+  set_meta(session, "card", "__index", card_index);
+  set_meta(session, "card", "__tostring", card_string);
+  set_meta(session, "card", "__eq", card_equal);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,206 @@
+// Where C++ meets Lua: every binding is entered through enter(), which turns C++ exceptions into Lua errors. Lua's
+// own errors are C++ exceptions too, of a type that Lua keeps to itself: they pass through and run destructors on
+// their way.
+#include <cstring>
+
+#include "base/error.hpp"
+#include "base/paths.hpp"
+#include "script/call.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+bool own_module(const char* source) {
+  if (source[0] != '@') return false;
+  for (const std::string& root : data_roots()) {
+    const std::string modules = root + "/lua/fabric";
+    if (std::strncmp(source + 1, modules.c_str(), modules.size()) == 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string position(lua_State* L) {
+  lua_Debug frame;
+  std::string own;
+  for (int level = 0; lua_getstack(L, level, &frame) != 0; ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (frame.currentline <= 0) continue;
+    const char* file = frame.source[0] == '@' ? frame.source + 1 : frame.short_src;
+    const std::string here = std::string(file) + ":" + std::to_string(frame.currentline) + ": ";
+    if (!own_module(frame.source)) return here;
+    if (own.empty()) own = here;
+  }
+  return own;
+}
+
+namespace {
+
+int failure_text(lua_State* L) {
+  lua_getfield(L, 1, "where");
+  lua_getfield(L, 1, "message");
+  lua_concat(L, 2);
+  return 1;
+}
+
+void push_failure(lua_State* L, const std::string& call, const NumericalFailure& failure) {
+  lua_newtable(L);
+  lua_pushstring(L, "numerical");
+  lua_setfield(L, -2, "kind");
+  lua_pushstring(L, (call + ": " + failure.what()).c_str());
+  lua_setfield(L, -2, "message");
+  lua_pushnumber(L, failure.time);
+  lua_setfield(L, -2, "time");
+  if (failure.element >= 0) {
+    lua_pushinteger(L, failure.element + 1);
+    lua_setfield(L, -2, "element");
+  }
+  if (!failure.yarn.empty()) {
+    lua_pushstring(L, failure.yarn.c_str());
+    lua_setfield(L, -2, "yarn");
+  }
+  lua_pushstring(L, position(L).c_str());
+  lua_setfield(L, -2, "where");
+  if (luaL_newmetatable(L, "fabricsh.failure") != 0) {
+    lua_pushcfunction(L, failure_text);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushstring(L, "numerical failure");
+    lua_setfield(L, -2, "__name");
+  }
+  lua_setmetatable(L, -2);
+}
+
+void push_error(lua_State* L, const std::string& call, const std::string& message) {
+  const bool named = message.compare(0, call.size() + 2, call + ": ") == 0;
+  lua_pushstring(L, (position(L) + (named ? "" : call + ": ") + message).c_str());
+}
+
+int enter(lua_State* L) {
+  const Entry& entry = *static_cast<const Entry*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const std::string call = last_word(entry.name);
+  try {
+    const ActiveState active(Session::of(L), L);
+    Call arguments(L, entry);
+    return entry.run(arguments);
+  } catch (const NumericalFailure& failure) {
+    push_failure(L, call, failure);
+  } catch (const Error& error) {
+    push_error(L, call, error.what());
+  } catch (const std::exception& bug) {
+    push_error(L, call, std::string("internal error: ") + bug.what());
+  }
+  return lua_error(L);
+}
+
+std::vector<std::string> keys_of(lua_State* L, int index) {
+  std::vector<std::string> names;
+  index = lua_absindex(L, index);
+  lua_pushnil(L);
+  while (lua_next(L, index) != 0) {
+    lua_pop(L, 1);
+    if (lua_type(L, -1) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -1));
+  }
+  return names;
+}
+
+// object.name: a property (its function is called with the object), else a method, else an error with the nearest
+// name. Upvalues: methods, properties, class name.
+int index_object(lua_State* L) {
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) {
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 1);
+    return 1;
+  }
+  lua_pop(L, 1);
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
+  std::string message = position(L) + lua_tostring(L, lua_upvalueindex(3)) + ": ";
+  {
+    auto known = keys_of(L, lua_upvalueindex(1));
+    for (auto& name : keys_of(L, lua_upvalueindex(2))) known.push_back(name);
+    message += unknown("field", luaL_tolstring(L, 2, nullptr), known);
+  }
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+int refuse_assignment(lua_State* L) {
+  const std::string message = position(L) + lua_tostring(L, lua_upvalueindex(1)) + ": field '" +
+                              luaL_tolstring(L, 2, nullptr) + "' cannot be assigned";
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+// Walks to the table that holds the last word of fabric.a.b, creating what is missing; leaves it on the stack.
+void push_home(lua_State* L, const std::string& name) {
+  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  std::size_t from = name.find('.') + 1;
+  for (std::size_t dot = name.find('.', from); dot != std::string::npos; dot = name.find('.', from)) {
+    const std::string part = name.substr(from, dot - from);
+    lua_pushstring(L, part.c_str());
+    if (lua_rawget(L, -2) != LUA_TTABLE) {
+      lua_pop(L, 1);
+      lua_newtable(L);
+      lua_pushvalue(L, -1);
+      lua_setfield(L, -3, part.c_str());
+    }
+    lua_remove(L, -2);
+    from = dot + 1;
+  }
+}
+
+}  // namespace
+
+void place(lua_State* L, const Entry& entry) {
+  const std::string word = last_word(entry.name);
+  if (entry.owner().empty()) {
+    push_home(L, entry.name);
+  } else {
+    push_class(L, entry.owner(), nullptr);
+    lua_getfield(L, -1, entry.method() ? "methods" : "properties");
+    lua_remove(L, -2);
+  }
+  push_function(L, entry);
+  lua_setfield(L, -2, word.c_str());
+  lua_pop(L, 1);
+}
+
+void push_function(lua_State* L, const Entry& entry) {
+  lua_pushlightuserdata(L, const_cast<Entry*>(&entry));
+  lua_pushcclosure(L, enter, 1);
+}
+
+void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
+  if (luaL_newmetatable(L, class_key(name).c_str()) != 0) {
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -3, "methods");
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -4, "properties");
+    lua_pushstring(L, name.c_str());
+    lua_pushcclosure(L, index_object, 3);
+    lua_setfield(L, -2, "__index");
+    lua_pushstring(L, name.c_str());
+    lua_pushcclosure(L, refuse_assignment, 1);
+    lua_setfield(L, -2, "__newindex");
+    lua_pushstring(L, name.c_str());
+    lua_setfield(L, -2, "__name");
+    lua_pushstring(L, name.c_str());
+    lua_setfield(L, -2, "__metatable");
+  }
+  if (gc != nullptr) {
+    lua_pushcfunction(L, gc);
+    lua_setfield(L, -2, "__gc");
+  }
+}
+
+void install(Session& session, std::vector<Entry> entries) {
+  for (Entry& entry : entries) place(session.lua(), session.registry().add(std::move(entry)));
+}
+
+}  // namespace fabricsh::script

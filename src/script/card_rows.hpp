@@ -1,0 +1,15 @@
+// The fields of a card's constructor, and the card that a checked table of them makes.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "card/card.hpp"
+#include "script/call.hpp"
+
+namespace fabricsh::script {
+
+// kind: "woven", "svk" or "linear".
+const std::vector<Argument>& card_rows(const std::string& kind);
+card::Card card_from(const Fields& fields, const std::string& kind);
+
+}  // namespace fabricsh::script

@@ -1,0 +1,146 @@
+// The registry: one row per Lua function and property. Argument checks, help, completion and the reference page
+// come from it; a test fails on a row without sentence or running example.
+#pragma once
+#include <deque>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <lua.hpp>
+
+namespace fabricsh::script {
+
+class Call;
+
+// What a value may be; several joined by |.
+enum Kind : unsigned {
+  number = 1,
+  integer = 2,
+  text = 4,
+  boolean = 8,
+  function = 16,
+  numbers = 32,  // a table of numbers
+  fields = 64,   // a table with the named fields of the row
+  table = 128,   // a table that the function itself looks into
+  object = 256,  // a fabricsh object of class Argument::of
+  any = 512,
+};
+
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false, high_open = false;
+  bool holds(double x) const {
+    return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
+  }
+};
+inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, false};
+inline constexpr Range not_negative{0};
+inline constexpr Range from_one{1};
+inline constexpr Range everything{};
+
+struct Argument {
+  std::string name;
+  unsigned kinds = any;
+  std::string unit = {};  // "m"; empty: none
+  Range range = {};       // of a number, and of every number of a list
+  std::string sentence = {};
+  bool required = true;
+  std::variant<std::monostate, double, std::string, bool> fallback = {};
+  std::vector<std::string> choices = {};  // of a text; empty: any text
+  std::string of = {};                    // class of an object
+  std::vector<Argument> rows = {};        // of Kind::fields
+  Range usual = {};                       // outside: a warning that asks about units
+  std::string hint = {};                  // what to ask
+
+  Argument optional() const {
+    Argument copy = *this;
+    copy.required = false;
+    return copy;
+  }
+  template <class T>
+  Argument or_else(T value) const {
+    Argument copy = optional();
+    if constexpr (std::is_same_v<T, bool>)
+      copy.fallback = value;
+    else if constexpr (std::is_arithmetic_v<T>)
+      copy.fallback = static_cast<double>(value);
+    else
+      copy.fallback = std::string(value);
+    return copy;
+  }
+  Argument usually(double low, double high, std::string question) const {
+    Argument copy = *this;
+    copy.usual = Range{low, high};
+    copy.hint = std::move(question);
+    return copy;
+  }
+  Argument one_of(std::vector<std::string> words) const {
+    Argument copy = *this;
+    copy.choices = std::move(words);
+    return copy;
+  }
+};
+
+// A row of arguments reads as: number_("width", "m", positive, "size along x").
+inline Argument number_(std::string name, std::string unit, Range range, std::string sentence) {
+  return {std::move(name), number, std::move(unit), range, std::move(sentence)};
+}
+inline Argument integer_(std::string name, Range range, std::string sentence) {
+  return {std::move(name), integer, "", range, std::move(sentence)};
+}
+inline Argument value_(std::string name, unsigned kinds, std::string sentence, std::string unit = "") {
+  return {std::move(name), kinds, std::move(unit), {}, std::move(sentence)};
+}
+inline Argument object_(std::string name, std::string of, std::string sentence, unsigned others = 0) {
+  Argument row{std::move(name), object | others, "", {}, std::move(sentence)};
+  row.of = std::move(of);
+  return row;
+}
+inline Argument fields_(std::string name, std::vector<Argument> rows, std::string sentence) {
+  Argument row{std::move(name), fields, "", {}, std::move(sentence)};
+  row.rows = std::move(rows);
+  return row;
+}
+
+enum class Style {
+  fields,      // f{ name = value, ... }
+  positional,  // f(a, b)
+  property,    // object.name
+};
+
+struct Entry {
+  std::string name;  // fabric.mesh.rectangle (function), mesh:set (method), mesh.nodes (property)
+  Style style = Style::positional;
+  std::vector<Argument> arguments = {};
+  std::string sentence = {};
+  std::string example = {};  // a chunk that runs as it stands
+  int (*run)(Call&) = nullptr;
+
+  bool method() const { return name.find(':') != std::string::npos; }
+  // The class that the method or property belongs to; empty for a function.
+  std::string owner() const {
+    if (style != Style::property && !method()) return {};
+    return name.substr(0, name.find_first_of(":."));
+  }
+};
+
+class Registry {
+ public:
+  const Entry& add(Entry entry) { return entries_.emplace_back(std::move(entry)); }
+  const std::deque<Entry>& entries() const { return entries_; }
+  const Entry* find(std::string_view name) const {
+    for (const Entry& entry : entries_)
+      if (entry.name == name) return &entry;
+    return nullptr;
+  }
+
+ private:
+  std::deque<Entry> entries_;  // a deque: closures hold the address of their row
+};
+
+// "a positive number in m", "one of 'static', 'dynamic'".
+std::string expected(const Argument& argument);
+
+}  // namespace fabricsh::script

@@ -1,0 +1,42 @@
+// Objects of the core in Lua: a userdata that holds a shared_ptr. Class names are those of the registry's rows.
+#pragma once
+#include <memory>
+#include <new>
+#include <string>
+
+#include <lua.hpp>
+
+namespace fabricsh::script {
+
+// Specialised per type: static constexpr const char* name.
+template <class T>
+struct ClassName;
+
+// The metatable's registry key is the class name behind this prefix.
+inline std::string class_key(const std::string& name) { return "fabricsh." + name; }
+
+// Creates the class if it is new and pushes its metatable.
+void push_class(lua_State* L, const std::string& name, lua_CFunction gc);
+
+template <class T>
+int collect(lua_State* L) {
+  static_cast<std::shared_ptr<T>*>(lua_touserdata(L, 1))->~shared_ptr();
+  return 0;
+}
+
+template <class T>
+void push_object(lua_State* L, std::shared_ptr<T> value) {
+  void* memory = lua_newuserdatauv(L, sizeof(std::shared_ptr<T>), 1);
+  new (memory) std::shared_ptr<T>(std::move(value));
+  push_class(L, ClassName<T>::name, collect<T>);
+  lua_setmetatable(L, -2);
+}
+
+// The object at index, or null when it is something else.
+template <class T>
+std::shared_ptr<T> to_object(lua_State* L, int index) {
+  void* memory = luaL_testudata(L, index, class_key(ClassName<T>::name).c_str());
+  return memory == nullptr ? nullptr : *static_cast<std::shared_ptr<T>*>(memory);
+}
+
+}  // namespace fabricsh::script

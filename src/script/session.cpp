@@ -1,0 +1,82 @@
+#include "script/session.hpp"
+
+#include "base/error.hpp"
+#include "base/paths.hpp"
+#include "script/bind.hpp"
+#include "script/call.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+Session::Session(Options options) : options_(std::move(options)), notices_(options_.notice) {
+  main_ = luaL_newstate();
+  if (main_ == nullptr) throw std::bad_alloc();
+  active_ = main_;
+  *static_cast<Session**>(lua_getextraspace(main_)) = this;
+  open_libraries();
+}
+
+Session::~Session() { lua_close(main_); }
+
+Session& Session::of(lua_State* L) { return **static_cast<Session**>(lua_getextraspace(L)); }
+
+namespace {
+
+// Finds lua/?.lua of every data root before what LUA_PATH says.
+void set_module_path(lua_State* L) {
+  std::string path;
+  for (const std::string& root : data_roots()) path += root + "/lua/?.lua;" + root + "/lua/?/init.lua;";
+  lua_getglobal(L, "package");
+  lua_getfield(L, -1, "path");
+  path += lua_tostring(L, -1);
+  lua_pop(L, 1);
+  lua_pushstring(L, path.c_str());
+  lua_setfield(L, -2, "path");
+  lua_pop(L, 1);
+}
+
+// require "fabric": the bindings, and what lua/fabric/library.lua adds to them.
+int open_fabric(lua_State* L) {
+  lua_getglobal(L, "require");
+  lua_pushliteral(L, "fabric.library");
+  lua_call(L, 1, 0);
+  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  return 1;
+}
+
+}  // namespace
+
+void Session::open_libraries() {
+  lua_State* L = main_;
+  luaL_openlibs(L);
+  set_module_path(L);
+  lua_newtable(L);
+  lua_setfield(L, LUA_REGISTRYINDEX, "fabric");
+  bind_all(*this);
+  lua_getglobal(L, "package");
+  lua_getfield(L, -1, "preload");
+  lua_pushcfunction(L, open_fabric);
+  lua_setfield(L, -2, "fabric");
+  lua_pushcfunction(L, open_define);
+  lua_setfield(L, -2, "fabric.define");
+  lua_settop(L, 0);
+}
+
+Function::Function(Session& session, lua_State* L, int index) : session_(&session) {
+  lua_pushvalue(L, index);
+  const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
+  // Lives no longer than the state: every holder is an object of that state.
+  handle_ = std::shared_ptr<const int>(new int(reference), [owner = &session](const int* r) {
+    luaL_unref(owner->active(), LUA_REGISTRYINDEX, *r);
+    delete r;
+  });
+}
+
+lua_State* Function::push() const {
+  lua_State* L = session_->active();
+  luaL_checkstack(L, 8, "too many nested callbacks");
+  lua_rawgeti(L, LUA_REGISTRYINDEX, *handle_);
+  return L;
+}
+
+}  // namespace fabricsh::script

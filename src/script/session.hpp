@@ -1,0 +1,96 @@
+// One Lua state with the fabric module, and what its bindings share. No globals: several may live side by side.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <lua.hpp>
+
+#include "base/notice.hpp"
+#include "script/entry.hpp"
+
+namespace fabricsh::script {
+
+struct Options {
+  bool check = false;  // validate everything, run nothing, write nothing
+  bool quiet = false;  // no progress
+  int threads = 0;     // 0: OMP_NUM_THREADS, else all cores
+  std::vector<std::string> command_line;
+  std::string deck;  // path of the deck; empty: none
+  std::function<void(const std::string&)> notice;    // a warning or notice, one line
+  std::function<void(const std::string&)> progress;  // a line of progress
+};
+
+class Session {
+ public:
+  explicit Session(Options options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  static Session& of(lua_State* L);
+  lua_State* lua() const { return main_; }
+  // The state (main or coroutine) whose binding runs now: where callbacks are called.
+  lua_State* active() const { return active_; }
+  const Options& options() const { return options_; }
+  Notices& notices() { return notices_; }
+  Registry& registry() { return registry_; }
+
+  // Asked for by Ctrl-C; a running analysis stops at its next committed step. Safe in a signal handler.
+  void interrupt() { interrupted_ = true; }
+  bool take_interrupt() { return interrupted_.exchange(false); }
+  bool interrupted() const { return interrupted_; }
+
+ private:
+  friend class ActiveState;
+  void open_libraries();
+  Options options_;
+  Notices notices_;
+  Registry registry_;
+  lua_State* main_ = nullptr;
+  lua_State* active_ = nullptr;
+  std::atomic<bool> interrupted_{false};
+};
+
+// Marks L as the state whose binding runs, as long as it lives.
+class ActiveState {
+ public:
+  ActiveState(Session& session, lua_State* L) : session_(session), before_(session.active_) { session_.active_ = L; }
+  ~ActiveState() { session_.active_ = before_; }
+  ActiveState(const ActiveState&) = delete;
+  ActiveState& operator=(const ActiveState&) = delete;
+
+ private:
+  Session& session_;
+  lua_State* before_;
+};
+
+// "deck.lua:12: " of the innermost Lua line that the user wrote (not one of lua/fabric), or empty.
+std::string position(lua_State* L);
+
+// Pushes the function of a row that the registry keeps.
+void push_function(lua_State* L, const Entry& entry);
+// Puts the function of such a row where its name says.
+void place(lua_State* L, const Entry& entry);
+
+// Puts every row where its name says: functions into the table `fabric` (below the registry key "fabric"),
+// methods and properties into their class.
+void install(Session& session, std::vector<Entry> entries);
+
+// A reference to a Lua function that C++ keeps; copies share it. Called on the state that is active then.
+class Function {
+ public:
+  Function() = default;
+  Function(Session& session, lua_State* L, int index);
+  explicit operator bool() const { return handle_ != nullptr; }
+  // Pushes the function on the active state and returns that state.
+  lua_State* push() const;
+
+ private:
+  std::shared_ptr<const int> handle_;
+  Session* session_ = nullptr;
+};
+
+}  // namespace fabricsh::script

@@ -1,0 +1,53 @@
+#include "script/words.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/suggest.hpp"
+
+namespace fabricsh::script {
+
+std::string unknown(const std::string& kind, std::string_view word, const std::vector<std::string>& known) {
+  std::string message = "unknown " + kind + " '" + std::string(word) + "'";
+  const std::string guess = nearest(word, known);
+  if (!guess.empty()) return message + ", did you mean '" + guess + "'?";
+  if (known.empty()) return message;
+  message += " (known:";
+  for (const std::string& name : known) message += " " + name;
+  return message + ")";
+}
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return std::string(buffer, end);
+}
+
+std::string describe(lua_State* L, int index) {
+  switch (lua_type(L, index)) {
+    case LUA_TNONE:
+    case LUA_TNIL:
+      return "nil";
+    case LUA_TBOOLEAN:
+      return lua_toboolean(L, index) ? "true" : "false";
+    case LUA_TNUMBER:
+      return number_text(lua_tonumber(L, index));
+    case LUA_TSTRING:
+      return "'" + std::string(lua_tostring(L, index)).substr(0, 60) + "'";
+    default:
+      break;
+  }
+  const int kind = luaL_getmetafield(L, index, "__name");
+  const std::string name = kind == LUA_TSTRING ? lua_tostring(L, -1) : luaL_typename(L, index);
+  if (kind != LUA_TNIL) lua_pop(L, 1);
+  return "a " + name;
+}
+
+std::string last_word(std::string_view dotted) {
+  const auto cut = dotted.find_last_of(".:");
+  return std::string(cut == std::string_view::npos ? dotted : dotted.substr(cut + 1));
+}
+
+}  // namespace fabricsh::script

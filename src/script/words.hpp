@@ -1,0 +1,23 @@
+// Words of messages: an unknown name with the nearest known one, a value as a person would say it.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <lua.hpp>
+
+namespace fabricsh::script {
+
+// "unknown field 'heigth', did you mean 'height'?", or the list of known names when none is near.
+std::string unknown(const std::string& kind, std::string_view word, const std::vector<std::string>& known);
+
+// The shortest decimal that reads back as the same double; "inf", "-inf", "nan" for the others.
+std::string number_text(double value);
+
+// The value at index for a message: -1, nil, "left", a table, a mesh.
+std::string describe(lua_State* L, int index);
+
+// "name" for fabric.mesh.rectangle, mesh:set -> rectangle, set.
+std::string last_word(std::string_view dotted);
+
+}  // namespace fabricsh::script
