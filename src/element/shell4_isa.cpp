@@ -140,6 +140,7 @@ struct Stiffness {
   Pack in_g[3][3][2];  // z^0 .. z^2: rows in-plane, columns shear
   Pack g_in[3][2][3];
   Pack g_g[2][2];
+  Pack bending[3][3];  // separate bending: curvature rows and columns only
 };
 
 inline void clear(Resultants& r) {
@@ -210,7 +211,7 @@ inline void add_bending(const section::Section& section, const InPlane& p, const
     for (int i = 0; i < 3; ++i) {
       r.M[i] += L[i] * moment;
       if (k != nullptr)
-        for (int j = 0; j < 3; ++j) k->Z[2][i][j] += area * B[m] * L[i] * L[j];
+        for (int j = 0; j < 3; ++j) k->bending[i][j] += area * B[m] * L[i] * L[j];
     }
   }
 }
@@ -357,6 +358,7 @@ inline void fill_edges(const Nodes& n, double thickness, const V3 (&b)[4][2], Pa
 
 // The 11x11 tangent of the resultants, row i column j.
 inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
+  if (i / 3 == 1 && j / 3 == 1) return k.Z[2][i - 3][j - 3] + k.bending[i - 3][j - 3];
   if (i < 9 && j < 9) return k.Z[i / 3 + j / 3][i % 3][j % 3];
   if (i < 9) return k.in_g[i / 3][i % 3][j - 9];
   if (j < 9) return k.g_in[j / 3][i - 9][j % 3];

@@ -36,7 +36,7 @@ VtkSeries::VtkSeries(const std::string& stem, std::vector<std::string> fields)
   for (const auto& field : fields_) {
     if (std::find(field_names().begin(), field_names().end(), field) != field_names().end()) continue;
     std::string known;
-    for (const auto& name : field_names()) known += " " + name;
+    for (const auto& name : field_names()) known.append(" ").append(name);
     throw Error("vtk: field 'fields': unknown field '" + field + "', expected some of" + known);
   }
 }

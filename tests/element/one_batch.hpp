@@ -1,0 +1,153 @@
+// A batch of eight random warped shells for tests: geometry, configurations, retraction, energies.
+#pragma once
+#include <random>
+#include <vector>
+
+#include "element/shell4.hpp"
+#include "test_cards.hpp"
+
+namespace fabricsh::test {
+
+using element::shell4_dofs;
+
+struct RandomShells {
+  section::Section section;
+  element::Shell4Kernels kernels;
+  std::mt19937 random{12345};
+  std::vector<double> geometry, s0, s1;
+  std::array<std::array<Vec3, 4>, lanes> X, D, x, d, b1;
+
+  RandomShells(const card::Card& card, int points, double offset = 0, Isa isa = best_isa())
+      : section(section::integrated(card, card.thickness, points, offset)),
+        kernels(element::shell4_kernels(isa)) {
+    const element::Shell4Layout layout(static_cast<int>(section.points.size()));
+    geometry.assign(layout.size() * lanes, 0);
+    s0.assign(element::gauss_points * section.state_size * lanes + 1, 0);
+    s1 = s0;
+    static const Vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    for (int l = 0; l < lanes; ++l) {
+      for (int a = 0; a < 4; ++a) {
+        X[l][a] = 0.01 * (square[a] + 0.15 * vector());
+        D[l][a] = (Vec3::UnitZ() + 0.15 * vector()).normalized();
+      }
+      const Vec3 warp = (Vec3::UnitX() + vector()).normalized();
+      element::shell4_geometry(
+          section, X[l], D[l], [&](const Vec3&, const Vec3&) { return warp; }, geometry.data(), l, lanes);
+    }
+    rest();
+  }
+  double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
+  Vec3 vector() { return {number(), number(), number()}; }
+  void rest() {
+    x = X;
+    d = D;
+    basis();
+  }
+  void basis() {
+    for (int l = 0; l < lanes; ++l)
+      for (int a = 0; a < 4; ++a) b1[l][a] = d[l][a].cross(Vec3::UnitX()).normalized();
+  }
+  // Strains of the order of `size`, after an arbitrary rigid turn of each element.
+  void deform(double size) {
+    for (int l = 0; l < lanes; ++l) {
+      const Mat3 R = Eigen::AngleAxisd(3 * number(), vector().normalized()).toRotationMatrix();
+      for (int a = 0; a < 4; ++a) {
+        x[l][a] = R * (X[l][a] + 0.01 * size * vector());
+        d[l][a] = (R * (D[l][a] + size * vector())).normalized();
+      }
+    }
+    basis();
+  }
+  // x and d moved by the 20 increments of every lane (column l of `step`).
+  RandomShells moved(const Eigen::MatrixXd& step) const {
+    RandomShells other = *this;
+    for (int l = 0; l < lanes; ++l)
+      for (int a = 0; a < 4; ++a) {
+        const auto u = step.col(l).segment<5>(5 * a);
+        other.x[l][a] += u.head<3>();
+        const Vec3 q = u[3] * b1[l][a] + u[4] * d[l][a].cross(b1[l][a]);
+        if (q.norm() == 0) continue;
+        const Vec3 axis = q.normalized(), d0 = d[l][a];
+        other.d[l][a] = std::cos(q.norm()) * d0 + std::sin(q.norm()) * axis;
+        // b1 carried along the great circle: to first order the derivative of d with respect to q.
+        other.b1[l][a] += b1[l][a].dot(axis) * ((std::cos(q.norm()) - 1) * axis - std::sin(q.norm()) * d0);
+      }
+    return other;
+  }
+  struct Arrays {
+    alignas(64) double x[12 * lanes], d[12 * lanes], b[24 * lanes];
+  };
+  Arrays arrays() const {
+    Arrays r;
+    for (int l = 0; l < lanes; ++l)
+      for (int a = 0; a < 4; ++a)
+        for (int i = 0; i < 3; ++i) {
+          r.x[(3 * a + i) * lanes + l] = x[l][a][i];
+          r.d[(3 * a + i) * lanes + l] = d[l][a][i];
+          r.b[(6 * a + i) * lanes + l] = b1[l][a][i];
+          r.b[(6 * a + 3 + i) * lanes + l] = d[l][a].cross(b1[l][a])[i];
+        }
+    return r;
+  }
+  // Internal force on (u, q): 20 x lanes, N and N m. The directors' part is projected on this configuration's
+  // basis.
+  Eigen::MatrixXd force() {
+    const Arrays r = arrays();
+    alignas(64) double f[24 * lanes];
+    REQUIRE(kernels.force(section, fabric::AtSwitch::loading,
+                          {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data()}, f) == 0);
+    return project(f);
+  }
+  Eigen::MatrixXd tangent(int lane, Eigen::MatrixXd* force_out = nullptr) {
+    const Arrays r = arrays();
+    alignas(64) double f[24 * lanes], k[shell4_dofs * shell4_dofs * lanes];
+    REQUIRE(kernels.tangent(section, fabric::AtSwitch::loading,
+                            {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data()}, f, k) == 0);
+    if (force_out != nullptr) *force_out = project(f);
+    Eigen::MatrixXd K(shell4_dofs, shell4_dofs);
+    for (int i = 0; i < shell4_dofs; ++i)
+      for (int j = 0; j < shell4_dofs; ++j) K(i, j) = k[(shell4_dofs * i + j) * lanes + lane];
+    return K;
+  }
+  Eigen::MatrixXd project(const double* f) const {
+    Eigen::MatrixXd out(shell4_dofs, lanes);
+    for (int l = 0; l < lanes; ++l)
+      for (int a = 0; a < 4; ++a) {
+        Vec3 fd;
+        for (int i = 0; i < 3; ++i) {
+          out(5 * a + i, l) = f[(3 * a + i) * lanes + l];
+          fd[i] = f[(12 + 3 * a + i) * lanes + l];
+        }
+        out(5 * a + 3, l) = b1[l][a].dot(fd);
+        out(5 * a + 4, l) = d[l][a].cross(b1[l][a]).dot(fd);
+      }
+    return out;
+  }
+  std::vector<double> strains() {
+    const Arrays r = arrays();
+    std::vector<double> E(element::gauss_points * section.points.size() * 5 * lanes);
+    kernels.strain(section, {geometry.data(), r.x, r.d, nullptr, nullptr, nullptr}, E.data());
+    return E;
+  }
+  // Stored plus dissipated energy of one lane at the trial state of the last force() or tangent(), J.
+  double energy(int lane) {
+    const auto E = strains();
+    const int points = static_cast<int>(section.points.size());
+    const element::Shell4Layout layout(points);
+    double sum = 0;
+    std::vector<double> state(section.state_size + 1);
+    for (int g = 0; g < element::gauss_points; ++g)
+      for (int k = 0; k < points; ++k) {
+        double e[5];
+        for (int i = 0; i < 5; ++i) e[i] = E[((g * points + k) * 5 + i) * lanes + lane];
+        const auto& p = section.points[k];
+        for (int i = 0; i < fabric::state_size(*p.law); ++i)
+          state[i] = s1[(g * section.state_size + p.state + i) * lanes + lane];
+        const auto energy = fabric::energy(*p.law, e, state.data());
+        sum += geometry[(layout.point(g, k) + 7) * lanes + lane] * (energy.stored + energy.dissipated());
+      }
+    return sum;
+  }
+};
+
+}  // namespace fabricsh::test
