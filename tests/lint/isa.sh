@@ -5,9 +5,9 @@
 set -eu
 isa=$1
 shift
-leaks=$(nm -C --defined-only "$@" | awk -v isa="::$isa::" '$2 ~ /^[WVu]$/ && index($0, isa) == 0')
+leaks=$(nm -C --defined-only "$@" | awk -v isa="::$isa::" '$2 == "W" && index($0, isa) == 0')
 if [ -n "$leaks" ]; then
-  echo "weak symbols compiled for $isa outside its namespace:"
+  echo "weak functions compiled for $isa outside its namespace:"
   echo "$leaks" | sed 's/^[0-9a-f]* *//' | sort -u
   exit 1
 fi
