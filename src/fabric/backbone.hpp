@@ -19,6 +19,13 @@ T horner(const T* c, T t) {
   return sum;
 }
 
+template <class T>
+T horner_at(const double* c, int terms, T t) {
+  T sum(c[terms - 1]);
+  for (int k = terms - 2; k >= 0; --k) sum = sum * t + T(c[k]);
+  return sum;
+}
+
 // Coefficients of the piece that holds x, lane by lane.
 template <int terms, class T>
 struct PieceAt {
@@ -63,6 +70,30 @@ BackboneValue<T> backbone_terms(const Backbone& curve, T x) {
 template <class T>
 BackboneValue<T> backbone_at(const Backbone& curve, T x) {
   return curve.terms == 4 ? backbone_terms<4>(curve, x) : backbone_terms<max_terms>(curve, x);
+}
+
+// D and dD/dx at x >= 0; beyond the limit dD/dx = 0.
+template <class T>
+struct BackboneSlope {
+  T D, slope;
+};
+
+template <int terms, class T>
+BackboneSlope<T> slope_terms(const Backbone& curve, T x) {
+  const T inside = min(x, T(curve.limit));
+  const auto q = piece_at<terms>(curve, inside);
+  const T t = inside - q.start;
+  T D = q.d[terms - 1], slope(0.0);
+  for (int k = terms - 2; k >= 0; --k) {
+    slope = slope * t + D;
+    D = D * t + q.d[k];
+  }
+  return {D, select(x > T(curve.limit), T(0.0), slope)};
+}
+
+template <class T>
+BackboneSlope<T> backbone_slope(const Backbone& curve, T x) {
+  return curve.terms == 4 ? slope_terms<4>(curve, x) : slope_terms<max_terms>(curve, x);
 }
 
 }  // namespace FABRICSH_ISA

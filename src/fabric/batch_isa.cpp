@@ -26,6 +26,15 @@ unsigned potential_batch(const Law& law, AtSwitch at, const double* E, const dou
                                                });
 }
 
+template <bool exact>
+unsigned rate_batch(const Law& law, AtSwitch at, const double* E, const double* s0, double* s1, double* S,
+                    double* C) {
+  return run_batch<rate_state::count>(law.state_size, E, s0, s1, S, C,
+                                      [&](const Pack* e, const Pack* old, Pack* trial) {
+                                        return rate_update<exact>(law.woven, at, e, old, trial);
+                                      });
+}
+
 unsigned elastic_batch(const Law& law, AtSwitch, const double* E, const double* s0, double* s1, double* S,
                        double* C) {
   return run_batch<1>(0, E, s0, s1, S, C,
@@ -36,6 +45,10 @@ BatchFunction batch_for(const Law& law) {
   switch (law.kind) {
     case Kind::potential:
       return potential_batch;
+    case Kind::incremental:
+      return rate_batch<true>;
+    case Kind::thesis:
+      return rate_batch<false>;
     default:
       return elastic_batch;
   }

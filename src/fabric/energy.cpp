@@ -1,6 +1,7 @@
 // Stored and dissipated energy, and what the outputs show of a point, from strain and state alone.
 #include "fabric/data.hpp"
 #include "fabric/potential.hpp"
+#include "fabric/rate_laws.hpp"
 
 namespace fabricsh::fabric {
 
@@ -59,6 +60,36 @@ Energy elastic_energy(const ElasticData& e, const double E[5]) {
   return out;
 }
 
+// The comparison laws keep the work; what is not stored counts as dissipated.
+Energy rate_energy(const WovenData& w, const double* s) {
+  using namespace rate_state;
+  const auto stored = rate_stored(w, s + S);
+  Energy out;
+  out.stored = stored.warp + stored.weft + stored.shear;
+  out.dissipated_warp = s[W1] - stored.warp;
+  out.dissipated_weft = s[W2] - stored.weft;
+  out.dissipated_shear = s[W3] - stored.shear;
+  out.created = s[created];
+  return out;
+}
+
+Internal rate_internal(const WovenData& w, const double E[5], const double* s) {
+  using namespace rate_state;
+  const auto yarn = [](double x, double m) {
+    return x >= m - switch_width ? Branch::virgin : x < 0 ? Branch::slack : Branch::unloading;
+  };
+  Internal out;
+  out.residual1 = s[m1] - backbone_at(w.axis[0].curve, s[m1]).P / w.axis[0].unloading;
+  out.residual2 = s[m2] - backbone_at(w.axis[1].curve, s[m2]).P / w.axis[1].unloading;
+  out.slack1 = max(-E[0], 0.0);
+  out.slack2 = max(-E[1], 0.0);
+  out.warp = yarn(E[0], s[m1]);
+  out.weft = yarn(E[1], s[m2]);
+  const bool virgin = !w.shear.hysteresis || abs(E[4] - s[g0]) >= s[gp] - switch_width;
+  out.shear = virgin ? Branch::virgin : Branch::unloading;
+  return out;
+}
+
 Branch yarn_branch(double E, double m, double zero) {
   if (E >= m - switch_width) return Branch::virgin;
   return E < zero ? Branch::slack : Branch::unloading;
@@ -68,6 +99,7 @@ Branch yarn_branch(double E, double m, double zero) {
 
 Energy energy(const Law& law, const double E[5], const double* s) {
   if (law.kind == Kind::elastic) return elastic_energy(law.elastic, E);
+  if (law.kind != Kind::potential) return rate_energy(law.woven, s);
   return potential_energy(law.woven, E, s);
 }
 
@@ -75,6 +107,7 @@ Internal internal(const Law& law, const double E[5], const double* s) {
   Internal out;
   if (law.kind == Kind::elastic) return out;
   const WovenData& w = law.woven;
+  if (law.kind != Kind::potential) return rate_internal(w, E, s);
   const auto warp = yarn_point(w.axis[0], w.coupling, E[0], s[0]);
   const auto weft = yarn_point(w.axis[1], w.coupling, E[1], s[1]);
   out.residual1 = warp.residual;

@@ -49,14 +49,6 @@ struct ShearState {
   T faded;  // peak of the branch left behind (memory "fading" only)
 };
 
-// What a step did, for those who integrate along it: r at its end on the branch it began on, and whether and
-// where that branch was left.
-template <class T>
-struct ShearStep {
-  T r, zero;     // r0, where S12 = 0 on the branch it began on
-  T peak, sign;  // of that branch
-};
-
 // Energy dissipated on a branch whose peak is g: U(g) - P(g)^2 / (2 Gu).
 template <class T>
 T branch_loss(const BackboneValue<T>& at_peak, T Gu) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "fabric/elastic.hpp"
 #include "fabric/potential.hpp"
+#include "fabric/rate_laws.hpp"
 
 namespace fabricsh::fabric {
 inline namespace FABRICSH_ISA {
@@ -11,6 +12,10 @@ Response<T> update(const Law& law, AtSwitch at, const T E[5], const T* s0, T* s1
   switch (law.kind) {
     case Kind::potential:
       return potential_update(law.woven, at, E, s0, s1);
+    case Kind::incremental:
+      return rate_update<true>(law.woven, at, E, s0, s1);
+    case Kind::thesis:
+      return rate_update<false>(law.woven, at, E, s0, s1);
     default:
       return elastic_update(law.elastic, E);
   }
