@@ -34,7 +34,7 @@ Comparison compare(LawPoint& point, const Strain& E) {
   for (int j = 0; j < 5; ++j) {
     double column[2][5];
     for (int k = 0; k < 2; ++k) {
-      const double h = k == 0 ? 1e-6 : 3e-6;
+      const double h = k == 0 ? 3e-7 : 9e-7;
       Strain up = E, down = E;
       up[j] += h;
       down[j] -= h;
@@ -44,7 +44,7 @@ Comparison compare(LawPoint& point, const Strain& E) {
       for (int i = 0; i < 5; ++i) column[k][i] = (high[i] - point.S[i]) / (2 * h);
     }
     for (int i = 0; i < 5; ++i) {
-      if (std::fabs(column[0][i] - column[1][i]) > 1e-5 * size) out.smooth = false;
+      if (std::fabs(column[0][i] - column[1][i]) > 5e-7 * size) out.smooth = false;
       const double derivative = (9 * column[0][i] - column[1][i]) / 8;  // Richardson: error h^4
       out.error = std::max(out.error, std::fabs(derivative - C[5 * i + j]) / size);
     }
@@ -83,7 +83,7 @@ void walk(const card::Card& card, int states, unsigned seed) {
   }
   INFO(card.name << ": worst " << worst << " over " << used << " of " << tried);
   CHECK(used >= 0.9 * tried);
-  CHECK(worst < 1e-7);  // differences with h = 1e-6: rounding 1e-16 S / (h C), truncation h^2 C'' / C
+  CHECK(worst < 1e-7);  // what a kink inside the differences may leave undetected
   std::string covered;
   for (const char a : {'v', 'u', 's'})
     for (const char b : {'v', 'u', 's'})
