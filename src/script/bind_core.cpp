@@ -1,6 +1,6 @@
 // fabric.version, fabric.units, fabric.poly, fabric.globals, and helpers that the other bindings share.
 #include "base/version.hpp"
-#include "script/bind.hpp"
+#include "script/bind_run.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -177,6 +177,11 @@ void bind_all(Session& session) {
   bind_history(session);
   bind_mesh(session);
   bind_card(session);
+  bind_point(session);
+  bind_model(session);
+  bind_files(session);
+  bind_analysis(session);
+  bind_outputs(session);
 }
 
 }  // namespace fabricsh::script

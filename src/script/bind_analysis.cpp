@@ -1,0 +1,380 @@
+// fabric.static: the run, its hooks, and what can be read from it.
+#include <chrono>
+
+#include "script/bind_run.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+using analysis::Static;
+
+template <>
+struct ClassName<const Static::Snapshot> {
+  static constexpr const char* name = "snapshot";
+};
+
+namespace {
+
+int make(Call& call) {
+  analysis::StaticOptions options;
+  options.duration = call.number("duration");
+  if (call.has("step")) options.step = call.number("step");
+  options.tolerance = call.number("tolerance");
+  options.max_iterations = static_cast<int>(call.integer("max_iterations"));
+  options.max_cuts = static_cast<int>(call.integer("max_cuts"));
+  options.line_search = call.flag("line_search");
+  Session& session = call.session();
+  const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
+  auto run = std::make_shared<Static>(call.object<model::Model>("model"), options, notices);
+  push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
+  return 1;
+}
+
+// --- driving ---
+
+class Clock {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// A line of progress every two seconds.
+void report(const Run& run, const Clock& clock, double& last) {
+  if (!run.session.options().progress || clock.seconds() < last + 2) return;
+  last = clock.seconds();
+  const Static& a = *run.analysis;
+  const int iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
+  char line[160];
+  std::snprintf(line, sizeof line, "t = %.6g of %.6g s, step %zu, %d iterations, %.0f s", a.time(), a.duration(),
+                a.steps().size(), iterations, last);
+  run.session.options().progress(line);
+}
+
+void go(Run& run, const Clock& clock) {
+  Static& a = *run.analysis;
+  double last = 0;
+  while (!a.stopped() && a.time() < a.duration() * (1 - 1e-12)) {
+    a.step();
+    report(run, clock, last);
+    if (run.session.take_interrupt())
+      throw Error("interrupted at " + number_text(a.time()) + " s; the run is alive, solve() goes on");
+  }
+}
+
+// Does the work, keeps the time, leaves outputs and run.json as far as it came.
+template <class Work>
+void drive(Run& run, Work work) {
+  if (run.session.options().check) return;
+  const Clock clock;
+  const double before = run.seconds;
+  const auto leave = [&](const std::string& status) {
+    run.seconds = before + clock.seconds();
+    for (const auto& finish : run.finish) finish();
+    run.record.write(*run.analysis, status, run.seconds);
+  };
+  try {
+    work(clock);
+  } catch (const std::exception& trouble) {
+    leave(trouble.what());
+    throw;
+  }
+  const Static& a = *run.analysis;
+  leave(a.stopped() ? "stopped: " + a.stop_reason() : "done");
+}
+
+int chain(const Call& call) {
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+int solve(Call& call) {
+  const auto run = call.self<Run>();
+  drive(*run, [&run](const Clock& clock) { go(*run, clock); });
+  return chain(call);
+}
+
+int advance(Call& call) {
+  const auto run = call.self<Run>();
+  drive(*run, [&](const Clock&) { run->analysis->advance(call.number("time")); });
+  return chain(call);
+}
+
+int step(Call& call) {
+  const auto run = call.self<Run>();
+  drive(*run, [&run](const Clock&) { run->analysis->step(); });
+  return chain(call);
+}
+
+int stop(Call& call) {
+  call.self<Run>()->analysis->stop(call.text("reason"));
+  return 0;
+}
+
+// --- hooks ---
+
+void run_hook(const Hook& hook) {
+  lua_State* L = hook.push();
+  lua_call(L, 1, 0);
+}
+
+int every(Call& call) {
+  const auto run = call.self<Run>();
+  const Hook hook(call, "action", run.get());
+  const auto act = [hook](Static&) { run_hook(hook); };
+  if (call.is("interval", LUA_TSTRING))
+    run->analysis->every_step(act);
+  else
+    run->analysis->every(call.number("interval"), act);
+  return chain(call);
+}
+
+double event_value(const Hook& hook) {
+  lua_State* L = hook.push();
+  lua_call(L, 1, 1);
+  if (lua_type(L, -1) != LUA_TNUMBER)
+    throw Error("event: field 'value': expected the function to return a number, got " + describe(L, -1));
+  const double value = lua_tonumber(L, -1);
+  lua_pop(L, 1);
+  return value;
+}
+
+int event(Call& call) {
+  const auto run = call.self<Run>();
+  const Hook value(call, "value", run.get());
+  analysis::Static::Hook act;
+  if (call.has("action")) act = [hook = Hook(call, "action", run.get())](Static&) { run_hook(hook); };
+  run->analysis->event([value](Static&) { return event_value(value); }, call.number("tolerance"), act);
+  return chain(call);
+}
+
+// --- reading ---
+
+int reaction(Call& call) {
+  const Vec3 r = call.self<Run>()->analysis->reaction(call.text("set"));
+  for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
+  return 3;
+}
+
+void set_vector(lua_State* L, const char* prefix, const char* axes, const Vec3& v) {
+  for (int i = 0; i < 3; ++i) set_number(L, (std::string(prefix) + axes[i]).c_str(), v[i]);
+}
+
+int node(Call& call) {
+  const auto values = call.self<Run>()->analysis->node(call.integer("number") - 1);
+  lua_State* L = call.L();
+  lua_createtable(L, 0, 15);
+  set_vector(L, "", "xyz", values.x);
+  set_vector(L, "", "XYZ", values.X);
+  set_vector(L, "u", "xyz", values.u);
+  set_vector(L, "v", "xyz", values.v);
+  set_vector(L, "n", "xyz", values.n);
+  return 1;
+}
+
+int element(Call& call) {
+  const auto values = call.self<Run>()->analysis->element(call.integer("number") - 1);
+  lua_createtable(call.L(), 0, 16);
+  for (const std::string& name : analysis::element_value_names())
+    set_number(call.L(), name.c_str(), analysis::element_value(values, name));
+  return 1;
+}
+
+int mean(Call& call) {
+  lua_pushnumber(call.L(), call.self<Run>()->analysis->mean(call.text("name"), call.text("set")));
+  return 1;
+}
+
+int field(Call& call) {
+  push_numbers(call.L(), call.self<Run>()->analysis->field(call.text("name")));
+  return 1;
+}
+
+int energy(Call& call) {
+  const analysis::Energy e = call.self<Run>()->analysis->energy();
+  const std::pair<const char*, double> values[] = {
+      {"kinetic", e.kinetic}, {"stored", e.stored}, {"dissipated", e.dissipated}, {"damping", e.damping},
+      {"external", e.external}, {"dissipated_warp", e.dissipated_warp}, {"dissipated_weft", e.dissipated_weft},
+      {"dissipated_shear", e.dissipated_shear}, {"dissipated_bending", e.dissipated_bending}, {"created", e.created},
+      {"internal", e.internal()}, {"error", e.error}};
+  lua_newtable(call.L());
+  for (const auto& [name, value] : values) set_number(call.L(), name, value);
+  return 1;
+}
+
+int time(Call& call) {
+  lua_pushnumber(call.L(), call.self<Run>()->analysis->time());
+  return 1;
+}
+
+int duration(Call& call) {
+  lua_pushnumber(call.L(), call.self<Run>()->analysis->duration());
+  return 1;
+}
+
+int stopped(Call& call) {
+  const auto run = call.self<Run>();
+  if (run->analysis->stopped())
+    lua_pushstring(call.L(), run->analysis->stop_reason().c_str());
+  else
+    lua_pushboolean(call.L(), 0);
+  return 1;
+}
+
+int steps(Call& call) {
+  lua_State* L = call.L();
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const auto& report : call.self<Run>()->analysis->steps()) {
+    lua_newtable(L);
+    set_number(L, "time", report.time);
+    set_number(L, "step", report.step);
+    lua_pushinteger(L, report.iterations);
+    lua_setfield(L, -2, "iterations");
+    lua_pushinteger(L, report.cuts);
+    lua_setfield(L, -2, "cuts");
+    push_numbers(L, report.residuals);
+    lua_setfield(L, -2, "residuals");
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+int snapshot(Call& call) {
+  push_object(call.L(), call.self<Run>()->analysis->snapshot());
+  return 1;
+}
+
+int restore(Call& call) {
+  call.self<Run>()->analysis->restore(*call.object<const Static::Snapshot>("snapshot"));
+  return chain(call);
+}
+
+int run_text(lua_State* L) {
+  const Static& a = *to_object<Run>(L, 1)->analysis;
+  char words[160];
+  std::snprintf(words, sizeof words, "<static analysis, t = %.6g of %.6g s, %zu steps%s>", a.time(), a.duration(),
+                a.steps().size(), a.stopped() ? ", stopped" : "");
+  lua_pushstring(L, words);
+  return 1;
+}
+
+const std::string sample() {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
+         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, 1) })\n"
+         "local a = fabric.static{ model=m, duration=1, step=0.25 }\n";
+}
+
+Argument name_row() {
+  return value_("name", text, "of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 "
+                              "slack1 slack2")
+      .one_of(analysis::element_value_names());
+}
+
+std::vector<Entry> driving() {
+  return {
+      {"fabric.static",
+       Style::fields,
+       {object_("model", "model", "what is computed"), number_("duration", "s", positive, "time to run to"),
+        number_("step", "s", positive, "largest step; default duration/20").optional(),
+        number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force").or_else(1e-10),
+        integer_("max_iterations", from_one, "of one step, before it is cut").or_else(25),
+        integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").or_else(12),
+        value_("line_search", boolean, "on the energy along the Newton step").or_else(true)},
+       "A quasi-static run: Newton's method through the histories' time.",
+       sample() + "assert(a.duration == 1)",
+       make},
+      {"analysis:solve", Style::positional, {}, "Runs to the duration, or to where a hook stopped it; returns the analysis.",
+       sample() + "assert(a:solve().time == 1)", solve},
+      {"analysis:advance",
+       Style::positional,
+       {number_("time", "s", not_negative, "absolute time to run to and land on")},
+       "Runs to an absolute time.",
+       sample() + "assert(a:advance(0.3).time == 0.3)",
+       advance},
+      {"analysis:step", Style::positional, {}, "One committed step.", sample() + "assert(a:step().time == 0.25)", step},
+      {"analysis:stop",
+       Style::positional,
+       {value_("reason", text, "why, for a.stopped and run.json").or_else("asked for")},
+       "Ends the run after the current step; to be called from a hook.",
+       sample() + "a:every('step', function(run) if run.time >= 0.5 then run:stop 'enough' end end)\n"
+                  "assert(a:solve().stopped == 'enough' and a.time == 0.5)",
+       stop},
+      {"analysis:every",
+       Style::positional,
+       {{"interval", number | text, "s", positive, "time between calls, which steps land on, or 'step'", true, {}, {"step"}},
+        value_("action", function, "function(a)")},
+       "Calls a function at the start and then at an interval, or after each step.",
+       sample() + "local n = 0\na:every(0.5, function(run) n = n + 1 end)\na:solve()\nassert(n == 3)",
+       every},
+      {"analysis:event",
+       Style::fields,
+       {value_("value", function, "function(a) whose zero is sought"),
+        number_("tolerance", "", positive, "of the value, over the largest it has had").or_else(1e-6),
+        value_("action", function, "function(a), called there").optional()},
+       "Finds where a value crosses zero inside a step, lands there, commits, and calls the action.",
+       sample() + "a:event{ value=function(run) return run:mean 'E11' - 0.1 end, action=function(run) run:stop() end }\n"
+                  "a:solve()\nassert(math.abs(a:mean 'E11' - 0.1) < 1e-6)",
+       event},
+      {"analysis:snapshot", Style::positional, {}, "A copy of the whole state.", sample() + "local s = a:snapshot()", snapshot},
+      {"analysis:restore",
+       Style::positional,
+       {object_("snapshot", "snapshot", "taken of this analysis")},
+       "Goes back to a snapshot.",
+       sample() + "local s = a:snapshot()\na:solve():restore(s)\nassert(a.time == 0)",
+       restore},
+  };
+}
+
+std::vector<Entry> reading() {
+  const std::string run = sample();
+  return {
+      {"analysis:reaction",
+       Style::positional,
+       {value_("set", text, "name of a node set")},
+       "Force that the supports exert on the cloth, summed over the set: x, y, z in N, global.",
+       run + "local x, y = a:solve():reaction 'top'\nassert(y > 0)",
+       reaction},
+      {"analysis:node",
+       Style::positional,
+       {integer_("number", from_one, "of the node")},
+       "x y z current, X Y Z reference, ux uy uz, vx vy vz, nx ny nz (director).",
+       run + "assert(math.abs(a:solve():node(8).uy - 0.018) < 1e-12)",
+       node},
+      {"analysis:element",
+       Style::positional,
+       {integer_("number", from_one, "of the element")},
+       "Averages over the element's reference volume, material axes: E11 ... S23 stored dissipated residual1 residual2 slack1 slack2.",
+       run + "assert(a:solve():element(1).S11 > 0)",
+       element},
+      {"analysis:mean",
+       Style::positional,
+       {name_row(), value_("set", text, "elements all of whose nodes are in it").or_else("all")},
+       "Average over elements.",
+       run + "assert(a:solve():mean('E11') > 0.2)",
+       mean},
+      {"analysis:field", Style::positional, {name_row()}, "The value of every element, in their order.",
+       run + "assert(#a:field 'S11' == 3)", field},
+      {"analysis.energy", Style::property, {}, "Energies in J, and the error of their balance.",
+       run + "a:solve()\nassert(a.energy.error < 1)", energy},
+      {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},
+      {"analysis.duration", Style::property, {}, "Where it ends, s.", run + "assert(a.duration == 1)", duration},
+      {"analysis.stopped", Style::property, {}, "The reason it was stopped for, or false.", run + "assert(a.stopped == false)",
+       stopped},
+      {"analysis.steps", Style::property, {}, "Of each committed step: time, step, iterations, cuts, residuals.",
+       run + "assert(#a:solve().steps == 4)", steps},
+  };
+}
+
+}  // namespace
+
+void bind_analysis(Session& session) {
+  install(session, driving());
+  install(session, reading());
+  set_meta(session, "analysis", "__tostring", run_text);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,204 @@
+// fabric.model: supports, motions, loads.
+#include "model/model.hpp"
+
+#include "script/bind.hpp"
+#include "script/bind_run.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+
+namespace {
+
+Vec3 vector_of(const std::vector<double>& v, const std::string& what) {
+  if (v.size() != 3) throw Error(what + ": expected {x, y, z}, got " + std::to_string(v.size()) + " numbers");
+  return {v[0], v[1], v[2]};
+}
+
+// A direction on top of the stack: an angle or a vector.
+model::Direction read_direction(lua_State* L, const std::string& what) {
+  if (lua_type(L, -1) == LUA_TNUMBER) return lua_tonumber(L, -1);
+  if (!lua_istable(L, -1)) throw Error(what + ": expected an angle in degrees or {x, y, z}, got " + describe(L, -1));
+  return vector_of(read_numbers(L, -1), what);
+}
+
+model::WarpField warp_function(const Function& f) {
+  return [f](const Vec3& X) {
+    lua_State* L = f.push();
+    for (int i = 0; i < 3; ++i) lua_pushnumber(L, X[i]);
+    lua_call(L, 3, 1);
+    const model::Direction direction = read_direction(L, "field 'warp': what the function returned");
+    lua_pop(L, 1);
+    return direction;
+  };
+}
+
+void read_warp(const Call& call, model::Options& options) {
+  if (!call.has("warp")) return;
+  if (const Function f = call.function("warp")) {
+    options.warp = warp_function(f);
+    options.warp_text = "function";
+    return;
+  }
+  call.push("warp");
+  const model::Direction direction = read_direction(call.L(), "field 'warp'");
+  options.warp_text = lua_isnumber(call.L(), -1) ? number_text(lua_tonumber(call.L(), -1)) + " degrees" : "vector";
+  lua_pop(call.L(), 1);
+  options.warp = [direction](const Vec3&) { return direction; };
+}
+
+int make(Call& call) {
+  model::Options options;
+  if (call.has("thickness")) options.thickness = call.number("thickness");
+  options.points = static_cast<int>(call.integer("points"));
+  options.offset = call.number("offset");
+  read_warp(call, options);
+  push_object(call.L(), std::make_shared<Model>(call.object<mesh::Mesh>("mesh"), *call.object<card::Card>("card"),
+                                                std::move(options)));
+  return 1;
+}
+
+Mat3 frame_of(const Call& call) {
+  if (!call.has("options")) return model::global_frame();
+  const Fields options = call.fields("options");
+  if (!options.has("frame")) return model::global_frame();
+  lua_State* L = call.L();
+  options.push("frame");
+  Vec3 axis[2];
+  for (int i = 0; i < 2; ++i) {
+    const Argument row{std::to_string(i + 1), numbers, "", everything, ""};
+    lua_rawgeti(L, -1, i + 1);
+    check_value(L, -1, row, "options.frame.", true);
+    axis[i] = vector_of(read_numbers(L, -1), "argument 'options.frame'");
+    lua_pop(L, 1);
+  }
+  return model::frame_from(axis[0], axis[1]);
+}
+
+int chain(const Call& call) {
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+int fix(Call& call) {
+  call.self<Model>()->fix(call.text("set"), model::parse_freedoms(call.text("freedoms")), frame_of(call));
+  return chain(call);
+}
+
+model::Components components_of(const Call& call) {
+  model::Components components;
+  const std::string name = last_word(call.entry().name);
+  const Fields given = call.fields("components");
+  const char* const axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (given.push(axes[i]) != LUA_TNIL)
+      components[i] = read_history(call.session(), call.L(), -1, name + ": field '" + axes[i] + "'");
+    lua_pop(call.L(), 1);
+  }
+  return components;
+}
+
+int move(Call& call) {
+  call.self<Model>()->move(call.text("set"), components_of(call), frame_of(call));
+  return chain(call);
+}
+
+int force(Call& call) {
+  call.self<Model>()->force(call.text("set"), components_of(call), frame_of(call));
+  return chain(call);
+}
+
+int gravity(Call& call) {
+  call.self<Model>()->gravity(vector_of(call.numbers("acceleration"), "argument 'acceleration'"));
+  return chain(call);
+}
+
+int thickness(Call& call) {
+  lua_pushnumber(call.L(), call.self<Model>()->thickness());
+  return 1;
+}
+
+int card_of(Call& call) {
+  push_object(call.L(), std::make_shared<card::Card>(call.self<Model>()->card()));
+  return 1;
+}
+
+int model_text(lua_State* L) {
+  const std::string words = to_object<Model>(L, 1)->describe();
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+Argument set_row() { return value_("set", text, "name of a node set"); }
+
+Argument frame_row() {
+  return fields_("options", {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
+                 "frame = {e1, e2} for oblique directions")
+      .optional();
+}
+
+Argument components_row(const char* unit, const char* sentence) {
+  return fields_("components", {history_("x", unit, "history along x"), history_("y", unit, "history along y"),
+                                history_("z", unit, "history along z")},
+                 sentence);
+}
+
+std::vector<Entry> rows() {
+  const std::string sample =
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+      "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
+  return {
+      {"fabric.model",
+       Style::fields,
+       {object_("mesh", "mesh", "the surface"), object_("card", "card", "the fabric"),
+        number_("thickness", "m", positive, "wins over the card's; mass per area follows")
+            .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
+            .optional(),
+        Argument{"warp", number | numbers | function, "degrees", everything,
+                 "warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) "
+                 "returning either; default 0 on a flat generated mesh"}
+            .optional(),
+        integer_("points", Range{1, 9}, "integration points through the thickness").or_else(3),
+        number_("offset", "", Range{-1, 1}, "reference surface: -1 lower face, 0 middle, 1 upper face").or_else(0.0)},
+       "The declared problem: a mesh of a fabric, to be held, moved and loaded.",
+       sample + "assert(m.thickness == 0.38e-3)",
+       make},
+      {"model:fix",
+       Style::positional,
+       {set_row(), value_("freedoms", text, "some of x y z rx ry rz rotation; rotation is both of the director's"), frame_row()},
+       "Holds freedoms of a node set; fixing twice is harmless.",
+       sample + "m:fix('bottom', 'x y z rotation')",
+       fix},
+      {"model:move",
+       Style::positional,
+       {set_row(), components_row("m", "{x=, y=, z=}: displacement from the reference position"), frame_row()},
+       "Prescribes displacements of a node set as histories (number, function(t), fabric.history, fabric.ramp).",
+       sample + "m:move('top', { y=fabric.ramp(0.018, 1) })",
+       move},
+      {"model:force",
+       Style::positional,
+       {set_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"), frame_row()},
+       "Loads a node set with a total force; a single node takes it whole.",
+       sample + "m:force('top', { y=fabric.ramp(10, 1) })",
+       force},
+      {"model:gravity",
+       Style::positional,
+       {Argument{"acceleration", numbers, "m/s^2", everything, "{gx, gy, gz}"}},
+       "Lets gravity act on the whole sheet.",
+       sample + "m:gravity{0, 0, -9.81}",
+       gravity},
+      {"model.thickness", Style::property, {}, "Thickness of the sheet, m.", sample + "assert(m.thickness > 0)", thickness},
+      {"model.card", Style::property, {}, "Its card.", sample + "assert(m.card.name == 'blend')", card_of},
+  };
+}
+
+}  // namespace
+
+void bind_model(Session& session) {
+  install(session, rows());
+  set_meta(session, "model", "__tostring", model_text);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,189 @@
+// a:record and a:vtk.
+#include <algorithm>
+
+#include "files/csv.hpp"
+#include "output/vtk_series.hpp"
+#include "script/bind_run.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+using analysis::Static;
+
+namespace {
+
+// Calls `frame` as often as the options say, and once more when the run ends.
+void schedule(Run& run, const Fields& options, const std::function<void(Static&)>& frame) {
+  if (!options.has("every") || options.is("every", LUA_TSTRING))
+    run.analysis->every_step(frame);
+  else
+    run.analysis->every(options.number("every"), frame);
+  run.finish.emplace_back([frame, analysis = run.analysis.get()] { frame(*analysis); });
+}
+
+struct Column {
+  std::string name;
+  Hook value;
+};
+
+// One row of the table, unless the time has one.
+class Record {
+ public:
+  Record(const std::string& path, std::vector<Column> columns) : columns_(std::move(columns)), writer_(path, names()) {}
+
+  void row(const Static& run) {
+    if (run.time() <= last_) return;
+    std::vector<double> values = {run.time()};
+    for (const Column& column : columns_) values.push_back(value(column));
+    writer_.row(values);
+    last_ = run.time();
+  }
+
+ private:
+  std::vector<std::string> names() const {
+    std::vector<std::string> out = {"time"};
+    for (const Column& column : columns_) out.push_back(column.name);
+    return out;
+  }
+
+  static double value(const Column& column) {
+    lua_State* L = column.value.push();
+    lua_call(L, 1, 1);
+    if (lua_type(L, -1) != LUA_TNUMBER)
+      throw Error("record: field 'columns." + column.name + "': expected the function to return a number, got " + describe(L, -1));
+    const double result = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return result;
+  }
+
+  std::vector<Column> columns_;
+  files::CsvWriter writer_;
+  double last_ = -1;
+};
+
+std::vector<std::string> text_list(const Fields& fields, const char* name) {
+  std::vector<std::string> words;
+  lua_State* L = fields.L();
+  if (fields.push(name) == LUA_TTABLE)
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
+      if (lua_type(L, -1) != LUA_TSTRING) fields.refuse(name, "expected a table of names, got " + describe(L, -1));
+      words.emplace_back(lua_tostring(L, -1));
+      lua_pop(L, 1);
+    }
+  else
+    lua_pushnil(L);
+  lua_pop(L, 2);
+  return words;
+}
+
+// Names of the columns: `order` first, the rest by the alphabet.
+std::vector<std::string> column_names(const Fields& options) {
+  lua_State* L = options.L();
+  std::vector<std::string> names = text_list(options, "order"), rest;
+  options.push("columns");
+  for (const std::string& name : names) {
+    if (lua_getfield(L, -1, name.c_str()) != LUA_TFUNCTION) options.refuse("order", "no column '" + name + "'");
+    lua_pop(L, 1);
+  }
+  lua_pushnil(L);
+  while (lua_next(L, -2) != 0) {
+    if (lua_type(L, -2) != LUA_TSTRING || !lua_isfunction(L, -1))
+      options.refuse("columns", "expected name = function(a), got " + describe(L, -1));
+    const std::string name = lua_tostring(L, -2);
+    if (std::find(names.begin(), names.end(), name) == names.end()) rest.push_back(name);
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  std::sort(rest.begin(), rest.end());
+  names.insert(names.end(), rest.begin(), rest.end());
+  if (names.empty()) options.refuse("columns", "expected at least one column");
+  return names;
+}
+
+// A row per column name, so that a Hook can be made of it.
+Hook column_hook(const Fields& options, const std::string& name, Run* run) {
+  options.push("columns");
+  const std::vector<Argument> all = [&] {
+    std::vector<Argument> rows;
+    for (const std::string& known : column_names(options)) rows.push_back(value_(known, function, "a column"));
+    return rows;
+  }();
+  const Fields columns(options.L(), -1, all, "options.columns.");
+  Hook hook(columns, name, run);
+  lua_pop(options.L(), 1);
+  return hook;
+}
+
+int record(Call& call) {
+  const auto run = call.self<Run>();
+  const Fields options = call.fields("options");
+  std::vector<Column> columns;
+  for (const std::string& name : column_names(options)) columns.push_back({name, column_hook(options, name, run.get())});
+  lua_pushvalue(call.L(), 1);
+  if (call.session().options().check) return 1;
+  const auto table = std::make_shared<Record>(call.text("path"), std::move(columns));
+  run->record.add_output(call.text("path"));
+  schedule(*run, options, [table](Static& a) { table->row(a); });
+  return 1;
+}
+
+int vtk(Call& call) {
+  const auto run = call.self<Run>();
+  luaL_checkstack(call.L(), 10, "vtk");
+  if (!call.has("options")) {
+    lua_newtable(call.L());
+    lua_setfield(call.L(), -2, "options");
+  }
+  const Fields options = call.fields("options");
+  const std::vector<std::string> fields = text_list(options, "fields");
+  lua_pushvalue(call.L(), 1);
+  if (call.session().options().check) return 1;
+  const auto series = std::make_shared<output::VtkSeries>(call.text("stem"), fields);
+  run->record.add_output(series->path());
+  schedule(*run, options, [series](Static& a) { series->frame(a); });
+  return 1;
+}
+
+Argument every_row() {
+  return Argument{"every", number | text, "s", positive, "time between rows or frames, or 'step'", true, {}, {"step"}}.optional();
+}
+
+std::vector<Entry> rows() {
+  const std::string sample =
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+      "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
+      "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, 1) })\n"
+      "local a = fabric.static{ model=m, duration=1, step=0.5 }\n"
+      "local name = os.tmpname()\nos.remove(name)\n";
+  return {
+      {"analysis:record",
+       Style::positional,
+       {value_("path", text, "of the CSV file"),
+        fields_("options",
+                {every_row(), value_("columns", table, "name = function(a) that returns a number"),
+                 value_("order", table, "names in the order of the columns").optional()},
+                "columns, and how often")},
+       "Writes a table as the run goes: time, then the columns.",
+       sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction 'top') end } })\n"
+                "a:solve()\nassert(io.open(name..'/curve.csv'):read 'l' == 'time,force')\n"
+                "os.remove(name..'/curve.csv') os.remove(name..'/run.json') os.remove(name)",
+       record},
+      {"analysis:vtk",
+       Style::positional,
+       {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
+        fields_("options", {every_row(), value_("fields", table, "some of the fields; default all").optional()}, "how often, and what")
+            .optional()},
+       "Writes a series for ParaView as the run goes; the .pvd is valid at any moment.",
+       sample + "a:vtk(name..'/pull')\na:solve()\nassert(io.open(name..'/pull.pvd'):read 'a':find 'pull_00002.vtu')\n"
+                "for i = 0, 2 do os.remove(name..('/pull_%05d.vtu'):format(i)) end\n"
+                "os.remove(name..'/pull.pvd') os.remove(name..'/run.json') os.remove(name)",
+       vtk},
+  };
+}
+
+}  // namespace
+
+void bind_outputs(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,122 @@
+// The analysis object in Lua, its hooks, and run.json.
+#include <chrono>
+#include <filesystem>
+#include <set>
+
+#include "base/isa.hpp"
+#include "base/version.hpp"
+#include "files/atomic.hpp"
+#include "files/json.hpp"
+#include "script/bind_run.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// Registry table from the address of a Run to its userdata; weak, so that it keeps none alive.
+constexpr const char* runs_key = "fabricsh.runs";
+
+void push_runs(lua_State* L) {
+  if (lua_getfield(L, LUA_REGISTRYINDEX, runs_key) == LUA_TTABLE) return;
+  lua_pop(L, 1);
+  lua_newtable(L);
+  lua_newtable(L);
+  lua_pushliteral(L, "v");
+  lua_setfield(L, -2, "__mode");
+  lua_setmetatable(L, -2);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, runs_key);
+}
+
+void push_self(lua_State* L, const Run* run) {
+  push_runs(L);
+  lua_rawgetp(L, -1, run);
+  lua_remove(L, -2);
+}
+
+// FNV-1a, 64 bits: tells two cards or decks apart, no more.
+std::string hash_text(const std::string& bytes) {
+  std::uint64_t hash = 14695981039346656037ull;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  char text[32];
+  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+std::string file_bytes(const std::string& path) {
+  std::string bytes;
+  std::FILE* file = path.empty() ? nullptr : std::fopen(path.c_str(), "rb");
+  if (file == nullptr) return bytes;
+  char buffer[65536];
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) bytes.append(buffer, n);
+  std::fclose(file);
+  return bytes;
+}
+
+files::Json steps_json(const analysis::Static& run) {
+  std::int64_t iterations = 0, cuts = 0;
+  double worst = 0;
+  for (const auto& step : run.steps()) {
+    iterations += step.iterations;
+    cuts += step.cuts;
+    if (!step.residuals.empty()) worst = std::max(worst, step.residuals.back());
+  }
+  files::Json json = files::Json::object();
+  json.set("count", run.steps().size()).set("iterations", iterations).set("cuts", cuts);
+  json.set("largest_final_residual", worst).set("tolerance", run.options().tolerance);
+  return json;
+}
+
+}  // namespace
+
+void push_run(lua_State* L, std::shared_ptr<Run> run) {
+  const Run* address = run.get();
+  push_object(L, std::move(run));
+  lua_newtable(L);
+  lua_setiuservalue(L, -2, 1);
+  push_runs(L);
+  lua_pushvalue(L, -2);
+  lua_rawsetp(L, -2, address);
+  lua_pop(L, 1);
+}
+
+Hook::Hook(const Fields& fields, std::string_view name, Run* run) : run_(run) {
+  lua_State* L = fields.L();
+  push_self(L, run);
+  lua_getiuservalue(L, -1, 1);
+  slot_ = static_cast<int>(lua_rawlen(L, -1)) + 1;
+  fields.push(name);
+  lua_rawseti(L, -2, slot_);
+  lua_pop(L, 2);
+}
+
+lua_State* Hook::push() const {
+  lua_State* L = run_->session.active();
+  luaL_checkstack(L, 8, "too many nested callbacks");
+  push_self(L, run_);
+  lua_getiuservalue(L, -1, 1);
+  lua_rawgeti(L, -1, slot_);
+  lua_replace(L, -2);
+  lua_insert(L, -2);
+  return L;
+}
+
+void RunRecord::write(const analysis::Static& run, const std::string& status, double seconds) const {
+  if (outputs_.empty()) return;
+  const Options& options = session_.options();
+  const std::string card = card_text(run.model().card());
+  files::Json json = files::Json::object();
+  json.set("program", "fabricsh").set("version", version()).set("build", build_kind()).set("compiler", compiler());
+  json.set("lua", LUA_RELEASE).set("instructions", name(best_isa()));
+  json.set("deck", options.deck).set("deck_hash", hash_text(file_bytes(options.deck)));
+  json.set("arguments", options.command_line).set("threads", options.threads);
+  json.set("card", run.model().card().name).set("card_hash", hash_text(card)).set("model", run.model().describe());
+  json.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
+  json.set("steps", steps_json(run)).set("energy_error", run.energy().error).set("outputs", outputs_);
+  std::set<std::string> folders;
+  for (const std::string& output : outputs_) folders.insert(std::filesystem::path(output).parent_path().string());
+  for (const std::string& folder : folders)
+    files::write_file((folder.empty() ? "" : folder + "/") + "run.json", json.text(), files::Sync::no);
+}
+
+}  // namespace fabricsh::script
