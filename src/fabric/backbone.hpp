@@ -12,10 +12,10 @@ struct BackboneValue {
 };
 
 // Polynomial pieces share this Horner rule; the number of terms is a compile-time constant.
-template <int terms, class T>
-T horner(const T* c, T t) {
-  T sum = c[terms - 1];
-  for (int k = terms - 2; k >= 0; --k) sum = sum * t + c[k];
+template <int terms, class C, class T>
+T horner(const C* c, T t) {
+  T sum(c[terms - 1]);
+  for (int k = terms - 2; k >= 0; --k) sum = sum * t + T(c[k]);
   return sum;
 }
 
@@ -26,7 +26,7 @@ T horner_at(const double* c, int terms, T t) {
   return sum;
 }
 
-// Coefficients of the piece that holds x, lane by lane.
+// Coefficients of the piece that holds x, lane by lane (the same for all where there is one piece only).
 template <int terms, class T>
 struct PieceAt {
   T start, P0, U0, d[terms], p[terms], u[terms];
@@ -53,17 +53,21 @@ PieceAt<terms, T> piece_at(const Backbone& curve, T x) {
   return q;
 }
 
-// The guard without a branch: values at min(x, limit), extended with a constant D.
+// The guard without a branch: values at t inside the piece, extended by `beyond` with a constant D.
+template <int terms, class T, class P>
+BackboneValue<T> extended(const P& piece, T inside, T beyond) {
+  const T t = inside - T(piece.start);
+  const T D = horner<terms>(piece.d, t);
+  const T stress = T(piece.P0) + t * horner<terms>(piece.p, t);
+  const T U = T(piece.U0) + t * (T(piece.P0) + t * horner<terms>(piece.u, t));
+  return {D, stress + D * beyond, U + beyond * (stress + T(0.5) * D * beyond)};
+}
+
 template <int terms, class T>
 BackboneValue<T> backbone_terms(const Backbone& curve, T x) {
   const T inside = min(x, T(curve.limit));
-  const T beyond = x - inside;
-  const auto q = piece_at<terms>(curve, inside);
-  const T t = inside - q.start;
-  const T D = horner<terms>(q.d, t);
-  const T P = q.P0 + t * horner<terms>(q.p, t);
-  const T U = q.U0 + t * (q.P0 + t * horner<terms>(q.u, t));
-  return {D, P + D * beyond, U + beyond * (P + T(0.5) * D * beyond)};
+  if (curve.pieces == 1) return extended<terms>(curve.piece[0], inside, x - inside);
+  return extended<terms>(piece_at<terms>(curve, inside), inside, x - inside);
 }
 
 // x >= 0. NaN gives NaN.
@@ -78,17 +82,23 @@ struct BackboneSlope {
   T D, slope;
 };
 
+template <int terms, class T, class P>
+BackboneSlope<T> slope_in(const P& piece, T inside) {
+  const T t = inside - T(piece.start);
+  T D(piece.d[terms - 1]), slope(0.0);
+  for (int k = terms - 2; k >= 0; --k) {
+    slope = slope * t + D;
+    D = D * t + T(piece.d[k]);
+  }
+  return {D, slope};
+}
+
 template <int terms, class T>
 BackboneSlope<T> slope_terms(const Backbone& curve, T x) {
   const T inside = min(x, T(curve.limit));
-  const auto q = piece_at<terms>(curve, inside);
-  const T t = inside - q.start;
-  T D = q.d[terms - 1], slope(0.0);
-  for (int k = terms - 2; k >= 0; --k) {
-    slope = slope * t + D;
-    D = D * t + q.d[k];
-  }
-  return {D, select(x > T(curve.limit), T(0.0), slope)};
+  const auto at = curve.pieces == 1 ? slope_in<terms>(curve.piece[0], inside)
+                                    : slope_in<terms>(piece_at<terms>(curve, inside), inside);
+  return {at.D, select(x > T(curve.limit), T(0.0), at.slope)};
 }
 
 template <class T>

@@ -18,8 +18,8 @@ unsigned run_batch(int state, const double* E, const double* s0, double* s1, dou
   return bits(!healthy(e, out)) & ((1u << lanes) - 1u);
 }
 
-unsigned potential_batch(const Law& law, AtSwitch at, const double* E, const double* s0, double* s1,
-                         double* S, double* C) {
+[[gnu::flatten]] unsigned potential_batch(const Law& law, AtSwitch at, const double* E, const double* s0,
+                                          double* s1, double* S, double* C) {
   return run_batch<potential_state::count + 2>(law.state_size, E, s0, s1, S, C,
                                                [&](const Pack* e, const Pack* old, Pack* trial) {
                                                  return potential_update(law.woven, at, e, old, trial);
@@ -27,8 +27,8 @@ unsigned potential_batch(const Law& law, AtSwitch at, const double* E, const dou
 }
 
 template <bool exact>
-unsigned rate_batch(const Law& law, AtSwitch at, const double* E, const double* s0, double* s1, double* S,
-                    double* C) {
+[[gnu::flatten]] unsigned rate_batch(const Law& law, AtSwitch at, const double* E, const double* s0,
+                                     double* s1, double* S, double* C) {
   return run_batch<rate_state::count>(law.state_size, E, s0, s1, S, C,
                                       [&](const Pack* e, const Pack* old, Pack* trial) {
                                         return rate_update<exact>(law.woven, at, e, old, trial);
