@@ -1,6 +1,6 @@
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 
 #include "base/paths.hpp"
 #include "base/version.hpp"
@@ -39,7 +39,9 @@ TEST_CASE("FABRICSH_HOME comes first, and only where it exists", "[base]") {
 }
 
 TEST_CASE("the version is three numbers", "[base]") {
-  CHECK(std::regex_match(version(), std::regex(R"(\d+\.\d+\.\d+)")));
+  int major = -1, minor = -1, patch = -1, length = -1;
+  CHECK(std::sscanf(version().c_str(), "%d.%d.%d%n", &major, &minor, &patch, &length) == 3);
+  CHECK(length == static_cast<int>(version().size()));
   CHECK_FALSE(build_kind().empty());
   CHECK_FALSE(compiler().empty());
 }
