@@ -39,7 +39,8 @@ script::Options session_options(const app::CommandLine& command) {
 }
 
 void print_version() {
-  std::cout << "fabricsh " << version() << " (" << build_kind() << ", " << compiler() << ", " << LUA_RELEASE << ")\n";
+  std::cout << "fabricsh " << version() << " (" << build_kind() << ", " << compiler() << ", " << LUA_RELEASE
+            << ")\n";
 }
 
 // -e and -l in their order, then the deck. The first failure ends it.

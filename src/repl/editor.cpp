@@ -25,7 +25,8 @@ class Stream : public Lines {
 
 class Terminal : public Lines {
  public:
-  explicit Terminal(std::string file) : file_(std::move(file)), edit_(el_init("fabricsh", stdin, stdout, stderr)) {
+  explicit Terminal(std::string file)
+      : file_(std::move(file)), edit_(el_init("fabricsh", stdin, stdout, stderr)) {
     el_set(edit_, EL_CLIENTDATA, this);
     el_set(edit_, EL_PROMPT, &Terminal::prompt_of);
     el_set(edit_, EL_EDITOR, "emacs");

@@ -8,7 +8,8 @@ namespace {
 
 bool is_numerical(lua_State* L, int index) {
   if (!lua_istable(L, index)) return false;
-  const bool named = lua_getfield(L, index, "kind") == LUA_TSTRING && std::string(lua_tostring(L, -1)) == "numerical";
+  const bool named =
+      lua_getfield(L, index, "kind") == LUA_TSTRING && std::string(lua_tostring(L, -1)) == "numerical";
   lua_pop(L, 1);
   return named;
 }
@@ -39,7 +40,8 @@ bool wants_more(lua_State* L, int status) {
   if (status != LUA_ERRSYNTAX) return false;
   const std::string message = lua_tostring(L, -1);
   const std::string mark = "<eof>";
-  return message.size() >= mark.size() && message.compare(message.size() - mark.size(), mark.size(), mark) == 0;
+  return message.size() >= mark.size() &&
+         message.compare(message.size() - mark.size(), mark.size(), mark) == 0;
 }
 
 int load(lua_State* L, const std::string& text, const std::string& name) {
@@ -99,7 +101,8 @@ Result run_text(script::Session& session, const std::string& text, const std::st
   return result;
 }
 
-Result run_deck(script::Session& session, const std::string& path, const std::vector<std::string>& arguments) {
+Result run_deck(script::Session& session, const std::string& path,
+                const std::vector<std::string>& arguments) {
   lua_State* L = session.lua();
   if (luaL_loadfilex(L, path.empty() ? nullptr : path.c_str(), "t") != LUA_OK) return failed(L);
   luaL_checkstack(L, static_cast<int>(arguments.size()) + 1, "too many arguments");

@@ -38,7 +38,8 @@ std::string table_text(lua_State* L, int index, int depth) {
       return "{" + out + ", ...}";
     }
     const bool in_list = lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= listed;
-    out += (out.empty() ? "" : ", ") + (in_list ? std::string() : key_text(L, -2) + " = ") + present(L, -1, depth + 1);
+    out += (out.empty() ? "" : ", ") + (in_list ? std::string() : key_text(L, -2) + " = ") +
+           present(L, -1, depth + 1);
     lua_pop(L, 1);
   }
   return "{" + out + "}";
@@ -52,7 +53,8 @@ bool has_text(lua_State* L, int index) {
 
 std::string present(lua_State* L, int index, int depth) {
   if (lua_istable(L, index) && !has_text(L, index)) return table_text(L, index, depth);
-  if (lua_type(L, index) == LUA_TSTRING && depth > 0) return "\"" + std::string(lua_tostring(L, index)) + "\"";
+  if (lua_type(L, index) == LUA_TSTRING && depth > 0)
+    return "\"" + std::string(lua_tostring(L, index)) + "\"";
   std::string words = luaL_tolstring(L, index, nullptr);
   lua_pop(L, 1);
   return words;

@@ -20,7 +20,8 @@ void stop_lua(lua_State* L, lua_Debug*) {
 extern "C" void on_interrupt(int) {
   if (interruptible == nullptr) return;
   interruptible->interrupt();
-  lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
+  lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT,
+              1);
 }
 
 void set_handler(void (*handler)(int)) {

@@ -1,4 +1,5 @@
-// The bindings, one file per room of the core. Each gives its rows; some need a word with the session besides.
+// The bindings, one file per room of the core. Each gives its rows; some need a word with the session
+// besides.
 #pragma once
 #include <optional>
 #include <string>

@@ -34,7 +34,9 @@ int make(Call& call) {
 
 class Clock {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -47,8 +49,8 @@ void report(const Run& run, const Clock& clock, double& last) {
   const Static& a = *run.analysis;
   const int iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
   char line[160];
-  std::snprintf(line, sizeof line, "t = %.6g of %.6g s, step %zu, %d iterations, %.0f s", a.time(), a.duration(),
-                a.steps().size(), iterations, last);
+  std::snprintf(line, sizeof line, "t = %.6g of %.6g s, step %zu, %d iterations, %.0f s", a.time(),
+                a.duration(), a.steps().size(), iterations, last);
   run.session.options().progress(line);
 }
 
@@ -193,11 +195,18 @@ int field(Call& call) {
 
 int energy(Call& call) {
   const analysis::Energy e = call.self<Run>()->analysis->energy();
-  const std::pair<const char*, double> values[] = {
-      {"kinetic", e.kinetic}, {"stored", e.stored}, {"dissipated", e.dissipated}, {"damping", e.damping},
-      {"external", e.external}, {"dissipated_warp", e.dissipated_warp}, {"dissipated_weft", e.dissipated_weft},
-      {"dissipated_shear", e.dissipated_shear}, {"dissipated_bending", e.dissipated_bending}, {"created", e.created},
-      {"internal", e.internal()}, {"error", e.error}};
+  const std::pair<const char*, double> values[] = {{"kinetic", e.kinetic},
+                                                   {"stored", e.stored},
+                                                   {"dissipated", e.dissipated},
+                                                   {"damping", e.damping},
+                                                   {"external", e.external},
+                                                   {"dissipated_warp", e.dissipated_warp},
+                                                   {"dissipated_weft", e.dissipated_weft},
+                                                   {"dissipated_shear", e.dissipated_shear},
+                                                   {"dissipated_bending", e.dissipated_bending},
+                                                   {"created", e.created},
+                                                   {"internal", e.internal()},
+                                                   {"error", e.error}};
   lua_newtable(call.L());
   for (const auto& [name, value] : values) set_number(call.L(), name, value);
   return 1;
@@ -254,8 +263,8 @@ int restore(Call& call) {
 int run_text(lua_State* L) {
   const Static& a = *to_object<Run>(L, 1)->analysis;
   char words[160];
-  std::snprintf(words, sizeof words, "<static analysis, t = %.6g of %.6g s, %zu steps%s>", a.time(), a.duration(),
-                a.steps().size(), a.stopped() ? ", stopped" : "");
+  std::snprintf(words, sizeof words, "<static analysis, t = %.6g of %.6g s, %zu steps%s>", a.time(),
+                a.duration(), a.steps().size(), a.stopped() ? ", stopped" : "");
   lua_pushstring(L, words);
   return 1;
 }
@@ -264,13 +273,15 @@ const std::string sample() {
   return "local fabric = require 'fabric'\n"
          "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
          "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
-         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, 1) })\n"
+         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, "
+         "1) })\n"
          "local a = fabric.static{ model=m, duration=1, step=0.25 }\n";
 }
 
 Argument name_row() {
-  return value_("name", text, "of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 "
-                              "slack1 slack2")
+  return value_("name", text,
+                "of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 "
+                "slack1 slack2")
       .one_of(analysis::element_value_names());
 }
 
@@ -280,22 +291,32 @@ std::vector<Entry> driving() {
        Style::fields,
        {object_("model", "model", "what is computed"), number_("duration", "s", positive, "time to run to"),
         number_("step", "s", positive, "largest step; default duration/20").optional(),
-        number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force").or_else(1e-10),
+        number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force")
+            .or_else(1e-10),
         integer_("max_iterations", from_one, "of one step, before it is cut").or_else(25),
         integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").or_else(12),
         value_("line_search", boolean, "on the energy along the Newton step").or_else(true)},
        "A quasi-static run: Newton's method through the histories' time.",
        sample() + "assert(a.duration == 1)",
        make},
-      {"analysis:solve", Style::positional, {}, "Runs to the duration, or to where a hook stopped it; returns the analysis.",
-       sample() + "assert(a:solve().time == 1)", solve},
+      {"analysis:solve",
+       Style::positional,
+       {},
+       "Runs to the duration, or to where a hook stopped it; returns the analysis.",
+       sample() + "assert(a:solve().time == 1)",
+       solve},
       {"analysis:advance",
        Style::positional,
        {number_("time", "s", not_negative, "absolute time to run to and land on")},
        "Runs to an absolute time.",
        sample() + "assert(a:advance(0.3).time == 0.3)",
        advance},
-      {"analysis:step", Style::positional, {}, "One committed step.", sample() + "assert(a:step().time == 0.25)", step},
+      {"analysis:step",
+       Style::positional,
+       {},
+       "One committed step.",
+       sample() + "assert(a:step().time == 0.25)",
+       step},
       {"analysis:stop",
        Style::positional,
        {value_("reason", text, "why, for a.stopped and run.json").or_else("asked for")},
@@ -305,7 +326,14 @@ std::vector<Entry> driving() {
        stop},
       {"analysis:every",
        Style::positional,
-       {{"interval", number | text, "s", positive, "time between calls, which steps land on, or 'step'", true, {}, {"step"}},
+       {{"interval",
+         number | text,
+         "s",
+         positive,
+         "time between calls, which steps land on, or 'step'",
+         true,
+         {},
+         {"step"}},
         value_("action", function, "function(a)")},
        "Calls a function at the start and then at an interval, or after each step.",
        sample() + "local n = 0\na:every(0.5, function(run) n = n + 1 end)\na:solve()\nassert(n == 3)",
@@ -316,10 +344,16 @@ std::vector<Entry> driving() {
         number_("tolerance", "", positive, "of the value, over the largest it has had").or_else(1e-6),
         value_("action", function, "function(a), called there").optional()},
        "Finds where a value crosses zero inside a step, lands there, commits, and calls the action.",
-       sample() + "a:event{ value=function(run) return run:mean 'E11' - 0.1 end, action=function(run) run:stop() end }\n"
+       sample() + "a:event{ value=function(run) return run:mean 'E11' - 0.1 end, action=function(run) "
+                  "run:stop() end }\n"
                   "a:solve()\nassert(math.abs(a:mean 'E11' - 0.1) < 1e-6)",
        event},
-      {"analysis:snapshot", Style::positional, {}, "A copy of the whole state.", sample() + "local s = a:snapshot()", snapshot},
+      {"analysis:snapshot",
+       Style::positional,
+       {},
+       "A copy of the whole state.",
+       sample() + "local s = a:snapshot()",
+       snapshot},
       {"analysis:restore",
        Style::positional,
        {object_("snapshot", "snapshot", "taken of this analysis")},
@@ -347,7 +381,8 @@ std::vector<Entry> reading() {
       {"analysis:element",
        Style::positional,
        {integer_("number", from_one, "of the element")},
-       "Averages over the element's reference volume, material axes: E11 ... S23 stored dissipated residual1 residual2 slack1 slack2.",
+       "Averages over the element's reference volume, material axes: E11 ... S23 stored dissipated residual1 "
+       "residual2 slack1 slack2.",
        run + "assert(a:solve():element(1).S11 > 0)",
        element},
       {"analysis:mean",
@@ -356,16 +391,37 @@ std::vector<Entry> reading() {
        "Average over elements.",
        run + "assert(a:solve():mean('E11') > 0.2)",
        mean},
-      {"analysis:field", Style::positional, {name_row()}, "The value of every element, in their order.",
-       run + "assert(#a:field 'S11' == 3)", field},
-      {"analysis.energy", Style::property, {}, "Energies in J, and the error of their balance.",
-       run + "a:solve()\nassert(a.energy.error < 1)", energy},
+      {"analysis:field",
+       Style::positional,
+       {name_row()},
+       "The value of every element, in their order.",
+       run + "assert(#a:field 'S11' == 3)",
+       field},
+      {"analysis.energy",
+       Style::property,
+       {},
+       "Energies in J, and the error of their balance.",
+       run + "a:solve()\nassert(a.energy.error < 1)",
+       energy},
       {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},
-      {"analysis.duration", Style::property, {}, "Where it ends, s.", run + "assert(a.duration == 1)", duration},
-      {"analysis.stopped", Style::property, {}, "The reason it was stopped for, or false.", run + "assert(a.stopped == false)",
+      {"analysis.duration",
+       Style::property,
+       {},
+       "Where it ends, s.",
+       run + "assert(a.duration == 1)",
+       duration},
+      {"analysis.stopped",
+       Style::property,
+       {},
+       "The reason it was stopped for, or false.",
+       run + "assert(a.stopped == false)",
        stopped},
-      {"analysis.steps", Style::property, {}, "Of each committed step: time, step, iterations, cuts, residuals.",
-       run + "assert(#a:solve().steps == 4)", steps},
+      {"analysis.steps",
+       Style::property,
+       {},
+       "Of each committed step: time, step, iterations, cuts, residuals.",
+       run + "assert(#a:solve().steps == 4)",
+       steps},
   };
 }
 

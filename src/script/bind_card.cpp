@@ -80,7 +80,8 @@ int with(Call& call) {
 }
 
 bool is_path(const std::string& name) {
-  return name.find('/') != std::string::npos || (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0);
+  return name.find('/') != std::string::npos ||
+         (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0);
 }
 
 std::vector<std::string> shipped() {
@@ -90,7 +91,8 @@ std::vector<std::string> shipped() {
     if (folder == nullptr) continue;
     while (const dirent* file = readdir(folder)) {
       const std::string name = file->d_name;
-      if (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0) names.insert(name.substr(0, name.size() - 4));
+      if (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0)
+        names.insert(name.substr(0, name.size() - 4));
     }
     closedir(folder);
   }
@@ -124,8 +126,8 @@ int card_string(lua_State* L) {
   const auto card = to_object<Card>(L, 1);
   char words[200];
   std::snprintf(words, sizeof words, "<card %s, %s, %.4g kg/m3, %.4g mm, %.4g g/m2>",
-                card->name.empty() ? "without name" : card->name.c_str(), card_kind(*card).c_str(), card->density,
-                card->thickness * 1e3, card->density * card->thickness * 1e3);
+                card->name.empty() ? "without name" : card->name.c_str(), card_kind(*card).c_str(),
+                card->density, card->thickness * 1e3, card->density * card->thickness * 1e3);
   lua_pushstring(L, words);
   return 1;
 }
@@ -147,8 +149,9 @@ constexpr const char* woven_example =
 std::vector<Entry> constructors() {
   return {
       {"fabric.woven", Style::fields, card_rows("woven"),
-       "A woven fabric: loading curves, unloading moduli and Poisson ratios along warp and weft, and in shear.", woven_example,
-       construct},
+       "A woven fabric: loading curves, unloading moduli and Poisson ratios along warp and weft, and in "
+       "shear.",
+       woven_example, construct},
       {"fabric.svk", Style::fields, card_rows("svk"),
        "A St. Venant-Kirchhoff sheet: the comparator with constant moduli; S12 = 2 shear E12.",
        "local c = require 'fabric'.svk{ young=1.2e6, poisson=0.3, density=500, thickness=0.5e-3 }\n"
@@ -156,7 +159,8 @@ std::vector<Entry> constructors() {
        construct},
       {"fabric.linear", Style::fields, card_rows("linear"),
        "A linear orthotropic sheet for small strains; refused unless nu12/warp = nu21/weft.",
-       "local c = require 'fabric'.linear{ warp=2e6, weft=1e6, shear=5e5, poisson={0.2, 0.1}, density=500, thickness=0.5e-3 }\n"
+       "local c = require 'fabric'.linear{ warp=2e6, weft=1e6, shear=5e5, poisson={0.2, 0.1}, density=500, "
+       "thickness=0.5e-3 }\n"
        "assert(c.kind == 'linear')",
        construct},
   };
@@ -170,8 +174,12 @@ std::vector<Entry> rows() {
        "A shipped card by name, or the card that a Lua file returns.",
        "assert(require 'fabric'.card 'denim'.name == 'denim')",
        card_by_name},
-      {"fabric.cards", Style::positional, {}, "Names of the shipped cards.",
-       "assert(#require 'fabric'.cards() >= 4)", cards},
+      {"fabric.cards",
+       Style::positional,
+       {},
+       "Names of the shipped cards.",
+       "assert(#require 'fabric'.cards() >= 4)",
+       cards},
       {"card:with",
        Style::positional,
        {value_("changes", table, "fields of the constructor that differ; tables merge deeply")},

@@ -1,10 +1,12 @@
 // require "fabric.define": a function written in Lua gets a row in the registry, and with it argument checks.
 //
-//   define{ name="fabric.lab.uniaxial", sentence="...", example="...", arguments={ {name="card", of="card", ...} },
+//   define{ name="fabric.lab.uniaxial", sentence="...", example="...", arguments={ {name="card", of="card",
+//   ...} },
 //           run=function(t) ... end }
 //
-// An argument has name, sentence, kind ("number|text", "object" is implied by of), unit, low, high, above, default,
-// optional, choices, rows. define.fail(message) raises an error at the deck's line. run gets one table with every default filled in; with positional=true, the values in order.
+// An argument has name, sentence, kind ("number|text", "object" is implied by of), unit, low, high, above,
+// default, optional, choices, rows. define.fail(message) raises an error at the deck's line. run gets one
+// table with every default filled in; with positional=true, the values in order.
 #include "script/bind.hpp"
 #include "script/words.hpp"
 
@@ -23,8 +25,9 @@ std::string get_text(lua_State* L, int index, const char* name) {
 
 unsigned kind_named(const std::string& word) {
   constexpr std::pair<const char*, Kind> names[] = {
-      {"number", number}, {"integer", integer}, {"text", text},   {"boolean", boolean}, {"function", function},
-      {"numbers", numbers}, {"fields", fields}, {"table", table}, {"object", object},   {"any", any}};
+      {"number", number},     {"integer", integer}, {"text", text},     {"boolean", boolean},
+      {"function", function}, {"numbers", numbers}, {"fields", fields}, {"table", table},
+      {"object", object},     {"any", any}};
   for (const auto& [name, kind] : names)
     if (word == name) return kind;
   throw Error("unknown kind '" + word + "'");

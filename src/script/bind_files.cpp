@@ -17,11 +17,12 @@ int write_card(Call& call) {
 }
 
 const std::vector<Argument>& curve_rows() {
-  static const std::vector<Argument> rows = {
-      {"x", numbers | table, "", everything, "abscissas"},
-      {"y", numbers | table, "", everything, "ordinates"},
-      value_("label", text, "in the key").or_else(""),
-      value_("style", text, "how it is drawn").one_of({"line", "dashed", "points", "line_points"}).or_else("line")};
+  static const std::vector<Argument> rows = {{"x", numbers | table, "", everything, "abscissas"},
+                                             {"y", numbers | table, "", everything, "ordinates"},
+                                             value_("label", text, "in the key").or_else(""),
+                                             value_("style", text, "how it is drawn")
+                                                 .one_of({"line", "dashed", "points", "line_points"})
+                                                 .or_else("line")};
   return rows;
 }
 
@@ -37,8 +38,8 @@ files::Curve read_curve(lua_State* L, lua_Integer place) {
   const Fields f(L, -1, curve_rows(), path + ".");
   files::Curve curve{f.text("label"), f.numbers("x"), f.numbers("y"), style_of(f.text("style"))};
   if (curve.x.size() != curve.y.size())
-    throw Error("field '" + path + "': expected x and y of one length, got " + std::to_string(curve.x.size()) + " and " +
-                std::to_string(curve.y.size()));
+    throw Error("field '" + path + "': expected x and y of one length, got " +
+                std::to_string(curve.x.size()) + " and " + std::to_string(curve.y.size()));
   return curve;
 }
 
@@ -69,12 +70,15 @@ std::vector<Entry> rows() {
        write_card},
       {"fabric.plot",
        Style::fields,
-       {value_("file", text, "ends in .svg, .png or .pdf"), value_("title", text, "above the curves").or_else(""),
-        value_("xlabel", text, "with its unit").or_else(""), value_("ylabel", text, "with its unit").or_else(""),
+       {value_("file", text, "ends in .svg, .png or .pdf"),
+        value_("title", text, "above the curves").or_else(""),
+        value_("xlabel", text, "with its unit").or_else(""),
+        value_("ylabel", text, "with its unit").or_else(""),
         value_("curves", table, "{ {x=, y=, label=, style=}, ... }")},
        "Draws curves into a file (by gnuplot).",
        "local path = os.tmpname()..'.svg'\n"
-       "pcall(require 'fabric'.plot, { file=path, curves={ {x={0, 1}, y={0, 2}, label='a line'} } })\nos.remove(path)",
+       "pcall(require 'fabric'.plot, { file=path, curves={ {x={0, 1}, y={0, 2}, label='a line'} } "
+       "})\nos.remove(path)",
        plot},
   };
 }

@@ -38,7 +38,8 @@ int history_table(Call& call) {
     const Argument pair{"points[" + std::to_string(i) + "]", numbers, "", everything, "time and value"};
     check_value(L, -1, pair, "", true);
     const auto row = read_numbers(L, -1);
-    if (row.size() != 2) call.refuse(pair.name, "expected {time, value}, got " + std::to_string(row.size()) + " numbers");
+    if (row.size() != 2)
+      call.refuse(pair.name, "expected {time, value}, got " + std::to_string(row.size()) + " numbers");
     points.emplace_back(row[0], row[1]);
     lua_pop(L, 1);
   }
@@ -47,7 +48,8 @@ int history_table(Call& call) {
 }
 
 int ramp(Call& call) {
-  push_object(call.L(), std::make_shared<History>(History::ramp(call.number("value"), call.number("duration"))));
+  push_object(call.L(),
+              std::make_shared<History>(History::ramp(call.number("value"), call.number("duration"))));
   return 1;
 }
 
@@ -66,7 +68,8 @@ std::vector<Entry> rows() {
        history_table},
       {"fabric.ramp",
        Style::positional,
-       {number_("value", "", everything, "end value"), number_("duration", "s", positive, "time to reach it")},
+       {number_("value", "", everything, "end value"),
+        number_("duration", "s", positive, "time to reach it")},
        "From 0 to value over the duration, then held.",
        "local h = require 'fabric'.ramp(3, 2); assert(h:value(1) == 1.5 and h:value(9) == 3)",
        ramp},

@@ -40,8 +40,8 @@ Vec3 origin_of(const Call& call) {
 }
 
 int rectangle(Call& call) {
-  auto mesh = mesh::rectangle(call.number("width"), call.number("height"), call.integer("nx"), call.integer("ny"),
-                              origin_of(call));
+  auto mesh = mesh::rectangle(call.number("width"), call.number("height"), call.integer("nx"),
+                              call.integer("ny"), origin_of(call));
   push_object(call.L(), std::make_shared<Mesh>(std::move(mesh)));
   return 1;
 }
@@ -68,8 +68,8 @@ void define_listed(Mesh& mesh, const std::string& name, const std::vector<double
   for (const double number : numbers) {
     const auto id = static_cast<Index>(number);
     if (static_cast<double>(id) != number || id < 1 || id > static_cast<Index>(mesh.nodes.size()))
-      throw Error("argument 'nodes': expected node numbers from 1 to " + std::to_string(mesh.nodes.size()) + ", got " +
-                  number_text(number));
+      throw Error("argument 'nodes': expected node numbers from 1 to " + std::to_string(mesh.nodes.size()) +
+                  ", got " + number_text(number));
     ids.push_back(id - 1);
   }
   mesh.define(name, std::move(ids));
@@ -191,14 +191,15 @@ int mesh_text(lua_State* L) {
   }
   const Vec3 size = high - low;
   char words[160];
-  std::snprintf(words, sizeof words, "<mesh %s, %zu nodes, %zu elements, %.4g x %.4g x %.4g m>", mesh->origin.c_str(),
-                mesh->nodes.size(), mesh->elements.size(), size[0], size[1], size[2]);
+  std::snprintf(words, sizeof words, "<mesh %s, %zu nodes, %zu elements, %.4g x %.4g x %.4g m>",
+                mesh->origin.c_str(), mesh->nodes.size(), mesh->elements.size(), size[0], size[1], size[2]);
   lua_pushstring(L, words);
   return 1;
 }
 
-constexpr const char* sample = "local fabric = require 'fabric'\n"
-                               "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n";
+constexpr const char* sample =
+    "local fabric = require 'fabric'\n"
+    "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n";
 
 std::vector<Entry> rows() {
   const std::string with_mesh = sample;
@@ -209,8 +210,10 @@ std::vector<Entry> rows() {
        {number_("width", "m", positive, "size along x").usually(1e-3, 20, ask),
         number_("height", "m", positive, "size along y").usually(1e-3, 20, ask),
         integer_("nx", from_one, "elements along x"), integer_("ny", from_one, "elements along y"),
-        Argument{"origin", numbers, "m", everything, "corner of smallest x and y, {x, y} or {x, y, z}"}.optional()},
-       "A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin corner; sets left, "
+        Argument{"origin", numbers, "m", everything, "corner of smallest x and y, {x, y} or {x, y, z}"}
+            .optional()},
+       "A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin "
+       "corner; sets left, "
        "right, bottom, top, boundary, corners, all.",
        with_mesh + "assert(#mesh.nodes == 40 and #mesh.elements == 27)",
        rectangle},
@@ -236,11 +239,24 @@ std::vector<Entry> rows() {
        "Moves every node; on an error none is moved.",
        with_mesh + "mesh:map(function(x, y, z) return x, y, 0.001*y end)\nassert(mesh.nodes[40][3] > 0)",
        map},
-      {"mesh.nodes", Style::property, {}, "Reference positions {x, y, z}, m, by node number.",
-       with_mesh + "assert(mesh.nodes[4][1] == 0.0254)", nodes},
-      {"mesh.elements", Style::property, {}, "Node numbers of each element, counter-clockwise.",
-       with_mesh + "assert(mesh.elements[1][3] == 6)", elements},
-      {"mesh.sets", Style::property, {}, "Names of the node sets.", with_mesh + "assert(mesh.sets[1] == 'all')", sets},
+      {"mesh.nodes",
+       Style::property,
+       {},
+       "Reference positions {x, y, z}, m, by node number.",
+       with_mesh + "assert(mesh.nodes[4][1] == 0.0254)",
+       nodes},
+      {"mesh.elements",
+       Style::property,
+       {},
+       "Node numbers of each element, counter-clockwise.",
+       with_mesh + "assert(mesh.elements[1][3] == 6)",
+       elements},
+      {"mesh.sets",
+       Style::property,
+       {},
+       "Names of the node sets.",
+       with_mesh + "assert(mesh.sets[1] == 'all')",
+       sets},
   };
 }
 

@@ -1,6 +1,5 @@
 // fabric.model: supports, motions, loads.
 #include "model/model.hpp"
-
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
 #include "script/words.hpp"
@@ -19,7 +18,8 @@ Vec3 vector_of(const std::vector<double>& v, const std::string& what) {
 // A direction on top of the stack: an angle or a vector.
 model::Direction read_direction(lua_State* L, const std::string& what) {
   if (lua_type(L, -1) == LUA_TNUMBER) return lua_tonumber(L, -1);
-  if (!lua_istable(L, -1)) throw Error(what + ": expected an angle in degrees or {x, y, z}, got " + describe(L, -1));
+  if (!lua_istable(L, -1))
+    throw Error(what + ": expected an angle in degrees or {x, y, z}, got " + describe(L, -1));
   return vector_of(read_numbers(L, -1), what);
 }
 
@@ -43,7 +43,8 @@ void read_warp(const Call& call, model::Options& options) {
   }
   call.push("warp");
   const model::Direction direction = read_direction(call.L(), "field 'warp'");
-  options.warp_text = lua_isnumber(call.L(), -1) ? number_text(lua_tonumber(call.L(), -1)) + " degrees" : "vector";
+  options.warp_text =
+      lua_isnumber(call.L(), -1) ? number_text(lua_tonumber(call.L(), -1)) + " degrees" : "vector";
   lua_pop(call.L(), 1);
   options.warp = [direction](const Vec3&) { return direction; };
 }
@@ -54,8 +55,8 @@ int make(Call& call) {
   options.points = static_cast<int>(call.integer("points"));
   options.offset = call.number("offset");
   read_warp(call, options);
-  push_object(call.L(), std::make_shared<Model>(call.object<mesh::Mesh>("mesh"), *call.object<card::Card>("card"),
-                                                std::move(options)));
+  push_object(call.L(), std::make_shared<Model>(call.object<mesh::Mesh>("mesh"),
+                                                *call.object<card::Card>("card"), std::move(options)));
   return 1;
 }
 
@@ -133,14 +134,16 @@ int model_text(lua_State* L) {
 Argument set_row() { return value_("set", text, "name of a node set"); }
 
 Argument frame_row() {
-  return fields_("options", {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
+  return fields_("options",
+                 {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
                  "frame = {e1, e2} for oblique directions")
       .optional();
 }
 
 Argument components_row(const char* unit, const char* sentence) {
-  return fields_("components", {history_("x", unit, "history along x"), history_("y", unit, "history along y"),
-                                history_("z", unit, "history along z")},
+  return fields_("components",
+                 {history_("x", unit, "history along x"), history_("y", unit, "history along y"),
+                  history_("z", unit, "history along z")},
                  sentence);
 }
 
@@ -157,29 +160,36 @@ std::vector<Entry> rows() {
             .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
             .optional(),
         Argument{"warp", number | numbers | function, "degrees", everything,
-                 "warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) "
+                 "warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or "
+                 "function(x, y, z) "
                  "returning either; default 0 on a flat generated mesh"}
             .optional(),
         integer_("points", Range{1, 9}, "integration points through the thickness").or_else(3),
-        number_("offset", "", Range{-1, 1}, "reference surface: -1 lower face, 0 middle, 1 upper face").or_else(0.0)},
+        number_("offset", "", Range{-1, 1}, "reference surface: -1 lower face, 0 middle, 1 upper face")
+            .or_else(0.0)},
        "The declared problem: a mesh of a fabric, to be held, moved and loaded.",
        sample + "assert(m.thickness == 0.38e-3)",
        make},
       {"model:fix",
        Style::positional,
-       {set_row(), value_("freedoms", text, "some of x y z rx ry rz rotation; rotation is both of the director's"), frame_row()},
+       {set_row(),
+        value_("freedoms", text, "some of x y z rx ry rz rotation; rotation is both of the director's"),
+        frame_row()},
        "Holds freedoms of a node set; fixing twice is harmless.",
        sample + "m:fix('bottom', 'x y z rotation')",
        fix},
       {"model:move",
        Style::positional,
-       {set_row(), components_row("m", "{x=, y=, z=}: displacement from the reference position"), frame_row()},
-       "Prescribes displacements of a node set as histories (number, function(t), fabric.history, fabric.ramp).",
+       {set_row(), components_row("m", "{x=, y=, z=}: displacement from the reference position"),
+        frame_row()},
+       "Prescribes displacements of a node set as histories (number, function(t), fabric.history, "
+       "fabric.ramp).",
        sample + "m:move('top', { y=fabric.ramp(0.018, 1) })",
        move},
       {"model:force",
        Style::positional,
-       {set_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"), frame_row()},
+       {set_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"),
+        frame_row()},
        "Loads a node set with a total force; a single node takes it whole.",
        sample + "m:force('top', { y=fabric.ramp(10, 1) })",
        force},
@@ -189,7 +199,12 @@ std::vector<Entry> rows() {
        "Lets gravity act on the whole sheet.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},
-      {"model.thickness", Style::property, {}, "Thickness of the sheet, m.", sample + "assert(m.thickness > 0)", thickness},
+      {"model.thickness",
+       Style::property,
+       {},
+       "Thickness of the sheet, m.",
+       sample + "assert(m.thickness > 0)",
+       thickness},
       {"model.card", Style::property, {}, "Its card.", sample + "assert(m.card.name == 'blend')", card_of},
   };
 }

@@ -29,7 +29,8 @@ struct Column {
 // One row of the table, unless the time has one.
 class Record {
  public:
-  Record(const std::string& path, std::vector<Column> columns) : columns_(std::move(columns)), writer_(path, names()) {}
+  Record(const std::string& path, std::vector<Column> columns)
+      : columns_(std::move(columns)), writer_(path, names()) {}
 
   void row(const Static& run) {
     if (run.time() <= last_) return;
@@ -50,7 +51,8 @@ class Record {
     lua_State* L = column.value.push();
     lua_call(L, 1, 1);
     if (lua_type(L, -1) != LUA_TNUMBER)
-      throw Error("record: field 'columns." + column.name + "': expected the function to return a number, got " + describe(L, -1));
+      throw Error("record: field 'columns." + column.name +
+                  "': expected the function to return a number, got " + describe(L, -1));
     const double result = lua_tonumber(L, -1);
     lua_pop(L, 1);
     return result;
@@ -66,7 +68,8 @@ std::vector<std::string> text_list(const Fields& fields, const char* name) {
   lua_State* L = fields.L();
   if (fields.push(name) == LUA_TTABLE)
     for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
-      if (lua_type(L, -1) != LUA_TSTRING) fields.refuse(name, "expected a table of names, got " + describe(L, -1));
+      if (lua_type(L, -1) != LUA_TSTRING)
+        fields.refuse(name, "expected a table of names, got " + describe(L, -1));
       words.emplace_back(lua_tostring(L, -1));
       lua_pop(L, 1);
     }
@@ -82,7 +85,8 @@ std::vector<std::string> column_names(const Fields& options) {
   std::vector<std::string> names = text_list(options, "order"), rest;
   options.push("columns");
   for (const std::string& name : names) {
-    if (lua_getfield(L, -1, name.c_str()) != LUA_TFUNCTION) options.refuse("order", "no column '" + name + "'");
+    if (lua_getfield(L, -1, name.c_str()) != LUA_TFUNCTION)
+      options.refuse("order", "no column '" + name + "'");
     lua_pop(L, 1);
   }
   lua_pushnil(L);
@@ -105,7 +109,8 @@ Hook column_hook(const Fields& options, const std::string& name, Run* run) {
   options.push("columns");
   const std::vector<Argument> all = [&] {
     std::vector<Argument> rows;
-    for (const std::string& known : column_names(options)) rows.push_back(value_(known, function, "a column"));
+    for (const std::string& known : column_names(options))
+      rows.push_back(value_(known, function, "a column"));
     return rows;
   }();
   const Fields columns(options.L(), -1, all, "options.columns.");
@@ -118,7 +123,8 @@ int record(Call& call) {
   const auto run = call.self<Run>();
   const Fields options = call.fields("options");
   std::vector<Column> columns;
-  for (const std::string& name : column_names(options)) columns.push_back({name, column_hook(options, name, run.get())});
+  for (const std::string& name : column_names(options))
+    columns.push_back({name, column_hook(options, name, run.get())});
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   const auto table = std::make_shared<Record>(call.text("path"), std::move(columns));
@@ -145,7 +151,9 @@ int vtk(Call& call) {
 }
 
 Argument every_row() {
-  return Argument{"every", number | text, "s", positive, "time between rows or frames, or 'step'", true, {}, {"step"}}.optional();
+  return Argument{"every", number | text, "s", positive, "time between rows or frames, or 'step'", true,
+                  {},      {"step"}}
+      .optional();
 }
 
 std::vector<Entry> rows() {
@@ -153,7 +161,8 @@ std::vector<Entry> rows() {
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
       "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
-      "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, 1) })\n"
+      "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, 1) "
+      "})\n"
       "local a = fabric.static{ model=m, duration=1, step=0.5 }\n"
       "local name = os.tmpname()\nos.remove(name)\n";
   return {
@@ -165,17 +174,21 @@ std::vector<Entry> rows() {
                  value_("order", table, "names in the order of the columns").optional()},
                 "columns, and how often")},
        "Writes a table as the run goes: time, then the columns.",
-       sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction 'top') end } })\n"
+       sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction "
+                "'top') end } })\n"
                 "a:solve()\nassert(io.open(name..'/curve.csv'):read 'l' == 'time,force')\n"
                 "os.remove(name..'/curve.csv') os.remove(name..'/run.json') os.remove(name)",
        record},
       {"analysis:vtk",
        Style::positional,
        {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
-        fields_("options", {every_row(), value_("fields", table, "some of the fields; default all").optional()}, "how often, and what")
+        fields_("options",
+                {every_row(), value_("fields", table, "some of the fields; default all").optional()},
+                "how often, and what")
             .optional()},
        "Writes a series for ParaView as the run goes; the .pvd is valid at any moment.",
-       sample + "a:vtk(name..'/pull')\na:solve()\nassert(io.open(name..'/pull.pvd'):read 'a':find 'pull_00002.vtu')\n"
+       sample + "a:vtk(name..'/pull')\na:solve()\nassert(io.open(name..'/pull.pvd'):read 'a':find "
+                "'pull_00002.vtu')\n"
                 "for i = 0, 2 do os.remove(name..('/pull_%05d.vtu'):format(i)) end\n"
                 "os.remove(name..'/pull.pvd') os.remove(name..'/run.json') os.remove(name)",
        vtk},

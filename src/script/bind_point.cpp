@@ -1,6 +1,5 @@
 // fabric.point: one material point.
 #include "point/point.hpp"
-
 #include "script/bind.hpp"
 #include "script/words.hpp"
 
@@ -20,10 +19,18 @@ constexpr double radians_per_degree = 0.017453292519943295769;
 
 void push_sample(lua_State* L, const Sample& s, bool uniaxial) {
   lua_createtable(L, 0, 16);
-  const std::pair<const char*, double> values[] = {
-      {"S11", s.S11}, {"S22", s.S22}, {"S12", s.S12}, {"E11", s.E11}, {"E22", s.E22}, {"E12", s.E12},
-      {"stored", s.stored}, {"dissipated", s.dissipated}, {"dissipated_warp", s.dissipated_warp},
-      {"dissipated_weft", s.dissipated_weft}, {"dissipated_shear", s.dissipated_shear}, {"created", s.created}};
+  const std::pair<const char*, double> values[] = {{"S11", s.S11},
+                                                   {"S22", s.S22},
+                                                   {"S12", s.S12},
+                                                   {"E11", s.E11},
+                                                   {"E22", s.E22},
+                                                   {"E12", s.E12},
+                                                   {"stored", s.stored},
+                                                   {"dissipated", s.dissipated},
+                                                   {"dissipated_warp", s.dissipated_warp},
+                                                   {"dissipated_weft", s.dissipated_weft},
+                                                   {"dissipated_shear", s.dissipated_shear},
+                                                   {"created", s.created}};
   for (const auto& [name, value] : values) set_number(L, name, value);
   if (!uniaxial) return;
   set_number(L, "S", s.S);
@@ -49,7 +56,9 @@ std::optional<double> given(const Call& call, const char* name) {
 }
 
 int strain(Call& call) {
-  push_sample(call.L(), call.self<PointDriver>()->strain(given(call, "E11"), given(call, "E22"), given(call, "E12")), false);
+  push_sample(call.L(),
+              call.self<PointDriver>()->strain(given(call, "E11"), given(call, "E22"), given(call, "E12")),
+              false);
   return 1;
 }
 
@@ -72,7 +81,8 @@ std::array<double, 3> strain_row(lua_State* L, lua_Integer i) {
   check_value(L, -1, row, "strains.", true);
   const auto e = read_numbers(L, -1);
   if (e.size() != 3)
-    throw Error("argument 'strains." + row.name + "': expected {E11, E22, E12}, got " + std::to_string(e.size()) + " numbers");
+    throw Error("argument 'strains." + row.name + "': expected {E11, E22, E12}, got " +
+                std::to_string(e.size()) + " numbers");
   return {e[0], e[1], e[2]};
 }
 
@@ -117,15 +127,24 @@ std::vector<Entry> rows() {
        Style::fields,
        {strain_("E11", "along the warp").optional(), strain_("E22", "along the weft").optional(),
         strain_("E12", "shear, tensor component").optional()},
-       "Reaches a total strain in one straight increment and commits it; components not named stay. Returns S11 S22 S12 E11 E22 "
+       "Reaches a total strain in one straight increment and commits it; components not named stay. Returns "
+       "S11 S22 S12 E11 E22 "
        "E12 stored dissipated.",
        sample + "assert(p:strain{ E11=0.05 }.S11 > 0)",
        strain},
       {"point:uniaxial",
        Style::positional,
-       {{"direction", number | text, "degrees from the warp", everything, "warp, weft or an angle", true, {}, {"warp", "weft"}},
+       {{"direction",
+         number | text,
+         "degrees from the warp",
+         everything,
+         "warp, weft or an angle",
+         true,
+         {},
+         {"warp", "weft"}},
         {"E", number | numbers, "", everything, "strain along it, or a list of strains"}},
-       "Strain along a direction with the other stresses driven to zero. Returns the same and S, E, E_lateral.",
+       "Strain along a direction with the other stresses driven to zero. Returns the same and S, E, "
+       "E_lateral.",
        sample + "local r = p:uniaxial('warp', 0.1)\nassert(math.abs(r.E_lateral / r.E + 0.25) < 1e-9)",
        uniaxial},
       {"point:path",
@@ -140,7 +159,12 @@ std::vector<Entry> rows() {
        "E11 = E and E22 = ratio E, for each E of a list.",
        sample + "assert(#p:biaxial(1, {0.05, 0.1}) == 2)",
        biaxial},
-      {"point:reset", Style::positional, {}, "Back to virgin cloth at zero strain.", sample + "p:reset()", reset},
+      {"point:reset",
+       Style::positional,
+       {},
+       "Back to virgin cloth at zero strain.",
+       sample + "p:reset()",
+       reset},
   };
 }
 

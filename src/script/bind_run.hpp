@@ -38,8 +38,8 @@ struct ClassName<Run> {
   static constexpr const char* name = "analysis";
 };
 
-// A Lua function kept by an analysis object (not by the registry, so that a hook may mention its own analysis and both
-// are still collected).
+// A Lua function kept by an analysis object (not by the registry, so that a hook may mention its own analysis
+// and both are still collected).
 class Hook {
  public:
   Hook(const Fields& fields, std::string_view name, Run* run);

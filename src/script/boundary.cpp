@@ -1,6 +1,6 @@
-// Where C++ meets Lua: every binding is entered through enter(), which turns C++ exceptions into Lua errors. Lua's
-// own errors are C++ exceptions too, of a type that Lua keeps to itself: they pass through and run destructors on
-// their way.
+// Where C++ meets Lua: every binding is entered through enter(), which turns C++ exceptions into Lua errors.
+// Lua's own errors are C++ exceptions too, of a type that Lua keeps to itself: they pass through and run
+// destructors on their way.
 #include <cstring>
 
 #include "base/error.hpp"
@@ -106,8 +106,8 @@ std::vector<std::string> keys_of(lua_State* L, int index) {
   return names;
 }
 
-// object.name: a property (its function is called with the object), else a method, else an error with the nearest
-// name. Upvalues: methods, properties, class name.
+// object.name: a property (its function is called with the object), else a method, else an error with the
+// nearest name. Upvalues: methods, properties, class name.
 int index_object(lua_State* L) {
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) {
@@ -135,7 +135,8 @@ int refuse_assignment(lua_State* L) {
   return lua_error(L);
 }
 
-// Walks to the table that holds the last word of fabric.a.b, creating what is missing; leaves it on the stack.
+// Walks to the table that holds the last word of fabric.a.b, creating what is missing; leaves it on the
+// stack.
 void push_home(lua_State* L, const std::string& name) {
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
   std::size_t from = name.find('.') + 1;

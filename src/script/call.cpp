@@ -21,8 +21,8 @@ std::string label(const std::string& path, const std::string& name, bool positio
 std::string range_words(const Range& r) {
   const bool low = std::isfinite(r.low), high = std::isfinite(r.high);
   if (low && high)
-    return std::string(r.low_open ? " above " : " from ") + number_text(r.low) + (r.high_open ? " to below " : " to ") +
-           number_text(r.high);
+    return std::string(r.low_open ? " above " : " from ") + number_text(r.low) +
+           (r.high_open ? " to below " : " to ") + number_text(r.high);
   if (low) return std::string(r.low_open ? " above " : " of at least ") + number_text(r.low);
   if (high) return std::string(r.high_open ? " below " : " of at most ") + number_text(r.high);
   return "";
@@ -129,7 +129,8 @@ std::string expected(const Argument& row) {
   if (row.kinds & any) add("a value");
   if (row.kinds & number) add(number_words(row, "number"));
   if (row.kinds & integer) add(number_words(row, "integer"));
-  if (row.kinds & numbers) add("a table of numbers" + range_words(row.range) + (row.unit.empty() ? "" : " in " + row.unit));
+  if (row.kinds & numbers)
+    add("a table of numbers" + range_words(row.range) + (row.unit.empty() ? "" : " in " + row.unit));
   if (row.kinds & (fields | table)) add("a table");
   if (row.kinds & text) add(choice_words(row));
   if (row.kinds & boolean) add("true or false");
@@ -142,7 +143,8 @@ void check_value(lua_State* L, int index, const Argument& row, const std::string
   index = lua_absindex(L, index);
   if (lua_isnoneornil(L, index) && !row.required) return;
   if (lua_isnoneornil(L, index) || !accepts(L, index, row))
-    throw Error(label(path, row.name, positional) + ": expected " + expected(row) + ", got " + came(L, index, row));
+    throw Error(label(path, row.name, positional) + ": expected " + expected(row) + ", got " +
+                came(L, index, row));
   warn_unusual(L, index, row, path, positional);
   if (lua_istable(L, index) && (row.kinds & fields) != 0 && (row.kinds & table) == 0 &&
       !((row.kinds & numbers) != 0 && lua_rawlen(L, index) > 0))
@@ -155,17 +157,19 @@ Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::
   while (lua_next(L, index_) != 0) {
     lua_pop(L, 1);
     if (lua_type(L, -1) != LUA_TSTRING)
-      throw Error(path_.empty() ? "expected named fields, got an entry without a name at " + describe(L, -1)
-                                : "field '" + path_.substr(0, path_.size() - 1) +
-                                      "': expected named fields, got an entry without a name at " + describe(L, -1));
+      throw Error(path_.empty()
+                      ? "expected named fields, got an entry without a name at " + describe(L, -1)
+                      : "field '" + path_.substr(0, path_.size() - 1) +
+                            "': expected named fields, got an entry without a name at " + describe(L, -1));
     const std::string name = lua_tostring(L, -1);
     bool found = false;
     for (const Argument& row : rows) found = found || row.name == name;
-    if (!found) throw Error(unknown("field", path_ + name, [&] {
-      auto names = names_of(rows);
-      for (auto& known : names) known = path_ + known;
-      return names;
-    }()));
+    if (!found)
+      throw Error(unknown("field", path_ + name, [&] {
+        auto names = names_of(rows);
+        for (auto& known : names) known = path_ + known;
+        return names;
+      }()));
   }
   for (const Argument& row : rows) {
     lua_getfield(L, index_, row.name.c_str());
@@ -260,7 +264,8 @@ int gather(lua_State* L, const Entry& entry) {
   const int first = entry.method() || entry.style == Style::property ? 2 : 1;
   const int given = lua_gettop(L) - first + 1;
   if (entry.style == Style::fields) {
-    if (given > 1) throw Error("expected one table with named fields, got " + std::to_string(given) + " values");
+    if (given > 1)
+      throw Error("expected one table with named fields, got " + std::to_string(given) + " values");
     if (!lua_istable(L, first)) {
       throw Error("expected a table with named fields, got " + describe(L, first));
     }
@@ -282,8 +287,8 @@ int gather(lua_State* L, const Entry& entry) {
 int gathered(lua_State* L, const Entry& entry) {
   const std::string owner = entry.owner();
   if (!owner.empty() && !is_object(L, 1, owner))
-    throw Error("called without its " + owner + " (write x:" + last_word(entry.name) + "(...), with a colon), got " +
-                describe(L, 1));
+    throw Error("called without its " + owner + " (write x:" + last_word(entry.name) +
+                "(...), with a colon), got " + describe(L, 1));
   return gather(L, entry);
 }
 

@@ -1,12 +1,11 @@
 // The one argument reader: checks a call against its row, then hands out what it was given.
 #pragma once
 #include <cstdint>
+#include <lua.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <lua.hpp>
 
 #include "base/error.hpp"
 #include "script/entry.hpp"

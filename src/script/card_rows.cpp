@@ -15,12 +15,11 @@ Argument modulus(const char* name, Range range, const char* sentence) {
   return number_(name, "Pa", range, sentence).usually(1e3, 1e12, ask_modulus);
 }
 
-Argument curve(const char* sentence) {
-  return {"loading", numbers | table, "Pa", everything, sentence};
-}
+Argument curve(const char* sentence) { return {"loading", numbers | table, "Pa", everything, sentence}; }
 
 std::vector<Argument> yarn_rows(const char* ratio) {
-  return {curve("tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on"),
+  return {curve("tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, "
+                "...} from {0, 0} on"),
           modulus("unloading", positive, "unloading modulus"), number_("poisson", "", not_negative, ratio)};
 }
 
@@ -30,7 +29,8 @@ std::vector<Argument> shear_rows() {
           value_("measure", text, "tensor: dS12/dE12 in E12; engineering: dS12/d(2E12) in 2E12")
               .one_of({"tensor", "engineering"})
               .or_else("tensor"),
-          value_("memory", text, "what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade")
+          value_("memory", text,
+                 "what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade")
               .one_of({"printed", "fading"})
               .or_else("printed")};
 }
@@ -42,8 +42,10 @@ std::vector<Argument> tested_rows() {
 }
 
 std::vector<Argument> biaxial_rows() {
-  return {number_("alpha", "", positive, "weight of E22"), number_("offset", "", not_negative, "strain where it begins"),
-          modulus("loading", positive, "q of T = q y^2 / 2"), modulus("unloading", positive, "unloading modulus")};
+  return {number_("alpha", "", positive, "weight of E22"),
+          number_("offset", "", not_negative, "strain where it begins"),
+          modulus("loading", positive, "q of T = q y^2 / 2"),
+          modulus("unloading", positive, "unloading modulus")};
 }
 
 std::vector<Argument> friction_rows() {
@@ -60,24 +62,33 @@ std::vector<Argument> bending_rows() {
 }
 
 std::vector<Argument> common_rows() {
-  return {value_("name", text, "of the fabric").or_else(""), value_("source", text, "where the numbers come from").or_else(""),
-          number_("density", "kg/m^3", positive, "mass over volume").usually(20, 5000, "mass per area is density * thickness"),
-          number_("thickness", "m", positive, "of the sheet").usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)"),
-          fields_("bending", bending_rows(), "own bending rigidity instead of integration through the thickness").optional()};
+  return {
+      value_("name", text, "of the fabric").or_else(""),
+      value_("source", text, "where the numbers come from").or_else(""),
+      number_("density", "kg/m^3", positive, "mass over volume")
+          .usually(20, 5000, "mass per area is density * thickness"),
+      number_("thickness", "m", positive, "of the sheet").usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)"),
+      fields_("bending", bending_rows(), "own bending rigidity instead of integration through the thickness")
+          .optional()};
 }
 
 std::vector<Argument> woven_rows() {
   auto rows = common_rows();
-  rows.push_back(fields_("warp", yarn_rows("nu12: contraction along weft when pulled along warp"), "along the warp"));
-  rows.push_back(fields_("weft", yarn_rows("nu21: contraction along warp when pulled along weft"), "along the weft"));
+  rows.push_back(
+      fields_("warp", yarn_rows("nu12: contraction along weft when pulled along warp"), "along the warp"));
+  rows.push_back(
+      fields_("weft", yarn_rows("nu21: contraction along warp when pulled along weft"), "along the weft"));
   rows.push_back(fields_("shear", shear_rows(), "in-plane shear"));
   rows.push_back(fields_("tested", tested_rows(), "strains up to which it was measured").optional());
   rows.push_back(value_("law", text, "the law that is compiled from the card")
                      .one_of({"potential", "incremental", "thesis"})
                      .or_else("potential"));
-  rows.push_back(value_("transverse", text, "transverse shear of the comparison laws").one_of({"elastic", "follow"}).or_else("elastic"));
+  rows.push_back(value_("transverse", text, "transverse shear of the comparison laws")
+                     .one_of({"elastic", "follow"})
+                     .or_else("elastic"));
   rows.push_back(value_("shear_hysteresis", boolean, "of the comparison laws").or_else(true));
-  rows.push_back(fields_("biaxial", biaxial_rows(), "a fourth spring that acts when both yarns are stretched").optional());
+  rows.push_back(fields_("biaxial", biaxial_rows(), "a fourth spring that acts when both yarns are stretched")
+                     .optional());
   return rows;
 }
 
@@ -86,9 +97,12 @@ std::vector<Argument> svk_rows() {
   rows.push_back(modulus("warp", positive, "modulus along the warp").optional());
   rows.push_back(modulus("weft", positive, "modulus along the weft").optional());
   rows.push_back(modulus("shear", positive, "engineering shear modulus, S12 = 2 shear E12").optional());
-  rows.push_back(modulus("young", positive, "modulus of an isotropic sheet, instead of warp, weft, shear").optional());
-  rows.push_back({"poisson", number | numbers, "", Range{-1, 10, true, false}, "{nu12, nu21}, or one number for both"});
-  rows.push_back(Argument{"transverse", numbers, "Pa", positive, "{G13, G23}; default 5/6 of shear"}.optional());
+  rows.push_back(
+      modulus("young", positive, "modulus of an isotropic sheet, instead of warp, weft, shear").optional());
+  rows.push_back(
+      {"poisson", number | numbers, "", Range{-1, 10, true, false}, "{nu12, nu21}, or one number for both"});
+  rows.push_back(
+      Argument{"transverse", numbers, "Pa", positive, "{G13, G23}; default 5/6 of shear"}.optional());
   return rows;
 }
 
@@ -115,7 +129,8 @@ std::vector<std::pair<double, double>> read_points(const Fields& fields) {
     check_value(L, -1, pair, "loading " + std::to_string(i) + " ", false);
     const auto xy = read_numbers(L, -1);
     lua_pop(L, 1);
-    if (points.empty() && (xy[0] != 0 || xy[1] != 0)) fields.refuse("loading", "expected the first point to be {0, 0}");
+    if (points.empty() && (xy[0] != 0 || xy[1] != 0))
+      fields.refuse("loading", "expected the first point to be {0, 0}");
     if (!points.empty() && (xy[0] <= points.back().first || xy[1] <= points.back().second))
       fields.refuse("loading", "expected strain and stress to increase, at " + place + " they do not");
     points.emplace_back(xy[0], xy[1]);
@@ -178,7 +193,8 @@ Woven read_woven(const Fields& f) {
 std::pair<double, double> read_ratios(const Fields& f) {
   const auto pair = f.numbers("poisson");
   if (pair.empty()) return {f.number("poisson"), f.number("poisson")};
-  if (pair.size() != 2) f.refuse("poisson", "expected {nu12, nu21}, got " + std::to_string(pair.size()) + " numbers");
+  if (pair.size() != 2)
+    f.refuse("poisson", "expected {nu12, nu21}, got " + std::to_string(pair.size()) + " numbers");
   return {pair[0], pair[1]};
 }
 
@@ -192,7 +208,8 @@ Svk read_svk(const Fields& f) {
     law.shear = law.warp / (2 * (1 + law.nu12));
   } else {
     for (const char* name : {"warp", "weft", "shear"})
-      if (!f.has(name)) f.refuse(name, "expected " + expected(f.row(name)) + " (or young for an isotropic sheet), got nil");
+      if (!f.has(name))
+        f.refuse(name, "expected " + expected(f.row(name)) + " (or young for an isotropic sheet), got nil");
     law.warp = f.number("warp");
     law.weft = f.number("weft");
     law.shear = f.number("shear");
@@ -233,8 +250,8 @@ Card card_from(const Fields& f, const std::string& kind) {
   card.thickness = f.number("thickness");
   if (f.has("bending")) {
     const Fields b = f.fields("bending");
-    card.bending = Bending{b.number("warp"), b.number("weft"), b.number("twist"), read_friction(b, "friction_warp"),
-                           read_friction(b, "friction_weft")};
+    card.bending = Bending{b.number("warp"), b.number("weft"), b.number("twist"),
+                           read_friction(b, "friction_warp"), read_friction(b, "friction_weft")};
   }
   if (kind == "svk")
     card.law = read_svk(f);

@@ -54,7 +54,8 @@ void set_law(lua_State* L, const Woven& law) {
   set_yarn(L, "warp", law.warp);
   set_yarn(L, "weft", law.weft);
   set_shear(L, law.shear);
-  set_fields(L, "tested", {{"warp", law.tested.warp}, {"weft", law.tested.weft}, {"shear", law.tested.shear}});
+  set_fields(L, "tested",
+             {{"warp", law.tested.warp}, {"weft", law.tested.weft}, {"shear", law.tested.shear}});
   set_text(L, "law", law_word(law.law));
   set_text(L, "transverse", law.transverse == Transverse::elastic ? "elastic" : "follow");
   lua_pushboolean(L, law.shear_hysteresis);
@@ -116,7 +117,8 @@ std::string quoted(const std::string& words) {
 
 std::string points_text(const std::vector<std::pair<double, double>>& points) {
   std::string out = "{";
-  for (const auto& [x, y] : points) out += (out.size() > 1 ? ", {" : " {") + number_text(x) + ", " + number_text(y) + "}";
+  for (const auto& [x, y] : points)
+    out += (out.size() > 1 ? ", {" : " {") + number_text(x) + ", " + number_text(y) + "}";
   return out + " }";
 }
 
@@ -131,13 +133,15 @@ std::string curve_text(const Curve& curve) {
 }
 
 std::string yarn_text(const char* name, const Yarn& yarn) {
-  return std::string("  ") + name + " = { " + curve_text(yarn.loading) + ", unloading = " + number_text(yarn.unloading) +
-         ", poisson = " + number_text(yarn.poisson) + " },\n";
+  return std::string("  ") + name + " = { " + curve_text(yarn.loading) +
+         ", unloading = " + number_text(yarn.unloading) + ", poisson = " + number_text(yarn.poisson) +
+         " },\n";
 }
 
 std::string law_text(const Woven& law) {
   std::string out = yarn_text("warp", law.warp) + yarn_text("weft", law.weft);
-  out += "  shear = { " + curve_text(law.shear.loading) + ", unloading = " + number_text(law.shear.unloading) + ", measure = \"" +
+  out += "  shear = { " + curve_text(law.shear.loading) +
+         ", unloading = " + number_text(law.shear.unloading) + ", measure = \"" +
          (law.shear.measure == Measure::tensor ? "tensor" : "engineering") + "\", memory = \"" +
          (law.shear.memory == ShearMemory::printed ? "printed" : "fading") + "\" },\n";
   out += "  tested = { warp = " + number_text(law.tested.warp) + ", weft = " + number_text(law.tested.weft) +
@@ -146,15 +150,17 @@ std::string law_text(const Woven& law) {
   if (law.transverse == Transverse::follow) out += "  transverse = \"follow\",\n";
   if (!law.shear_hysteresis) out += "  shear_hysteresis = false,\n";
   if (law.biaxial)
-    out += "  biaxial = { alpha = " + number_text(law.biaxial->alpha) + ", offset = " + number_text(law.biaxial->offset) +
-           ", loading = " + number_text(law.biaxial->loading) + ", unloading = " + number_text(law.biaxial->unloading) + " },\n";
+    out += "  biaxial = { alpha = " + number_text(law.biaxial->alpha) +
+           ", offset = " + number_text(law.biaxial->offset) +
+           ", loading = " + number_text(law.biaxial->loading) +
+           ", unloading = " + number_text(law.biaxial->unloading) + " },\n";
   return out;
 }
 
 template <class Moduli>
 std::string moduli_text(const Moduli& law) {
-  return "  warp = " + number_text(law.warp) + ", weft = " + number_text(law.weft) + ", shear = " + number_text(law.shear) +
-         ",\n  poisson = " + list_text({law.nu12, law.nu21}) + ",\n";
+  return "  warp = " + number_text(law.warp) + ", weft = " + number_text(law.weft) +
+         ", shear = " + number_text(law.shear) + ",\n  poisson = " + list_text({law.nu12, law.nu21}) + ",\n";
 }
 
 std::string law_text(const Linear& law) { return moduli_text(law); }
@@ -168,8 +174,9 @@ std::string bending_text(const Bending& b) {
   std::string out = "  bending = { warp = " + number_text(b.warp) + ", weft = " + number_text(b.weft) +
                     ", twist = " + number_text(b.twist);
   const auto friction = [&out](const char* name, const std::optional<BendingFriction>& f) {
-    if (f) out += std::string(", ") + name + " = { moment = " + number_text(f->moment) + ", curvature = " +
-                  number_text(f->curvature) + " }";
+    if (f)
+      out += std::string(", ") + name + " = { moment = " + number_text(f->moment) +
+             ", curvature = " + number_text(f->curvature) + " }";
   };
   friction("friction_warp", b.friction_warp);
   friction("friction_weft", b.friction_weft);

@@ -1,13 +1,12 @@
-// The registry: one row per Lua function and property. Argument checks, help, completion and the reference page
-// come from it; a test fails on a row without sentence or running example.
+// The registry: one row per Lua function and property. Argument checks, help, completion and the reference
+// page come from it; a test fails on a row without sentence or running example.
 #pragma once
 #include <deque>
 #include <limits>
+#include <lua.hpp>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include <lua.hpp>
 
 namespace fabricsh::script {
 
@@ -31,9 +30,7 @@ struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
-  bool holds(double x) const {
-    return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
-  }
+  bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
 };
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, false};
 inline constexpr Range not_negative{0};

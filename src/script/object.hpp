@@ -1,10 +1,10 @@
-// Objects of the core in Lua: a userdata that holds a shared_ptr. Class names are those of the registry's rows.
+// Objects of the core in Lua: a userdata that holds a shared_ptr. Class names are those of the registry's
+// rows.
 #pragma once
+#include <lua.hpp>
 #include <memory>
 #include <new>
 #include <string>
-
-#include <lua.hpp>
 
 namespace fabricsh::script {
 

@@ -1,5 +1,6 @@
 // The analysis object in Lua, its hooks, and run.json.
-#include <chrono>
+#include <omp.h>
+
 #include <filesystem>
 #include <set>
 
@@ -106,15 +107,21 @@ void RunRecord::write(const analysis::Static& run, const std::string& status, do
   const Options& options = session_.options();
   const std::string card = card_text(run.model().card());
   files::Json json = files::Json::object();
-  json.set("program", "fabricsh").set("version", version()).set("build", build_kind()).set("compiler", compiler());
+  json.set("program", "fabricsh")
+      .set("version", version())
+      .set("build", build_kind())
+      .set("compiler", compiler());
   json.set("lua", LUA_RELEASE).set("instructions", name(best_isa()));
   json.set("deck", options.deck).set("deck_hash", hash_text(file_bytes(options.deck)));
-  json.set("arguments", options.command_line).set("threads", options.threads);
-  json.set("card", run.model().card().name).set("card_hash", hash_text(card)).set("model", run.model().describe());
+  json.set("arguments", options.command_line).set("threads", omp_get_max_threads());
+  json.set("card", run.model().card().name)
+      .set("card_hash", hash_text(card))
+      .set("model", run.model().describe());
   json.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
   json.set("steps", steps_json(run)).set("energy_error", run.energy().error).set("outputs", outputs_);
   std::set<std::string> folders;
-  for (const std::string& output : outputs_) folders.insert(std::filesystem::path(output).parent_path().string());
+  for (const std::string& output : outputs_)
+    folders.insert(std::filesystem::path(output).parent_path().string());
   for (const std::string& folder : folders)
     files::write_file((folder.empty() ? "" : folder + "/") + "run.json", json.text(), files::Sync::no);
 }

@@ -35,8 +35,12 @@ void set_module_path(lua_State* L) {
   lua_pop(L, 1);
 }
 
-// require "fabric": the bindings, and what lua/fabric/library.lua adds to them.
+// require "fabric": the bindings, and what lua/fabric/library.lua adds to them (which may itself require
+// "fabric").
 int open_fabric(lua_State* L) {
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  lua_setfield(L, -2, "fabric");
   lua_getglobal(L, "require");
   lua_pushliteral(L, "fabric.library");
   lua_call(L, 1, 0);

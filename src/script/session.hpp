@@ -1,12 +1,12 @@
-// One Lua state with the fabric module, and what its bindings share. No globals: several may live side by side.
+// One Lua state with the fabric module, and what its bindings share. No globals: several may live side by
+// side.
 #pragma once
 #include <atomic>
 #include <functional>
+#include <lua.hpp>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <lua.hpp>
 
 #include "base/notice.hpp"
 #include "script/entry.hpp"
@@ -18,7 +18,7 @@ struct Options {
   bool quiet = false;  // no progress
   int threads = 0;     // 0: OMP_NUM_THREADS, else all cores
   std::vector<std::string> command_line;
-  std::string deck;  // path of the deck; empty: none
+  std::string deck;                                  // path of the deck; empty: none
   std::function<void(const std::string&)> notice;    // a warning or notice, one line
   std::function<void(const std::string&)> progress;  // a line of progress
 };
@@ -57,7 +57,9 @@ class Session {
 // Marks L as the state whose binding runs, as long as it lives.
 class ActiveState {
  public:
-  ActiveState(Session& session, lua_State* L) : session_(session), before_(session.active_) { session_.active_ = L; }
+  ActiveState(Session& session, lua_State* L) : session_(session), before_(session.active_) {
+    session_.active_ = L;
+  }
   ~ActiveState() { session_.active_ = before_; }
   ActiveState(const ActiveState&) = delete;
   ActiveState& operator=(const ActiveState&) = delete;

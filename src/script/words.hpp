@@ -1,10 +1,9 @@
 // Words of messages: an unknown name with the nearest known one, a value as a person would say it.
 #pragma once
+#include <lua.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <lua.hpp>
 
 namespace fabricsh::script {
 
