@@ -160,6 +160,27 @@ void compile_linear(const card::Card& card, const card::Linear& linear, ElasticD
   compile_svk(card, same, e);
 }
 
+void require_friction(const card::Card& card, const std::string& side,
+                      const std::optional<card::BendingFriction>& friction) {
+  if (!friction) return;
+  if (!std::isfinite(friction->moment) || friction->moment < 0)
+    throw Error(at(card, side + ".moment") + "expected a friction moment of 0 or more, got " +
+                number(friction->moment) + " N");
+  if (friction->moment > 0)
+    require_positive(card, side + ".curvature", friction->curvature, number(friction->curvature) + " 1/m");
+}
+
+void require_bending(const card::Card& card) {
+  if (!card.bending) return;
+  const auto& b = *card.bending;
+  for (const auto& [field, value] :
+       {std::pair{"bending.warp", b.warp}, {"bending.weft", b.weft}, {"bending.twist", b.twist}})
+    if (!std::isfinite(value) || value < 0)
+      throw Error(at(card, field) + "expected a rigidity of 0 or more, got " + number(value) + " N.m");
+  require_friction(card, "bending.friction_warp", b.friction_warp);
+  require_friction(card, "bending.friction_weft", b.friction_weft);
+}
+
 void compile_elastic(const card::Card& card, Law& law) {
   law.kind = Kind::elastic;
   law.symmetric = true;
@@ -175,6 +196,7 @@ void compile_elastic(const card::Card& card, Law& law) {
 std::shared_ptr<const Law> compile(const card::Card& card) {
   require_positive(card, "density", card.density, number(card.density) + " kg/m3");
   require_positive(card, "thickness", card.thickness, number(card.thickness) + " m");
+  require_bending(card);
   auto law = std::make_shared<Law>();
   if (const auto* woven = std::get_if<card::Woven>(&card.law))
     compile_woven(card, *woven, *law);
