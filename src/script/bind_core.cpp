@@ -110,22 +110,6 @@ int warn(Call& call) {
   return 0;
 }
 
-// fabric.x where x is unknown: an error with the nearest name.
-int index_fabric(lua_State* L) {
-  std::string message = position(L) + "fabric: ";
-  {
-    std::vector<std::string> known;
-    lua_pushnil(L);
-    while (lua_next(L, 1) != 0) {
-      lua_pop(L, 1);
-      if (lua_type(L, -1) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -1));
-    }
-    message += unknown("field", luaL_tolstring(L, 2, nullptr), known);
-  }
-  lua_pushstring(L, message.c_str());
-  return lua_error(L);
-}
-
 std::vector<Entry> rows() {
   return {
       {"fabric.poly",
@@ -165,10 +149,7 @@ void bind_core(Session& session) {
   set_text(L, "version", version());
   push_units(L);
   lua_setfield(L, -2, "units");
-  lua_newtable(L);
-  lua_pushcfunction(L, index_fabric);
-  lua_setfield(L, -2, "__index");
-  lua_setmetatable(L, -2);
+  watch_module(L, "fabric");
   lua_pop(L, 1);
 }
 

@@ -205,7 +205,12 @@ std::vector<Entry> rows() {
        "Thickness of the sheet, m.",
        sample + "assert(m.thickness > 0)",
        thickness},
-      {"model.card", Style::property, {}, "Its card.", sample + "assert(m.card.name == 'blend')", card_of},
+      {"model.card",
+       Style::property,
+       {},
+       "The card it was made of.",
+       sample + "assert(m.card.name == 'blend')",
+       card_of},
   };
 }
 

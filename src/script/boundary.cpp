@@ -135,6 +135,26 @@ int refuse_assignment(lua_State* L) {
   return lua_error(L);
 }
 
+// module.x where x is unknown: an error with the nearest name. Upvalue: the module's name.
+int index_module(lua_State* L) {
+  std::string message = position(L) + lua_tostring(L, lua_upvalueindex(1)) + ": ";
+  message += unknown("field", luaL_tolstring(L, 2, nullptr), keys_of(L, 1));
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+}  // namespace
+
+void watch_module(lua_State* L, const std::string& name) {
+  lua_newtable(L);
+  lua_pushstring(L, name.c_str());
+  lua_pushcclosure(L, index_module, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+}
+
+namespace {
+
 // Walks to the table that holds the last word of fabric.a.b, creating what is missing; leaves it on the
 // stack.
 void push_home(lua_State* L, const std::string& name) {
@@ -146,6 +166,7 @@ void push_home(lua_State* L, const std::string& name) {
     if (lua_rawget(L, -2) != LUA_TTABLE) {
       lua_pop(L, 1);
       lua_newtable(L);
+      watch_module(L, name.substr(0, dot));
       lua_pushvalue(L, -1);
       lua_setfield(L, -3, part.c_str());
     }

@@ -77,6 +77,9 @@ void push_function(lua_State* L, const Entry& entry);
 // Puts the function of such a row where its name says.
 void place(lua_State* L, const Entry& entry);
 
+// Makes an unknown field of the table on top of the stack an error that names the nearest known one.
+void watch_module(lua_State* L, const std::string& name);
+
 // Puts every row where its name says: functions into the table `fabric` (below the registry key "fabric"),
 // methods and properties into their class.
 void install(Session& session, std::vector<Entry> entries);

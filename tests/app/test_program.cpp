@@ -1,0 +1,109 @@
+// The program from outside: what it prints, its exit codes.
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "catch.hpp"
+
+namespace {
+
+struct Ran {
+  int code;
+  std::string out;
+};
+
+// Runs the program in a shell; `more` may redirect. Standard error goes into out too.
+Ran run(const std::string& more, const std::string& before = "") {
+  const std::string command = before + "'" FABRICSH_PROGRAM "' " + more + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string out;
+  char buffer[4096];
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) out.append(buffer, n);
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out};
+}
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+bool has(const std::string& all, const std::string& part) { return all.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("exit codes") {
+  CHECK(run("-e 'x = 1'").code == 0);
+  CHECK(run("-e 'error \"no\"'").code == 1);
+  CHECK(run("-e 'error{kind=\"numerical\", message=\"stuck\"}'").code == 3);
+  CHECK(run("--nonsense").code == 2);
+  CHECK(run("--threads none -e 'x=1'").code == 2);
+  CHECK(run("--check").code == 2);
+  CHECK(run("-e").code == 2);
+}
+
+TEST_CASE("a numerical failure of a run, uncaught and caught") {
+  const std::string deck =
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 }\n"
+      "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend' }\n"
+      "m:fix('bottom', 'x y z'):move('top', { y=fabric.ramp(0.5, 1) })\n"  // folds out of plane: nothing
+                                                                           // holds it
+      "m:force('all', { z=fabric.ramp(1e9, 1) })\n"
+      "local a = fabric.static{ model=m, duration=1, max_cuts=2, max_iterations=5 }\n";
+  write("fails.lua", deck + "a:solve()\n");
+  const Ran uncaught = run("fails.lua");
+  INFO(uncaught.out);
+  CHECK(uncaught.code == 3);
+  CHECK(has(uncaught.out, "fails.lua:7: solve: "));
+  write("caught.lua",
+        deck +
+            "local ok, e = pcall(a.solve, a)\nassert(not ok and e.kind == 'numerical' and e.time >= 0)\n"
+            "print(e)\n");
+  CHECK(run("caught.lua").code == 0);
+}
+
+TEST_CASE("a deck that does not exist, a syntax error") {
+  const Ran missing = run("no-such-deck.lua");
+  CHECK(missing.code == 1);
+  CHECK(has(missing.out, "no-such-deck.lua: No such file"));
+  write("syntax.lua", "x = = 1\n");
+  const Ran syntax = run("syntax.lua");
+  CHECK(syntax.code == 1);
+  CHECK(has(syntax.out, "syntax.lua:1: unexpected symbol near '='"));
+}
+
+TEST_CASE("arguments, standard input, -l, order of -e") {
+  write("args.lua", "print(arg[0], arg[1], #arg, ...)\n");
+  CHECK(run("args.lua a b").out == "args.lua\ta\t2\ta\tb\n");
+  CHECK(run("-", "echo 'print(7)' | ").out == "7\n");
+  CHECK(run("-e 'x = 1' -e 'print(x + 1)'").out == "2\n");
+  write("plain.lua", "return { answer = 42 }\n");
+  CHECK(run("-l plain -e 'print(plain.answer)'").out == "42\n");
+  CHECK(run("-e 'print(3*inch)'").out == "0.0762\n");
+  CHECK(run("-- args.lua").out == "args.lua\tnil\t0\n");
+}
+
+TEST_CASE("an interactive session reads standard input when there is no terminal") {
+  const Ran ran =
+      run("", "printf '1 + 1\\nerror(\"no\")\\nfor i = 1, 2 do\\nprint(i)\\nend\\n\"end\"\\n' | ");
+  CHECK(ran.code == 0);
+  CHECK(has(ran.out, "2\n"));
+  CHECK(has(ran.out, "prompt:1: no"));
+  CHECK(has(ran.out, "1\n2\nend\n"));
+  write("sets.lua", "y = 5\n");
+  CHECK(has(run("-i sets.lua", "echo 'y + 1' | ").out, "6\n"));
+}
+
+TEST_CASE("--version and --help") {
+  CHECK(has(run("--version").out, "fabricsh 0."));
+  CHECK(has(run("--help").out, "usage: fabricsh"));
+}
+
+TEST_CASE("--check validates and writes nothing") {
+  std::system("rm -rf checked");
+  const std::string deck = "'" FABRICSH_SOURCE_DIR "/scripts/thesis/uniaxial.lua' ";
+  CHECK(run("--check " + deck + "blend warp free 80 checked").code == 0);
+  CHECK(std::system("test ! -e checked") == 0);
+  const Ran wrong = run("--check " + deck + "blend wrap");
+  CHECK(wrong.code == 1);
+  CHECK(has(wrong.out, "argument 2 (direction): expected warp or weft, got 'wrap'"));
+}
