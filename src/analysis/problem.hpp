@@ -57,6 +57,8 @@ class Static::Problem final : public solver::Problem {
   }
   double force_scale() const override { return std::max(peak_, assembly_.largest_force()); }
 
+  double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }
+
  private:
   std::vector<double> push() const {
     std::vector<double> p(external_.size());

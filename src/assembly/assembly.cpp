@@ -227,6 +227,19 @@ double Assembly::largest_force() const {
   return largest;
 }
 
+double Assembly::rounding_floor(const solver::SparseMatrix& K) const {
+  double stiffest = 0, farthest = 0;
+  for (const auto& node : freedoms_.nodes)
+    for (int c = 0; c < 3; ++c) {
+      const Index eq = node.equation[c];
+      if (eq < 0) continue;
+      const auto first = K.row.begin() + K.column[eq], last = K.row.begin() + K.column[eq + 1];
+      stiffest = std::max(stiffest, std::abs(K.value[std::lower_bound(first, last, eq) - K.row.begin()]));
+    }
+  for (const double x : std::as_const(*state_).x()) farthest = std::max(farthest, std::abs(x));
+  return 4 * std::numeric_limits<double>::epsilon() * farthest * stiffest;
+}
+
 Vec3 Assembly::support_force(Index n, std::span<const double> external) const {
   const NodeFreedoms& node = freedoms_.nodes[n];
   Vec3 f = node.frame * (at(std::span<const double>(force_x_), n) - at(external, n));

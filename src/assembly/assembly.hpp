@@ -53,6 +53,8 @@ class Assembly {
   std::span<const double> internal_on_x() const { return force_x_; }  // 3 per node, N, global
   std::span<const double> internal_on_d() const { return force_d_; }  // 3 per node, N m
   double largest_force() const;                                       // N, largest component on any node
+  // The nodal force that a unit of rounding in the coordinates makes: 4 eps max |x| max K_ii over displacements, N.
+  double rounding_floor(const solver::SparseMatrix& K) const;
   // Force of the supports on one node, N, global: internal minus external along the held and driven
   // directions.
   Vec3 support_force(Index node, std::span<const double> external) const;

@@ -6,7 +6,10 @@
 //
 // Generalised covariant strains at an in-plane point, with a_i = sum N_A,i x_A and b_i = sum N_A,i d_A:
 //   c(z) = eps + z kappa + z^2 rho in the order (c11, c22, 2 c12);
-//   eps ~ a.a / 2,  kappa ~ sym(a.b),  rho ~ b.b / 2;  shear g_i = 2 c_i3 from the four edge midpoints.
+//   kappa ~ sym(a.b),  rho ~ b.b / 2;  shear g_i = 2 c_i3 from the four edge midpoints; eps from an assumed
+//   field: stretches on edge chords, tied so that a warped element does not lock (MITC4+ [ko2017]), and the
+//   middle's shear, so that in-plane bending makes no parasitic shear. share/doc/verification.md has what it
+//   was chosen by.
 #pragma once
 #include <array>
 #include <functional>
@@ -22,17 +25,19 @@ inline constexpr int gauss_points = 4;  // in the plane, order (-,-) (+,-) (+,+)
 inline constexpr int shell4_dofs = 20;  // per node: u1 u2 u3, q1 q2 with delta d = q1 b1 + q2 b2
 
 // Reference geometry of one element as the kernels read it; entry i of lane l at [i * lanes + l].
-//   0..3   reference edge shears (t/8)(X_j - X_i).(D_i + D_j): edges 1-2, 4-3, 1-4, 2-3
-//   then per in-plane point: eps (3), kappa (3), rho (3) of the reference;
+//   0..3    reference edge shears (t/8)(X_j - X_i).(D_i + D_j): edges 1-2, 4-3, 1-4, 2-3
+//   4..11   reference membrane samples: c11 at A, B, c22 at C, D; c11, c22, 2 c12 in the middle; q
+//   12, 13  distortion: components of X_d = sum xi eta X / 4 on the middle's base vectors
+//   then per in-plane point: kappa (3), rho (3) of the reference;
 //   then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
 // where T_ij takes covariant to material components (T_ij = G^j . m_i), q_j = G^j . m_3, s = G^3 . m_3, w =
 // weight J, m^3.
 struct Shell4Layout {
-  explicit Shell4Layout(int points) : points(points) {}
-  int points;  // through the thickness
-  static constexpr int edges = 4, strains = 9, transform = 8;
-  int reference(int g) const { return edges + strains * g; }
-  int point(int g, int k) const { return edges + strains * gauss_points + transform * (points * g + k); }
+  explicit Shell4Layout(int thickness_points) : points(thickness_points) {}
+  int points;
+  static constexpr int head = 14, strains = 6, transform = 8;
+  int reference(int g) const { return head + strains * g; }
+  int point(int g, int k) const { return head + strains * gauss_points + transform * (points * g + k); }
   int size() const { return point(gauss_points, 0); }
 };
 

@@ -31,6 +31,18 @@ std::array<double, 3> metric(const Vec3& u1, const Vec3& u2, const Vec3& w1, con
   return {u1.dot(w1), u2.dot(w2), u1.dot(w2) + u2.dot(w1)};
 }
 
+// Reference samples of the assumed membrane field and the element's distortion.
+void put_membrane(const std::array<Vec3, 4>& X, const std::function<void(int, double)>& put) {
+  const Vec3 A = (X[2] - X[3]) / 2, B = (X[1] - X[0]) / 2, C = (X[2] - X[1]) / 2, D = (X[3] - X[0]) / 2;
+  const Vec3 mid1 = (A + B) / 2, mid2 = (C + D) / 2, distortion = (A - B) / 2;
+  const Vec3 n = mid1.cross(mid2), flat = distortion - distortion.dot(n) / n.squaredNorm() * n;
+  const double samples[8] = {A.dot(A) / 2,       B.dot(B) / 2,       C.dot(C) / 2,   D.dot(D) / 2,
+                             mid1.dot(mid1) / 2, mid2.dot(mid2) / 2, mid1.dot(mid2), flat.dot(flat) / 2};
+  for (int i = 0; i < 8; ++i) put(4 + i, samples[i]);
+  put(12, distortion.dot(mid2.cross(n)) / n.squaredNorm());
+  put(13, distortion.dot(n.cross(mid1)) / n.squaredNorm());
+}
+
 }  // namespace
 
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
@@ -43,16 +55,16 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
     const auto [i, j] = std::pair(edge[e][0], edge[e][1]);
     put(e, section.thickness / 8 * (X[j] - X[i]).dot(D[i] + D[j]));
   }
+  put_membrane(X, put);
   static const double g = 1 / std::sqrt(3.0);
   const double px[4] = {-g, g, g, -g}, py[4] = {-g, -g, g, g};
   for (int p = 0; p < gauss_points; ++p) {
     const Shape s = shape_at(px[p], py[p]);
     const Vec3 A1 = sum(s.N1, X), A2 = sum(s.N2, X), B1 = sum(s.N1, D), B2 = sum(s.N2, D);
-    const auto eps = metric(A1, A2, A1, A2), kappa = metric(A1, A2, B1, B2), rho = metric(B1, B2, B1, B2);
+    const auto kappa = metric(A1, A2, B1, B2), rho = metric(B1, B2, B1, B2);
     for (int i = 0; i < 3; ++i) {
-      put(at.reference(p) + i, eps[i] / 2);
-      put(at.reference(p) + 3 + i, kappa[i]);
-      put(at.reference(p) + 6 + i, rho[i] / 2);
+      put(at.reference(p) + i, kappa[i]);
+      put(at.reference(p) + 3 + i, rho[i] / 2);
     }
     for (std::size_t k = 0; k < section.points.size(); ++k) {
       const double z = section.thickness / 2 * (section.points[k].zeta - section.offset);
