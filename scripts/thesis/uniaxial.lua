@@ -120,8 +120,7 @@ if grips == "free" then
   check { "residual strain", last.E, m - P(m) / yarn.unloading, absolute = 1e-6 * P(m) * (1 + e) / h }
   check { "dissipated energy, J", energy.dissipated, test.volume * (U(m) - P(m) ^ 2 / (2 * yarn.unloading)), relative = 1e-8 }
 else
-  -- Clamped ends stiffen the strip and never soften it: by 0.3 to 4 %, and muslin along the warp, whose ratio is 2.04, by
-  -- 5.3 % on these 27 elements (4.7 % on 108).
-  check { "peak S / P(E)", peak.S / P(m), 1.0275, absolute = 0.0275 }
+  -- Clamped ends stiffen the strip, by no more than 5 %, and never soften it.
+  check { "peak S / P(E)", peak.S / P(m), 1.025, absolute = 0.025 }
 end
 fabric.expect(checks)

@@ -163,6 +163,7 @@ void bind_all(Session& session) {
   bind_files(session);
   bind_analysis(session);
   bind_outputs(session);
+  bind_check(session);
 }
 
 }  // namespace fabricsh::script

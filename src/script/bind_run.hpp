@@ -57,5 +57,6 @@ void bind_model(Session& session);
 void bind_files(Session& session);
 void bind_analysis(Session& session);
 void bind_outputs(Session& session);
+void bind_check(Session& session);
 
 }  // namespace fabricsh::script
