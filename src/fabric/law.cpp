@@ -95,12 +95,13 @@ const Backbone& curve_of(const Law& law, int axis) {
 
 double backbone(const Law& law, int axis, double x) {
   if (law.kind == Kind::elastic) return elastic_modulus(law.elastic, axis) * x;
-  return backbone_at(curve_of(law, axis), x).P;
+  const double P = backbone_at(curve_of(law, axis), std::fabs(x)).P;
+  return x < 0 ? (axis == 3 ? -P : curve_of(law, axis).initial * x) : P;
 }
 
 double backbone_modulus(const Law& law, int axis, double x) {
   if (law.kind == Kind::elastic) return elastic_modulus(law.elastic, axis);
-  return backbone_at(curve_of(law, axis), x).D;
+  return x < 0 && axis != 3 ? curve_of(law, axis).initial : backbone_at(curve_of(law, axis), std::fabs(x)).D;
 }
 
 }  // namespace fabricsh::fabric

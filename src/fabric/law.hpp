@@ -63,7 +63,8 @@ Internal internal(const Law& law, const double E[5], const double* s);
 double stiffest(const Law& law);
 // Transverse shear modulus G_t, Pa (the larger of the two).
 double transverse_modulus(const Law& law);
-// Virgin uniaxial backbone P(E) of an axis, Pa: axis 1 or 2; 3: shear S12 against 2 E12.
+// Virgin uniaxial backbone P(E) of an axis, Pa: axis 1 or 2; 3: shear S12 against 2 E12. Below zero strain:
+// odd in shear, D(0) x on an axis.
 double backbone(const Law& law, int axis, double x);
 double backbone_modulus(const Law& law, int axis, double x);
 

@@ -10,6 +10,7 @@ namespace fabricsh::point {
 
 namespace {
 
+constexpr double small = 1e-6;      // strain: below it rounding is not measured against the strain itself
 constexpr double rounding = 1e-12;  // of the scale: where a residual may stall
 
 // Two unknowns of the load frame: lateral strain a, shear strain b (tensor).
@@ -35,7 +36,7 @@ struct System {
     const auto by_a = column({0, 1, 0}), by_b = column({0, 0, 1});
     aa = by_a[1], ba = by_a[2], ab = by_b[1], bb = by_b[2];
     const double stiff = std::max({std::fabs(C[0]), std::fabs(C[6]), std::fabs(C[24])});
-    scale = stiff * std::max({std::fabs(E[0]), std::fabs(E[1]), std::fabs(E[2])});
+    scale = stiff * std::max({std::fabs(E[0]), std::fabs(E[1]), std::fabs(E[2]), small});
   }
   double size() const { return std::max(std::fabs(residual.a), std::fabs(residual.b)); }
   Pair newton() const {
