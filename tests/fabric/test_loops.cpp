@@ -97,7 +97,7 @@ void no_energy_from_nothing(const card::Card& card, unsigned seed, int loops) {
               card.name.c_str(), std::get<card::Woven>(card.law).biaxial ? "+biaxial" : "", loops, sum.worst,
               sum.ledger, sum.fall);
   CHECK(sum.worst >= -1e-12);
-  CHECK(sum.ledger <= 1e-12);
+  CHECK(sum.ledger <= 1e-10);  // the quadrature of this test stops at 1e-10 J/m^3 a piece, not the law
   CHECK(sum.fall <= 1e-14);
 }
 
