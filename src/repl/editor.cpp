@@ -40,10 +40,8 @@ class Terminal : public Lines {
     el_source(edit_, nullptr);
   }
   ~Terminal() override {
-    HistEvent event;
-    if (!file_.empty()) history(history_, &event, H_SAVE, file_.c_str());
-    history_end(history_);
     el_end(edit_);
+    history_end(history_);
   }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -54,7 +52,10 @@ class Terminal : public Lines {
     errno = 0;
     const char* text = el_gets(edit_, &count);
     if (text == nullptr || count <= 0) {
-      if (errno != EINTR) return State::end;
+      if (errno != EINTR) {
+        std::fputc('\n', stdout);
+        return State::end;
+      }
       el_reset(edit_);
       return State::interrupted;
     }
@@ -65,7 +66,9 @@ class Terminal : public Lines {
 
   void remember(const std::string& input) override {
     HistEvent event;
-    if (!input.empty()) history(history_, &event, H_ENTER, input.c_str());
+    if (input.empty()) return;
+    history(history_, &event, H_ENTER, input.c_str());
+    if (!file_.empty()) history(history_, &event, H_SAVE, file_.c_str());
   }
 
  private:

@@ -21,6 +21,7 @@ int value_text(lua_State* L) {
 
 // The error on top of the stack as a result; popped. A __tostring of the user's may itself fail.
 Result failed(lua_State* L) {
+  lua_sethook(L, nullptr, 0, 0);  // an interrupt that has been answered must not stop what follows
   Result result{is_numerical(L, -1) ? Outcome::numerical_failure : Outcome::deck_error};
   lua_pushcfunction(L, value_text);
   lua_insert(L, -2);

@@ -17,8 +17,13 @@ void stop_lua(lua_State* L, lua_Debug*) {
   luaL_error(L, "interrupted");
 }
 
+// The first Ctrl-C asks; a second one, while the first is unanswered (a coroutine that never returns), quits.
 extern "C" void on_interrupt(int) {
   if (interruptible == nullptr) return;
+  if (interruptible->interrupted()) {
+    std::signal(SIGINT, SIG_DFL);
+    std::raise(SIGINT);
+  }
   interruptible->interrupt();
   lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT,
               1);
