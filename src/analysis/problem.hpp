@@ -20,6 +20,7 @@ class Static::Problem final : public solver::Problem {
   void aim(double time) {
     targets_ = assembly_.targets(time);
     assembly_.external(time, external_);
+    assembly_.aim(time);
   }
   // After a commit: what the last step did is where a reversal is seen from.
   void committed() {

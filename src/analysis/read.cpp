@@ -104,7 +104,7 @@ const std::vector<ElementValues>& Static::elements() const {
   const auto version = std::as_const(*assembly_).state().version();
   if (cache_version_ == version) return cache_;
   cache_.assign(assembly_->elements(), {});
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (assembly_->elements() >= 256)
   for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
     double volume = 0;
     ElementValues sum;
@@ -143,7 +143,7 @@ Energy Static::energy() const {
   const mesh::Index count = assembly_->elements();
   std::vector<fabric::Energy> per(count);
   std::vector<double> bending(count);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (assembly_->elements() >= 256)
   for (mesh::Index e = 0; e < count; ++e) {
     assembly_->visit(e, [&](double w, const fabric::Law& law, const double* E, const double* state) {
       const auto energy = fabric::energy(law, E, state);
@@ -163,6 +163,7 @@ Energy Static::energy() const {
     sum.dissipated_shear += per[e].dissipated_shear;
     sum.created += per[e].created;
   }
+  sum.stored += assembly_->spring_energy();
   sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending;
   sum.external = external_work_;
   if (largest_external_work_ > 0)

@@ -44,14 +44,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   newton_ = std::make_unique<solver::Newton>(solver::make_unsymmetric_solver(), assembly_->pattern());
   largest_step_ = options_.step.value_or(options_.duration / 20);
   current_step_ = largest_step_;
-  const auto add = [this](const std::optional<model::History>& h) {
-    if (h) kinks_.insert(kinks_.end(), h->kinks().begin(), h->kinks().end());
-  };
-  for (const auto& m : model_->motions())
-    for (const auto& h : m.displacement) add(h);
-  for (const auto& f : model_->forces())
-    for (const auto& h : f.total) add(h);
-  std::sort(kinks_.begin(), kinks_.end());
+  kinks_ = model_->kinks();
 }
 
 Static::~Static() = default;

@@ -62,16 +62,17 @@ Assembly::Assembly(const model::Model& model)
     at(state_->x(), n) = X_[n];
     at(state_->d(), n) = directors[n];
     at(state_->b1(), n) = first_axis(directors[n]);
+    first_axes_.push_back(at(state_->b1(), n));
     realign(n, state_->d(), state_->b1());
   }
+  reference_directors_ = directors;
   state_->commit(0);
   iterate_.assign(state_->kinematics().begin(), state_->kinematics().end());
   make_geometry(directors);
   make_pattern();
   force_x_.assign(3 * X_.size(), 0);
   force_d_.assign(3 * X_.size(), 0);
-  for (const auto& force : model.forces())
-    force_shares_.push_back(tributary_shares(model.mesh(), model.mesh().set(force.set)));
+  loads_ = std::make_unique<Loads>(model, mass_, mass_moment_);
 }
 
 Assembly::~Assembly() = default;
@@ -116,6 +117,7 @@ void Assembly::make_geometry(const std::vector<Vec3>& directors) {
   geometry_size_ = layout.size() * lanes;
   geometry_.assign(batches_.size() * geometry_size_, 0);
   mass_.assign(X_.size(), 0);
+  mass_moment_.assign(X_.size(), 0);
   const auto warp = [this](const Vec3& X, const Vec3& n) { return model_.warp_at(X, n); };
   for (std::size_t b = 0; b < batches_.size(); ++b) {
     double* geometry = geometry_.data() + b * geometry_size_;
@@ -134,11 +136,18 @@ void Assembly::make_geometry(const std::vector<Vec3>& directors) {
         throw Error("mesh: element " + std::to_string(batches_[b].element[l] + 1) + " " + what);
       }
       if (l >= batches_[b].used) continue;
-      double volume = 0;
+      double mass = 0, moment = 0;  // kg, kg m
       for (int g = 0; g < gauss_points; ++g)
-        for (std::size_t k = 0; k < section.points.size(); ++k)
-          volume += geometry[(layout.point(g, static_cast<int>(k)) + 7) * lanes + l];
-      for (int a = 0; a < 4; ++a) mass_[nodes[a]] += section.density * volume / 4;
+        for (std::size_t k = 0; k < section.points.size(); ++k) {
+          const double m =
+              section.points[k].density * geometry[(layout.point(g, static_cast<int>(k)) + 7) * lanes + l];
+          mass += m;
+          moment += m * section.thickness / 2 * (section.points[k].zeta - section.offset);
+        }
+      for (int a = 0; a < 4; ++a) {
+        mass_[nodes[a]] += mass / 4;
+        mass_moment_[nodes[a]] += moment / 4;
+      }
     }
   }
 }
@@ -163,7 +172,7 @@ void Assembly::begin_iterate() {
 std::vector<double> Assembly::targets(double time) const {
   std::vector<double> values;
   values.reserve(freedoms_.motions.size());
-  for (const auto& m : freedoms_.motions) values.push_back(m.history.value(time));
+  for (const auto& m : freedoms_.motions) values.push_back(m.value(time));
   return values;
 }
 
@@ -184,6 +193,13 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
     at(state_->x(), i) = X_[i] + node.frame.transpose() * u;
     at(state_->d(), i) = at(base.subspan(3 * n), i);
     at(state_->b1(), i) = at(base.subspan(6 * n), i);
+    if (node.turn_axis) {
+      const Mat3 R =
+          Eigen::AngleAxisd(targets[motion_of(node.equation[3])], *node.turn_axis).toRotationMatrix();
+      at(state_->d(), i) = R * reference_directors_[i];
+      at(state_->b1(), i) = R * first_axes_[i];
+      continue;
+    }
     const double q1 = step(node.equation[3]), q2 = step(node.equation[4]);
     if (q1 == 0 && q2 == 0) continue;
     const Vec3 d = at(state_->d(), i), b1 = at(state_->b1(), i);
@@ -193,19 +209,14 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
   state_->touch();
 }
 
-void Assembly::external(double time, std::vector<double>& out) const {
+void Assembly::external(double time, std::vector<double>& out) const { loads_->dead(time, out); }
+
+void Assembly::follower(double time, std::vector<double>& out) const {
   out.assign(3 * X_.size(), 0);
-  const std::span<double> f(out);
-  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) at(f, i) = mass_[i] * model_.gravity();
-  for (std::size_t k = 0; k < model_.forces().size(); ++k) {
-    const auto& force = model_.forces()[k];
-    Vec3 total = Vec3::Zero();
-    for (int c = 0; c < 3; ++c)
-      if (force.total[c]) total += force.total[c]->value(time) * force.frame.row(c).transpose();
-    const auto& nodes = model_.mesh().set(force.set);
-    for (std::size_t i = 0; i < nodes.size(); ++i) at(f, nodes[i]) += force_shares_[k][i] * total;
-  }
+  loads_->add_follower(time, std::as_const(*state_).x(), out, 1.0);
 }
+
+double Assembly::spring_energy() const { return loads_->spring_energy(std::as_const(*state_).x(), X_); }
 
 void Assembly::residual(std::span<const double> external, std::span<double> r) const {
   const std::span<const double> fx(force_x_), fd(force_d_);

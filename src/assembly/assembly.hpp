@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assembly/freedoms.hpp"
+#include "assembly/loads.hpp"
 #include "assembly/state.hpp"
 #include "element/shell4.hpp"
 #include "model/model.hpp"
@@ -46,14 +47,22 @@ class Assembly {
   bool tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
                std::span<double> product);
   Index failed_element() const { return failed_element_; }
+  // Sets the time of the follower loads (pressure, moments), which forces() and tangent() count against the
+  // internal ones.
+  void aim(double time) { loads_->aim(time); }
   // Dead loads at a time, 3 per node, N, global.
   void external(double time, std::vector<double>& out) const;
+  // Follower loads on x at a time, at the trial configuration, 3 per node, N, global.
+  void follower(double time, std::vector<double>& out) const;
+  bool symmetric_loads() const { return loads_->symmetric(); }
+  double spring_energy() const;  // J, stored in springs to ground
   // r = f_ext - f_int on the unknowns, along the nodes' frames.
   void residual(std::span<const double> external, std::span<double> r) const;
   std::span<const double> internal_on_x() const { return force_x_; }  // 3 per node, N, global
   std::span<const double> internal_on_d() const { return force_d_; }  // 3 per node, N m
   double largest_force() const;                                       // N, largest component on any node
-  // The nodal force that a unit of rounding in the coordinates makes: 4 eps max |x| max K_ii over displacements, N.
+  // The nodal force that a unit of rounding in the coordinates makes: 4 eps max |x| max K_ii over
+  // displacements, N.
   double rounding_floor(const solver::SparseMatrix& K) const;
   // Force of the supports on one node, N, global: internal minus external along the held and driven
   // directions.
@@ -88,7 +97,9 @@ class Assembly {
   double* trial_law(Index batch);
   const double* committed_law(Index batch) const;
   void realign(Index node, std::span<double> d, std::span<double> b1) const;
-  void tributary_weights(const model::Force& force, std::vector<double>& out) const;
+  void add_load_stiffness(solver::SparseMatrix& K, std::span<const double> lead,
+                          std::span<double> product) const;
+  double lead_of(Index motion, std::span<const double> lead) const;
 
   const model::Model& model_;
   std::vector<Vec3> X_;
@@ -103,19 +114,17 @@ class Assembly {
   solver::SparseMatrix pattern_;
   std::vector<Index> slots_;     // per batch, lane, row-major 20x20: slot in K or -1
   std::vector<double> iterate_;  // kinematics
-  std::vector<double> force_x_, force_d_, mass_;
-  std::vector<std::vector<double>> force_shares_;  // per model force: share of each node of its set
+  std::vector<double> force_x_, force_d_, mass_,
+      mass_moment_;  // mass kg, its first moment about the surface kg m
+  std::unique_ptr<Loads> loads_;
+  std::vector<Vec3> first_axes_;  // of the reference directors, for directors that are driven
+  std::vector<Vec3> reference_directors_;
   std::vector<Index> node_element_, unknown_node_;
   Index failed_element_ = -1;
 };
 
-// Unit normals at the nodes: the mean of the elements' corner normals, weighted by area.
-std::vector<Vec3> reference_directors(const mesh::Mesh& mesh);
 // Colours such that elements of one colour share no node: greedy in element order. Returns the colour of each
 // element.
 std::vector<int> colour(const mesh::Mesh& mesh);
-// Shares (sum 1) of a set's nodes in a total force: by area where the set holds whole elements, else by
-// length where it holds whole element edges, else equal.
-std::vector<double> tributary_shares(const mesh::Mesh& mesh, const mesh::NodeSet& nodes);
 
 }  // namespace fabricsh::assembly

@@ -1,5 +1,7 @@
 #include "assembly/freedoms.hpp"
 
+#include <numbers>
+
 namespace fabricsh::assembly {
 
 namespace {
@@ -26,6 +28,28 @@ struct Held {
   std::vector<Vec3> axes;
   bool rotation = false;
 };
+
+// Every node of the set gets its director driven, and with a centre its three displacements.
+void add_turn(const model::Turn& turn, const mesh::Mesh& mesh, Freedoms& f,
+              std::vector<std::array<Index, 3>>& motion) {
+  const auto angle = [h = turn.angle](double t) { return h.value(t) * std::numbers::pi / 180; };
+  for (const Index n : mesh.set(turn.set)) {
+    NodeFreedoms& node = f.nodes[n];
+    node.turn_axis = turn.axis;
+    for (int c = 3; c < 5; ++c) {
+      node.equation[c] = driven(static_cast<Index>(f.motions.size()));
+      f.motions.push_back({n, c, angle});
+    }
+    if (!turn.centre) continue;
+    const Vec3 arm = mesh.nodes[n] - *turn.centre;
+    for (int i = 0; i < 3; ++i) {
+      motion[n][i] = static_cast<Index>(f.motions.size());
+      f.motions.push_back({n, i, [arm, i, angle, axis = turn.axis](double t) {
+                             return (Eigen::AngleAxisd(angle(t), axis) * arm - arm)[i];
+                           }});
+    }
+  }
+}
 
 }  // namespace
 
@@ -70,15 +94,17 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
       for (int i = 0; i < 3; ++i)
         if (move.displacement[i]) {
           motion[n][i] = static_cast<Index>(f.motions.size());
-          f.motions.push_back({n, i, *move.displacement[i]});
+          f.motions.push_back({n, i, [h = *move.displacement[i]](double t) { return h.value(t); }});
         }
     }
+  for (const auto& turn : model.turns()) add_turn(turn, mesh, f, motion);
   for (std::size_t n = 0; n < f.nodes.size(); ++n) {
     auto& node = f.nodes[n];
     for (int i = 0; i < 3; ++i)
       node.equation[i] = motion[n][i] >= 0         ? driven(motion[n][i])
                          : holds[n].translation[i] ? held
                                                    : f.unknowns++;
+    if (node.turn_axis) continue;
     const int lost = holds[n].rotation ? 2 : held_rotations(holds[n].axes, directors[n]);
     if (lost == 1) node.held_axes = holds[n].axes;
     node.equation[3] = lost == 2 ? held : f.unknowns++;

@@ -2,6 +2,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "model/model.hpp"
@@ -16,16 +18,19 @@ inline constexpr Index held = -1;
 inline constexpr Index driven(Index motion) { return -2 - motion; }
 inline constexpr Index motion_of(Index equation) { return -2 - equation; }
 
+// A driven displacement (component 0 to 2, m along the node's frame) or the angle (rad) of a turned director
+// (3 and 4).
 struct DrivenFreedom {
   Index node;
   int component;
-  history::History history;
+  std::function<double(double time)> value;
 };
 
 struct NodeFreedoms {
   std::array<Index, 5> equation{};
   Mat3 frame = Mat3::Identity();  // rows: the directions of u1 u2 u3, global
   bool oblique = false;
+  std::optional<Vec3> turn_axis;  // director driven: d = R(axis, angle) D
   std::vector<Vec3> held_axes;  // rotation axes held, global; empty with both rotations free or held outright
 };
 

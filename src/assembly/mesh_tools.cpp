@@ -43,17 +43,7 @@ std::vector<int> colour(const mesh::Mesh& mesh) {
   return colours;
 }
 
-namespace {
-
-std::vector<double> normalised(std::vector<double> shares) {
-  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
-  for (double& s : shares) s /= total;
-  return shares;
-}
-
-}  // namespace
-
-std::vector<double> tributary_shares(const mesh::Mesh& mesh, const mesh::NodeSet& nodes) {
+Tributary tributary(const mesh::Mesh& mesh, const mesh::NodeSet& nodes) {
   std::map<mesh::Index, std::size_t> where;
   for (std::size_t i = 0; i < nodes.size(); ++i) where[nodes[i]] = i;
   std::vector<double> by_area(nodes.size(), 0.0), by_length(nodes.size(), 0.0);
@@ -66,7 +56,7 @@ std::vector<double> tributary_shares(const mesh::Mesh& mesh, const mesh::NodeSet
       const Vec3 area =
           n == 3 ? (mesh.nodes[e[1]] - mesh.nodes[e[0]]).cross(mesh.nodes[e[2]] - mesh.nodes[e[0]])
                  : (mesh.nodes[e[2]] - mesh.nodes[e[0]]).cross(mesh.nodes[e[3]] - mesh.nodes[e[1]]);
-      for (int a = 0; a < n; ++a) by_area[where[e[a]]] += area.norm();
+      for (int a = 0; a < n; ++a) by_area[where[e[a]]] += area.norm() / 2 / n;
     }
     for (int a = 0; a < n; ++a) {
       const auto [i, j] = std::minmax(e[a], e[(a + 1) % n]);
@@ -77,9 +67,18 @@ std::vector<double> tributary_shares(const mesh::Mesh& mesh, const mesh::NodeSet
       by_length[where[j]] += length;
     }
   }
-  if (has_area) return normalised(by_area);
-  if (has_edges) return normalised(by_length);
-  return std::vector<double>(nodes.size(), 1.0 / static_cast<double>(nodes.size()));
+  Tributary t;
+  if (has_area) {
+    t.measure = std::move(by_area);
+  } else if (has_edges) {
+    t.measure = std::move(by_length);
+    for (double& length : t.measure) length /= 2;
+  } else {
+    t.measure.assign(nodes.size(), 1.0);
+  }
+  t.total = std::accumulate(t.measure.begin(), t.measure.end(), 0.0);
+  t.kind = has_area ? Tributary::Kind::area : has_edges ? Tributary::Kind::length : Tributary::Kind::count;
+  return t;
 }
 
 }  // namespace fabricsh::assembly

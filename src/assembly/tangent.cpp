@@ -124,11 +124,48 @@ void Assembly::scatter_tangent(const Batch& batch, const double* K, solver::Spar
     const auto eq = equations_of(freedoms_, batch.nodes[l]);
     for (int c = 0; c < shell4_dofs; ++c) {
       if (eq[c] >= 0 || eq[c] == held) continue;
-      const double move = lead[motion_of(eq[c])];
+      const double move = lead_of(motion_of(eq[c]), lead);
       for (int r = 0; r < shell4_dofs; ++r)
         if (eq[r] >= 0) product[eq[r]] += k(r, c) * move;
     }
   }
+}
+
+// Increment of a driven freedom: a displacement, or for a turned director its angle times the rate of q1 or
+// q2.
+double Assembly::lead_of(Index motion, std::span<const double> lead) const {
+  const DrivenFreedom& m = freedoms_.motions[motion];
+  if (m.component < 3) return lead[motion];
+  const Eigen::Map<const Vec3> d(std::as_const(*state_).d().data() + 3 * m.node),
+      b1(state_->b1().data() + 3 * m.node);
+  const Vec3 rate = freedoms_.nodes[m.node].turn_axis->cross(d);
+  return lead[motion] * rate.dot(m.component == 3 ? Vec3(b1) : Vec3(d.cross(b1)));
+}
+
+void Assembly::add_load_stiffness(solver::SparseMatrix& K, std::span<const double> lead,
+                                  std::span<double> product) const {
+  const auto add = [&](Index r, Index c, double v) {
+    if (r < 0 || c == held || v == 0) return;
+    if (c < held) {
+      if (!lead.empty()) product[r] += v * lead_of(motion_of(c), lead);
+      return;
+    }
+    const auto first = K.row.begin() + K.column[c], last = K.row.begin() + K.column[c + 1];
+    K.value[std::lower_bound(first, last, r) - K.row.begin()] += v;
+  };
+  const auto on_x = [&](Index a, Index b, const Mat3& k) {
+    const NodeFreedoms &A = freedoms_.nodes[a], &B = freedoms_.nodes[b];
+    const Mat3 turned = A.frame * k * B.frame.transpose();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) add(A.equation[i], B.equation[j], turned(i, j));
+  };
+  const auto on_q = [&](Index a, const Eigen::Matrix2d& k) {
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        add(freedoms_.nodes[a].equation[3 + i], freedoms_.nodes[a].equation[3 + j], k(i, j));
+  };
+  const auto& s = std::as_const(*state_);
+  loads_->add_stiffness(s.x(), s.d(), state_->b1(), on_x, on_q);
 }
 
 bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix* K,
@@ -140,7 +177,10 @@ bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix*
   const auto& section = model_.section();
   Index failed = -1;
   for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
-#pragma omp parallel for schedule(static) reduction(max : failed)
+    // Few batches are done by one thread: waking the others costs more, above all on a busy machine.
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : failed) if (colour_start_[c + 1] - colour_start_[c] >= 16)
     for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
       alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes], f[24 * lanes], k[kEntries * lanes];
       const Batch& batch = batches_[b];
@@ -155,6 +195,9 @@ bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix*
       if (with_tangent) scatter_tangent(batch, k, *K, lead, product);
     }
   }
+  const auto& s = std::as_const(*state_);
+  loads_->add_to_internal(s.x(), s.d(), X_, force_x_, force_d_);
+  if (with_tangent) add_load_stiffness(*K, lead, product);
   failed_element_ = failed;
   return failed < 0;
 }

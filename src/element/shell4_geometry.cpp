@@ -76,7 +76,9 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
                     ", expected a positive number");
       const Vec3 m3 = normal.normalized();
       const Vec3 wanted = warp(sum(s.N, X), m3);
-      const Vec3 m1 = (wanted - wanted.dot(m3) * m3).normalized();
+      const Vec3 along = (wanted - wanted.dot(m3) * m3).normalized();
+      const double angle = section.points[k].angle;
+      const Vec3 m1 = angle == 0 ? along : Vec3(std::cos(angle) * along + std::sin(angle) * m3.cross(along));
       const Vec3 m2 = m3.cross(m1);
       const Vec3 C1 = G2.cross(G3) / J, C2 = G3.cross(G1) / J, C3 = normal / J;
       const double column[8] = {C1.dot(m1), C2.dot(m1), C1.dot(m2), C2.dot(m2),

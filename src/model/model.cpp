@@ -1,5 +1,6 @@
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -31,6 +32,7 @@ void take_word(Freedoms& f, const std::string& word) {
 bool none_given(const Components& c) { return !c[0] && !c[1] && !c[2]; }
 
 section::Section make_section(const card::Card& card, const Options& options) {
+  if (!options.plies.empty()) return section::stacked(options.plies, options.points, options.offset);
   return section::integrated(card, options.thickness.value_or(card.thickness), options.points,
                              options.offset);
 }
@@ -110,6 +112,70 @@ void Model::gravity(const Vec3& acceleration) {
   gravity_ = acceleration;
 }
 
+void Model::moment(const std::string& set, Components total, const Mat3& frame) {
+  check_open("moment");
+  mesh_->set(set);
+  if (none_given(total)) throw Error("moment: expected at least one of x, y, z");
+  moments_.push_back({set, std::move(total), frame});
+}
+
+void Model::traction(const std::string& set, Components intensity, const Mat3& frame) {
+  check_open("traction");
+  mesh_->set(set);
+  if (none_given(intensity)) throw Error("traction: expected at least one of x, y, z");
+  tractions_.push_back({set, std::move(intensity), frame});
+}
+
+void Model::pressure(const std::string& set, History value) {
+  check_open("pressure");
+  if (mesh_->elements_in(mesh_->set(set)).empty())
+    throw Error("pressure: set " + quoted(set) + " holds no whole element");
+  pressures_.push_back({set, std::move(value)});
+}
+
+void Model::spring(const std::string& set, const std::array<double, 3>& stiffness, const Mat3& frame) {
+  check_open("spring");
+  mesh_->set(set);
+  for (const double k : stiffness)
+    if (!(k >= 0) || !std::isfinite(k))
+      throw Error("spring: expected stiffnesses of 0 or more in N/m, got " + std::to_string(k));
+  springs_.push_back({set, stiffness, frame});
+}
+
+void Model::turn(const std::string& set, const Vec3& axis, History angle, std::optional<Vec3> centre) {
+  check_open("turn");
+  mesh_->set(set);
+  if (!(axis.norm() > 0) || !axis.allFinite())
+    throw Error("turn: field 'axis': expected a direction {x, y, z}");
+  turns_.push_back({set, axis.normalized(), std::move(angle), centre});
+}
+
+void Model::symmetry(const std::string& set, int axis) {
+  check_open("symmetry");
+  Freedoms f;
+  f.translation[axis] = true;
+  f.axis = {true, true, true};
+  f.axis[axis] = false;
+  fix(set, f);
+}
+
+std::vector<double> Model::kinks() const {
+  std::vector<double> all;
+  const auto add = [&](const History& h) { all.insert(all.end(), h.kinks().begin(), h.kinks().end()); };
+  const auto add_each = [&](const Components& c) {
+    for (const auto& h : c)
+      if (h) add(*h);
+  };
+  for (const auto& m : motions_) add_each(m.displacement);
+  for (const auto& f : forces_) add_each(f.total);
+  for (const auto& m : moments_) add_each(m.total);
+  for (const auto& t : tractions_) add_each(t.intensity);
+  for (const auto& p : pressures_) add(p.value);
+  for (const auto& t : turns_) add(t.angle);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 namespace {
 
 // What a validation has seen of a node so far, per direction: 0 free, 1 fixed, 2 moved; and by which set.
@@ -163,12 +229,44 @@ void take_motion(Seen& seen, mesh::Index node, const Motion& m) {
 
 }  // namespace
 
+namespace {
+
+void take_turn(Seen& seen, mesh::Index node, const Turn& t) {
+  for (int i = 0; i < 3 && t.centre; ++i) {
+    if (seen.kind[i] != 0)
+      clash(node, std::string(kFreedomNames[i]) + " is " + (seen.kind[i] == 1 ? "fixed" : "moved") +
+                      " (set " + quoted(seen.by[i]) + ") and turned (set " + quoted(t.set) + ")");
+    seen.kind[i] = 2;
+    seen.by[i] = t.set;
+  }
+}
+
+void check_turned_rotations(const mesh::Mesh& mesh, const std::vector<Turn>& turns,
+                            const std::vector<Support>& supports) {
+  std::map<mesh::Index, std::string> turned;
+  for (const auto& t : turns)
+    for (const auto n : mesh.set(t.set))
+      if (const auto [at, fresh] = turned.emplace(n, t.set); !fresh)
+        clash(n, "is turned twice (sets " + quoted(at->second) + " and " + quoted(t.set) + ")");
+  for (const auto& s : supports) {
+    if (!s.fixed.rotation && !s.fixed.axis[0] && !s.fixed.axis[1] && !s.fixed.axis[2]) continue;
+    for (const auto n : mesh.set(s.set))
+      if (turned.contains(n))
+        clash(n, "rotation is fixed (set " + quoted(s.set) + ") and turned (set " + quoted(turned[n]) + ")");
+  }
+}
+
+}  // namespace
+
 void Model::validate() const {
   std::map<mesh::Index, Seen> seen;
+  check_turned_rotations(*mesh_, turns_, supports_);
   for (const auto& s : supports_)
     for (const auto n : mesh_->set(s.set)) take_support(seen[n], n, s);
   for (const auto& m : motions_)
     for (const auto n : mesh_->set(m.set)) take_motion(seen[n], n, m);
+  for (const auto& t : turns_)
+    for (const auto n : mesh_->set(t.set)) take_turn(seen[n], n, t);
   for (const auto& m : motions_)
     for (const auto& h : m.displacement)
       if (h) h->value(0);

@@ -58,11 +58,41 @@ struct Force {
   Mat3 frame;
 };
 
+struct Moment {
+  std::string set;
+  Components total;  // N m about the frame's axes, which stay fixed in space; shared like a force
+  Mat3 frame;
+};
+struct Traction {
+  std::string set;
+  Components intensity;  // dead: N/m^2 of reference area where the set holds whole elements, else N/m of edge
+  Mat3 frame;
+};
+struct Pressure {
+  std::string set;
+  History value;  // Pa, along the shell normal, following the surface
+};
+struct Spring {
+  std::string set;
+  std::array<double, 3>
+      stiffness{};  // N/m along the frame, to ground, total for the set, shared like a force
+  Mat3 frame;
+};
+// Directors, and with a centre the nodes too, turned rigidly about a fixed axis: d = R(angle) D, x = c + R (X
+// - c).
+struct Turn {
+  std::string set;
+  Vec3 axis = Vec3::UnitZ();   // unit
+  History angle;               // degrees
+  std::optional<Vec3> centre;  // m
+};
+
 struct Options {
   std::optional<double> thickness;  // m; wins over the card's
   std::optional<WarpField> warp;    // required unless the mesh is flat
   std::string warp_text;            // for the printed model
   int points = 3;                   // through the thickness, 1 to 9
+  std::vector<section::Ply> plies;  // given: they stand in for the card and the thickness
   double offset = 0;                // reference surface at zeta_bar in [-1, 1] (0: middle surface)
 };
 
@@ -72,11 +102,19 @@ class Model {
   // the law refuses (with its reason).
   Model(std::shared_ptr<mesh::Mesh> mesh, card::Card card, Options options);
 
-  // Errors of all four: unknown set; model already compiled; no component given.
+  // Errors of all: unknown set; model already compiled; no component given.
   void fix(const std::string& set, const Freedoms& fixed, const Mat3& frame = global_frame());
   void move(const std::string& set, Components displacement, const Mat3& frame = global_frame());
   void force(const std::string& set, Components total, const Mat3& frame = global_frame());
   void gravity(const Vec3& acceleration);  // m/s^2
+  void moment(const std::string& set, Components total, const Mat3& frame = global_frame());
+  void traction(const std::string& set, Components intensity, const Mat3& frame = global_frame());
+  void pressure(const std::string& set, History value);
+  void spring(const std::string& set, const std::array<double, 3>& stiffness,
+              const Mat3& frame = global_frame());
+  void turn(const std::string& set, const Vec3& axis, History angle, std::optional<Vec3> centre);
+  void symmetry(const std::string& set,
+                int axis);  // plane normal to axis 0, 1 or 2: that displacement, two rotations
 
   // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at
   // once.
@@ -93,6 +131,13 @@ class Model {
   const std::vector<Motion>& motions() const { return motions_; }
   const std::vector<Force>& forces() const { return forces_; }
   const Vec3& gravity() const { return gravity_; }
+  const std::vector<Moment>& moments() const { return moments_; }
+  const std::vector<Traction>& tractions() const { return tractions_; }
+  const std::vector<Pressure>& pressures() const { return pressures_; }
+  const std::vector<Spring>& springs() const { return springs_; }
+  const std::vector<Turn>& turns() const { return turns_; }
+  // Times on which a step must land: the kinks of every history.
+  std::vector<double> kinks() const;
   // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite,
   // or no direction left after projection.
   Vec3 warp_at(const Vec3& X, const Vec3& n) const;
@@ -107,6 +152,11 @@ class Model {
   std::vector<Support> supports_;
   std::vector<Motion> motions_;
   std::vector<Force> forces_;
+  std::vector<Moment> moments_;
+  std::vector<Traction> tractions_;
+  std::vector<Pressure> pressures_;
+  std::vector<Spring> springs_;
+  std::vector<Turn> turns_;
   Vec3 gravity_ = Vec3::Zero();
   bool sealed_ = false;
 };

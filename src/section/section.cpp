@@ -39,23 +39,60 @@ std::vector<std::pair<double, double>> gauss_legendre(int n) {
   return rule;
 }
 
-Section integrated(const card::Card& card, double thickness, int points, double offset) {
+namespace {
+
+void check(double thickness, double offset) {
   if (!(thickness > 0) || !std::isfinite(thickness))
     throw Error("thickness: expected a positive length in m, got " + std::to_string(thickness));
   if (!(std::abs(offset) <= 1))
     throw Error("offset: expected a number from -1 to 1, got " + std::to_string(offset));
+}
+
+// Adds the points of a ply that lies between zeta = low and zeta = high.
+void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle) {
+  const auto law = fabric::compile(card);
+  s.symmetric = s.symmetric && fabric::symmetric(*law);
+  for (const auto& [zeta, weight] : gauss_legendre(points)) {
+    const double half = (high - low) / 2;
+    s.points.push_back(
+        {(low + high) / 2 + half * zeta, half * weight, angle, card.density, law, s.state_size});
+    s.state_size += fabric::state_size(*law);
+  }
+}
+
+}  // namespace
+
+Section integrated(const card::Card& card, double thickness, int points, double offset) {
+  check(thickness, offset);
   Section s;
   s.thickness = thickness;
   s.offset = offset;
-  s.density = card.density;
   s.areal_mass = card.density * thickness;
   s.bending = card.bending;
-  const auto law = fabric::compile(card);
-  s.symmetric = fabric::symmetric(*law);
-  const auto rule = gauss_legendre(card.bending ? 1 : points);
-  for (const auto& [zeta, weight] : rule) {
-    s.points.push_back({zeta, weight, law, s.state_size});
-    s.state_size += fabric::state_size(*law);
+  add_points(s, card, card.bending ? 1 : points, -1, 1, 0);
+  return s;
+}
+
+Section stacked(const std::vector<Ply>& plies, int points, double offset) {
+  if (plies.empty()) throw Error("layers: expected at least one layer");
+  Section s;
+  for (std::size_t i = 0; i < plies.size(); ++i) {
+    const std::string name = "layers: layer " + std::to_string(i + 1) + ": ";
+    if (!(plies[i].thickness > 0) || !std::isfinite(plies[i].thickness))
+      throw Error(name + "thickness: expected a positive length in m, got " +
+                  std::to_string(plies[i].thickness));
+    if (plies[i].card.bending)
+      throw Error(name + "a card with its own bending rigidity can't be one of several layers");
+    s.thickness += plies[i].thickness;
+    s.areal_mass += plies[i].card.density * plies[i].thickness;
+  }
+  s.offset = offset;
+  check(s.thickness, offset);
+  double low = -1;
+  for (const auto& ply : plies) {
+    const double high = low + 2 * ply.thickness / s.thickness;
+    add_points(s, ply.card, points, low, high, ply.angle * std::numbers::pi / 180);
+    low = high;
   }
   return s;
 }

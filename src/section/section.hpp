@@ -9,9 +9,12 @@
 
 namespace fabricsh::section {
 
-// One integration point: zeta in [-1, 1], Gauss weight (the weights sum to 2), its law.
+// One integration point: zeta in [-1, 1] and weight (the weights sum to 2) over the whole thickness, its law,
+// the angle from the section's warp to its own, its density.
 struct Point {
   double zeta = 0, weight = 2;
+  double angle = 0;    // rad, counter-clockwise about the normal
+  double density = 0;  // kg/m^3
   std::shared_ptr<const fabric::Law> law;
   int state = 0;  // where its state begins within the section's state
 };
@@ -26,6 +29,17 @@ struct Section {
   bool symmetric = true;  // is every tangent symmetric
   std::optional<card::Bending> bending;  // given: one thickness point in the middle, M = B kappa beside it
 };
+
+// One ply of a stack, from the side that the normal leaves to the side that it points to.
+struct Ply {
+  card::Card card;
+  double thickness = 0;  // m
+  double angle = 0;      // degrees from the model's warp direction
+};
+
+// Gauss-Legendre points in every ply. Errors: no ply; a ply of zero thickness (named by its number); a ply
+// whose card carries its own bending; the law's refusals.
+Section stacked(const std::vector<Ply>& plies, int points, double offset);
 
 // Gauss-Legendre points through the thickness (PHYSICS section 6). Errors: the law's refusals; points
 // outside 1..9.

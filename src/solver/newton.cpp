@@ -93,7 +93,8 @@ NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
     const double relative = size == 0 ? 0 : size / scale;
     result.residuals.push_back(relative);
     result.worst = where;
-    if (relative <= options.tolerance || size <= problem.rounding_floor(K_)) return stop(NewtonStatus::converged);
+    if (relative <= options.tolerance || size <= problem.rounding_floor(K_))
+      return stop(NewtonStatus::converged);
     if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
     if (!problem.tangent(K_)) return stop(NewtonStatus::law_failed);
   }

@@ -26,7 +26,8 @@ class Problem {
   virtual bool residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
   virtual bool tangent(SparseMatrix& K) = 0;       // at the trial configuration
   virtual double force_scale() const = 0;          // N: what a residual is measured against
-  // N: the residual that rounding of the coordinates alone makes at this stiffness; none smaller can be asked for.
+  // N: the residual that rounding of the coordinates alone makes at this stiffness; none smaller can be asked
+  // for.
   virtual double rounding_floor(const SparseMatrix& K) const = 0;
 };
 
