@@ -1,4 +1,6 @@
 // fabric.model: supports, motions, loads.
+#include "script/bind_model.hpp"
+
 #include "model/model.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
@@ -8,19 +10,68 @@ namespace fabricsh::script {
 
 using model::Model;
 
-namespace {
-
-Vec3 vector_of(const std::vector<double>& v, const std::string& what) {
+Vec3 read_vector(const std::vector<double>& v, const std::string& what) {
   if (v.size() != 3) throw Error(what + ": expected {x, y, z}, got " + std::to_string(v.size()) + " numbers");
   return {v[0], v[1], v[2]};
 }
+
+Mat3 read_frame(const Call& call) {
+  if (!call.has("options")) return model::global_frame();
+  const Fields options = call.fields("options");
+  if (!options.has("frame")) return model::global_frame();
+  lua_State* L = call.L();
+  options.push("frame");
+  Vec3 axis[2];
+  for (int i = 0; i < 2; ++i) {
+    const Argument row{std::to_string(i + 1), numbers, "", everything, ""};
+    lua_rawgeti(L, -1, i + 1);
+    check_value(L, -1, row, "options.frame.", true);
+    axis[i] = read_vector(read_numbers(L, -1), "argument 'options.frame'");
+    lua_pop(L, 1);
+  }
+  return model::frame_from(axis[0], axis[1]);
+}
+
+int return_self(const Call& call) {
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+model::Components read_components(const Call& call) {
+  model::Components components;
+  const std::string name = last_word(call.entry().name);
+  const Fields given = call.fields("components");
+  const char* const axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (given.push(axes[i]) != LUA_TNIL)
+      components[i] = read_history(call.session(), call.L(), -1, name + ": field '" + axes[i] + "'");
+    lua_pop(call.L(), 1);
+  }
+  return components;
+}
+
+Argument frame_row() {
+  return fields_("options",
+                 {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
+                 "frame = {e1, e2} for oblique directions")
+      .optional();
+}
+
+Argument components_row(const char* unit, const char* sentence) {
+  return fields_("components",
+                 {history_("x", unit, "history along x"), history_("y", unit, "history along y"),
+                  history_("z", unit, "history along z")},
+                 sentence);
+}
+
+namespace {
 
 // A direction on top of the stack: an angle or a vector.
 model::Direction read_direction(lua_State* L, const std::string& what) {
   if (lua_type(L, -1) == LUA_TNUMBER) return lua_tonumber(L, -1);
   if (!lua_istable(L, -1))
     throw Error(what + ": expected an angle in degrees or {x, y, z}, got " + describe(L, -1));
-  return vector_of(read_numbers(L, -1), what);
+  return read_vector(read_numbers(L, -1), what);
 }
 
 model::WarpField warp_function(const Function& f) {
@@ -49,70 +100,69 @@ void read_warp(const Call& call, model::Options& options) {
   options.warp = [direction](const Vec3&) { return direction; };
 }
 
+// One entry of layers={ {card=, warp=, thickness=}, ... }.
+section::Ply read_ply(lua_State* L, const std::vector<Argument>& fields, int number) {
+  const Fields given(L, lua_gettop(L), fields, "layers[" + std::to_string(number) + "].");
+  const auto card = given.object<card::Card>("card");
+  return {*card, given.has("thickness") ? given.number("thickness") : card->thickness,
+          given.has("warp") ? given.number("warp") : 0.0};
+}
+
+std::vector<Argument> layer_fields() {
+  return {object_("card", "card", "the ply's fabric"),
+          number_("warp", "degrees", everything, "from the model's warp direction").optional(),
+          number_("thickness", "m", positive, "wins over the card's").optional()};
+}
+
+void read_layers(const Call& call, model::Options& options) {
+  if (!call.has("layers")) return;
+  lua_State* L = call.L();
+  static const std::vector<Argument> fields = layer_fields();
+  call.push("layers");
+  const auto count = static_cast<int>(lua_rawlen(L, -1));
+  for (int i = 1; i <= count; ++i) {
+    if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
+      call.refuse("layers", "expected a list of tables {card=, warp=, thickness=}, got " + describe(L, -1));
+    options.plies.push_back(read_ply(L, fields, i));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (options.plies.empty()) call.refuse("layers", "expected at least one layer");
+}
+
 int make(Call& call) {
   model::Options options;
+  read_layers(call, options);
+  if (options.plies.empty() == !call.has("card"))
+    call.refuse("card", "expected either a card or layers={ {card=}, ... }");
+  const card::Card card =
+      options.plies.empty() ? *call.object<card::Card>("card") : options.plies.front().card;
   if (call.has("thickness")) options.thickness = call.number("thickness");
   options.points = static_cast<int>(call.integer("points"));
   options.offset = call.number("offset");
   read_warp(call, options);
-  push_object(call.L(), std::make_shared<Model>(call.object<mesh::Mesh>("mesh"),
-                                                *call.object<card::Card>("card"), std::move(options)));
-  return 1;
-}
-
-Mat3 frame_of(const Call& call) {
-  if (!call.has("options")) return model::global_frame();
-  const Fields options = call.fields("options");
-  if (!options.has("frame")) return model::global_frame();
-  lua_State* L = call.L();
-  options.push("frame");
-  Vec3 axis[2];
-  for (int i = 0; i < 2; ++i) {
-    const Argument row{std::to_string(i + 1), numbers, "", everything, ""};
-    lua_rawgeti(L, -1, i + 1);
-    check_value(L, -1, row, "options.frame.", true);
-    axis[i] = vector_of(read_numbers(L, -1), "argument 'options.frame'");
-    lua_pop(L, 1);
-  }
-  return model::frame_from(axis[0], axis[1]);
-}
-
-int chain(const Call& call) {
-  lua_pushvalue(call.L(), 1);
+  push_object(call.L(), std::make_shared<Model>(call.object<mesh::Mesh>("mesh"), card, std::move(options)));
   return 1;
 }
 
 int fix(Call& call) {
-  call.self<Model>()->fix(call.text("set"), model::parse_freedoms(call.text("freedoms")), frame_of(call));
-  return chain(call);
-}
-
-model::Components components_of(const Call& call) {
-  model::Components components;
-  const std::string name = last_word(call.entry().name);
-  const Fields given = call.fields("components");
-  const char* const axes[] = {"x", "y", "z"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (given.push(axes[i]) != LUA_TNIL)
-      components[i] = read_history(call.session(), call.L(), -1, name + ": field '" + axes[i] + "'");
-    lua_pop(call.L(), 1);
-  }
-  return components;
+  call.self<Model>()->fix(call.text("set"), model::parse_freedoms(call.text("freedoms")), read_frame(call));
+  return return_self(call);
 }
 
 int move(Call& call) {
-  call.self<Model>()->move(call.text("set"), components_of(call), frame_of(call));
-  return chain(call);
+  call.self<Model>()->move(call.text("set"), read_components(call), read_frame(call));
+  return return_self(call);
 }
 
 int force(Call& call) {
-  call.self<Model>()->force(call.text("set"), components_of(call), frame_of(call));
-  return chain(call);
+  call.self<Model>()->force(call.text("set"), read_components(call), read_frame(call));
+  return return_self(call);
 }
 
 int gravity(Call& call) {
-  call.self<Model>()->gravity(vector_of(call.numbers("acceleration"), "argument 'acceleration'"));
-  return chain(call);
+  call.self<Model>()->gravity(read_vector(call.numbers("acceleration"), "argument 'acceleration'"));
+  return return_self(call);
 }
 
 int thickness(Call& call) {
@@ -133,20 +183,6 @@ int model_text(lua_State* L) {
 
 Argument set_row() { return value_("set", text, "name of a node set"); }
 
-Argument frame_row() {
-  return fields_("options",
-                 {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
-                 "frame = {e1, e2} for oblique directions")
-      .optional();
-}
-
-Argument components_row(const char* unit, const char* sentence) {
-  return fields_("components",
-                 {history_("x", unit, "history along x"), history_("y", unit, "history along y"),
-                  history_("z", unit, "history along z")},
-                 sentence);
-}
-
 std::vector<Entry> rows() {
   const std::string sample =
       "local fabric = require 'fabric'\n"
@@ -155,7 +191,9 @@ std::vector<Entry> rows() {
   return {
       {"fabric.model",
        Style::fields,
-       {object_("mesh", "mesh", "the surface"), object_("card", "card", "the fabric"),
+       {object_("mesh", "mesh", "the surface"), object_("card", "card", "the fabric").optional(),
+        value_("layers", table, "{ {card=, warp=, thickness=}, ... }: plies from below, in place of a card")
+            .optional(),
         number_("thickness", "m", positive, "wins over the card's; mass per area follows")
             .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
             .optional(),
@@ -218,6 +256,7 @@ std::vector<Entry> rows() {
 
 void bind_model(Session& session) {
   install(session, rows());
+  bind_loads(session);
   set_meta(session, "model", "__tostring", model_text);
 }
 

@@ -1,0 +1,133 @@
+// fabric.model's loads and supports beyond fix, move and force: moment, traction, pressure, spring, turn,
+// symmetry; plies.
+#include "model/model.hpp"
+#include "script/bind.hpp"
+#include "script/bind_model.hpp"
+#include "script/bind_run.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+
+namespace {
+
+int moment(Call& call) {
+  call.self<Model>()->moment(call.text("set"), read_components(call), read_frame(call));
+  return return_self(call);
+}
+
+int traction(Call& call) {
+  call.self<Model>()->traction(call.text("set"), read_components(call), read_frame(call));
+  return return_self(call);
+}
+
+int pressure(Call& call) {
+  lua_State* L = call.L();
+  call.push("value");
+  model::History value = read_history(call.session(), L, -1, "pressure: argument 'value'");
+  lua_pop(L, 1);
+  call.self<Model>()->pressure(call.has("set") ? call.text("set") : "all", std::move(value));
+  return return_self(call);
+}
+
+int spring(Call& call) {
+  const Fields given = call.fields("stiffness");
+  std::array<double, 3> k{};
+  const char* const axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (given.has(axes[i])) k[i] = given.number(axes[i]);
+  call.self<Model>()->spring(call.text("set"), k, read_frame(call));
+  return return_self(call);
+}
+
+int turn(Call& call) {
+  const Fields given = call.fields("motion");
+  const Vec3 axis = read_vector(given.numbers("axis"), "turn: field 'axis'");
+  std::optional<Vec3> centre;
+  if (given.has("centre")) centre = read_vector(given.numbers("centre"), "turn: field 'centre'");
+  given.push("angle");
+  model::History angle = read_history(call.session(), call.L(), -1, "turn: field 'angle'");
+  lua_pop(call.L(), 1);
+  call.self<Model>()->turn(call.text("set"), axis, std::move(angle), centre);
+  return return_self(call);
+}
+
+int symmetry(Call& call) {
+  const std::string axis = call.text("normal");
+  if (axis != "x" && axis != "y" && axis != "z")
+    throw Error("symmetry: argument 'normal': expected \"x\", \"y\" or \"z\", got \"" + axis + "\"");
+  call.self<Model>()->symmetry(call.text("set"), axis[0] - 'x');
+  return return_self(call);
+}
+
+Argument set_row() { return value_("set", text, "name of a node set"); }
+
+std::vector<Entry> rows() {
+  const std::string sample =
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+      "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
+  return {
+      {"model:moment",
+       Style::positional,
+       {set_row(),
+        components_row("N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space"),
+        frame_row()},
+       "Loads the directors of a node set with a moment, shared by length or area.",
+       sample + "m:moment('top', { x=fabric.ramp(1e-3, 1) })",
+       moment},
+      {"model:traction",
+       Style::positional,
+       {set_row(),
+        components_row("N/m^2 | N/m",
+                       "{x=, y=, z=}: per area where the set holds whole elements, else per edge length"),
+        frame_row()},
+       "Loads a node set with a dead traction on its reference area, or a line load on its reference edges.",
+       sample + "m:traction('top', { y=100 })",
+       traction},
+      {"model:pressure",
+       Style::positional,
+       {history_("value", "Pa", "pressure, positive along the shell normal"),
+        value_("set", text, "name of a node set; the elements all of whose nodes are in it").or_else("all")},
+       "Loads elements with a pressure that follows the surface (its load stiffness is in the tangent).",
+       sample + "m:pressure(fabric.ramp(50, 1))",
+       pressure},
+      {"model:spring",
+       Style::positional,
+       {set_row(),
+        fields_("stiffness",
+                {number_("x", "N/m", not_negative, "along x").optional(),
+                 number_("y", "N/m", not_negative, "along y").optional(),
+                 number_("z", "N/m", not_negative, "along z").optional()},
+                "{x=, y=, z=}: the total stiffness to ground, shared by length or area"),
+        frame_row()},
+       "Ties a node set to its reference position by springs.",
+       sample + "m:spring('top', { x=1000 })",
+       spring},
+      {"model:turn",
+       Style::positional,
+       {set_row(),
+        fields_("motion",
+                {value_("axis", numbers, "{x, y, z}: direction of the axis"),
+                 history_("angle", "degrees", "angle about the axis"),
+                 value_("centre", numbers, "{x, y, z}, m: with it the nodes turn about this point too")
+                     .optional()},
+                "{axis=, angle=, centre=}")},
+       "Turns the directors of a node set rigidly, and with a centre the nodes too: a rotating grip.",
+       sample + "m:turn('top', { axis={1,0,0}, angle=fabric.ramp(90, 1) })",
+       turn},
+      {"model:symmetry",
+       Style::positional,
+       {set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},
+       "Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out "
+       "of the plane.",
+       sample + "m:symmetry('left', 'x')",
+       symmetry},
+  };
+}
+
+}  // namespace
+
+void bind_loads(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,16 @@
+// What the bindings of a model share: components, frames, directions read from a call.
+#pragma once
+#include "model/model.hpp"
+#include "script/call.hpp"
+
+namespace fabricsh::script {
+
+Vec3 read_vector(const std::vector<double>& v, const std::string& what);  // Error unless three numbers
+model::Components read_components(const Call& call);                      // of argument "components"
+Mat3 read_frame(const Call& call);  // of argument "options", field frame
+Argument components_row(const char* unit, const char* sentence);
+Argument frame_row();
+int return_self(const Call& call);  // methods of a model can be chained
+void bind_loads(Session& session);
+
+}  // namespace fabricsh::script

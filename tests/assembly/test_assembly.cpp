@@ -1,0 +1,197 @@
+#include <omp.h>
+
+#include <random>
+
+#include "assembly/assembly.hpp"
+#include "catch.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+
+namespace {
+
+card::Card svk() {
+  card::Card c;
+  c.name = "svk";
+  c.density = 590;
+  c.thickness = 0.38e-3;
+  c.law = card::Svk{8e6, 37e6, 2e6, 0.25, 0.42, {}, {}};
+  return c;
+}
+
+model::Components along_x(double value) {
+  model::Components c;
+  c[0] = history::History::constant(value);
+  return c;
+}
+
+// A warped sheet with every kind of load and support that has a stiffness or a frame.
+std::shared_ptr<model::Model> loaded_sheet(const std::function<void(model::Model&)>& load,
+                                           double offset = 0) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.03, 0.03, 3, 3));
+  mesh->map(
+      [](const Vec3& X) { return Vec3(X.x(), X.y(), 0.004 * std::sin(150 * X.x()) * std::cos(90 * X.y())); });
+  model::Options options;
+  options.offset = offset;
+  options.warp = [](const Vec3&) { return model::Direction(20.0); };
+  auto m = std::make_shared<model::Model>(mesh, svk(), options);
+  load(*m);
+  return m;
+}
+
+// Residual of the unknowns at a step from the sheet's reference.
+std::vector<double> residual_at(assembly::Assembly& a, const std::vector<double>& step, double scale) {
+  a.state().rollback();
+  a.begin_iterate();
+  a.retract(step, scale, a.targets(0));
+  REQUIRE(a.forces(fabric::AtSwitch::loading));
+  std::vector<double> external, r(a.unknowns());
+  a.external(0, external);
+  a.residual(external, r);
+  return r;
+}
+
+// Compares K with differences of the residual about a displaced configuration. Returns the errors for three
+// step sizes.
+std::vector<double> tangent_errors(assembly::Assembly& a) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto n = static_cast<std::size_t>(a.unknowns());
+  std::vector<bool> turns(n, false);
+  for (const auto& node : a.freedoms().nodes)
+    for (int i = 3; i < 5; ++i)
+      if (node.equation[i] >= 0) turns[node.equation[i]] = true;
+  std::vector<double> start(n), direction(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    start[i] = number(random) * (turns[i] ? 0.05 : 2e-4);
+    direction[i] = number(random) * (turns[i] ? 1 : 0.01);
+  }
+  a.retract(start, 1, a.targets(0));
+  a.state().commit(0);
+  a.begin_iterate();
+  solver::SparseMatrix K = a.pattern();
+  REQUIRE(a.tangent(fabric::AtSwitch::loading, K, {}, {}));
+  std::vector<double> product(n, 0);
+  for (std::size_t c = 0; c < n; ++c)
+    for (auto k = K.column[c]; k < K.column[c + 1]; ++k) product[K.row[k]] += K.value[k] * direction[c];
+  std::vector<double> errors;
+  for (const double h : {1e-4, 1e-5}) {
+    const auto up = residual_at(a, direction, h), down = residual_at(a, direction, -h);
+    double worst[2] = {0, 0}, scale[2] = {0, 0};
+    for (std::size_t i = 0; i < n; ++i) {
+      const double want = -(up[i] - down[i]) / (2 * h);
+      worst[turns[i]] = std::max(worst[turns[i]], std::abs(product[i] - want));
+      scale[turns[i]] = std::max(scale[turns[i]], std::abs(product[i]));
+    }
+    errors.push_back(std::max(worst[0] / scale[0], worst[1] / scale[1]));
+  }
+  return errors;
+}
+
+}  // namespace
+
+TEST_CASE("the assembled tangent is the derivative of the residual, with every kind of load") {
+  const Mat3 frame = model::frame_from(Vec3(1, 0.5, 0.2), Vec3(0, 1, -0.3));
+  const std::pair<const char*, std::function<void(model::Model&)>> loads[] = {
+      {"none", [](model::Model&) {}},
+      {"pressure", [](model::Model& m) { m.pressure("all", history::History::constant(2e5)); }},
+      {"moment",
+       [](model::Model& m) {
+         m.moment("right", along_x(0.3), model::frame_from(Vec3(1, 2, 3), Vec3(0, 1, 0)));
+       }},
+      {"spring",
+       [&](model::Model& m) {
+         m.spring("top", {1e5, 2e5, 3e5}, frame);
+       }},
+      {"oblique support", [&](model::Model& m) { m.fix("left", model::parse_freedoms("x z ry"), frame); }},
+      {"symmetry", [](model::Model& m) { m.symmetry("left", 0); }},
+      {"driven", [&](model::Model& m) { m.move("left", along_x(0), frame); }},
+  };
+  for (const auto& [name, load] : loads) {
+    const auto m = loaded_sheet(load);
+    assembly::Assembly a(*m);
+    const auto errors = tangent_errors(a);
+    INFO(name << ": " << errors[0] << " " << errors[1]);
+    CHECK(errors[1] < 1e-6);  // residual differences: rounding of 1e-16 over 1e-5, times the stiffness ratio
+    CHECK(errors[0] < 1e-4);
+  }
+  // Gravity off the middle surface loads the directors; strong enough here to be seen.
+  const auto m = loaded_sheet([](model::Model& sheet) { sheet.gravity({3e5, -1e6, 2e6}); }, 0.8);
+  assembly::Assembly a(*m);
+  CHECK(tangent_errors(a)[1] < 1e-6);
+}
+
+TEST_CASE("pressure pushes along the normal: the resultant on a flat sheet is p times its area") {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.2, 0.1, 4, 3));
+  model::Model m(mesh, svk(), {});
+  m.pressure("all", history::History::constant(50));
+  assembly::Assembly a(m);
+  std::vector<double> f;
+  a.follower(0, f);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < f.size(); i += 3) sum += Vec3(f[i], f[i + 1], f[i + 2]);
+  CHECK((sum - Vec3(0, 0, 50 * 0.02)).norm() < 1e-14);
+}
+
+TEST_CASE("loads are shared by area, by length, equally, or taken whole") {
+  const auto mesh = mesh::rectangle(1, 1, 2, 2);
+  const auto area = assembly::tributary(mesh, mesh.set("all"));
+  CHECK(area.kind == assembly::Tributary::Kind::area);
+  CHECK(area.total == Approx(1).epsilon(1e-14));
+  CHECK(area.measure[4] == Approx(0.25).epsilon(1e-14));
+  const auto edge = assembly::tributary(mesh, mesh.set("left"));
+  CHECK(edge.kind == assembly::Tributary::Kind::length);
+  CHECK(edge.measure == std::vector<double>{0.25, 0.5, 0.25});
+  CHECK(assembly::tributary(mesh, {0, 8}).kind == assembly::Tributary::Kind::count);
+}
+
+TEST_CASE("plies: one card cut in three layers is that card; a crossed ply turns the axes") {
+  const auto card = svk();
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, 1, 1));
+  const auto stretch = [&](std::vector<section::Ply> plies) {
+    model::Options options;
+    options.plies = std::move(plies);
+    model::Model m(mesh, card, options);
+    assembly::Assembly a(m);
+    std::vector<double> step(a.unknowns(), 0.0);
+    for (std::size_t i = 0; i < mesh->nodes.size(); ++i)
+      step[a.freedoms().nodes[i].equation[0]] = 1e-3 * mesh->nodes[i].x();
+    a.retract(step, 1, {});
+    REQUIRE(a.forces(fabric::AtSwitch::loading));
+    double pull = 0;
+    for (const auto n : mesh->set("right")) pull += a.internal_on_x()[3 * n];
+    return pull;
+  };
+  const double t = card.thickness;
+  const double whole = stretch({{card, t, 0}}),
+               parts = stretch({{card, 0.2 * t, 0}, {card, 0.5 * t, 0}, {card, 0.3 * t, 0}});
+  CHECK(std::abs(parts / whole - 1) < 1e-13);
+  const double crossed = stretch({{card, t, 90}}), both = stretch({{card, t / 2, 0}, {card, t / 2, 90}});
+  CHECK(std::abs(crossed / whole / (37.0 / 8) - 1) < 1e-12);  // E2 / E1: both lateral strains are held
+  CHECK(std::abs(both / ((whole + crossed) / 2) - 1) < 1e-12);
+  CHECK_THROWS_WITH(section::stacked({{card, t, 0}, {card, 0, 0}}, 3, 0),
+                    "layers: layer 2: thickness: expected a positive length in m, got 0.000000");
+}
+
+TEST_CASE("forces and tangent have the same bits for one, two and four threads") {
+  const auto make = [](int threads) {
+    omp_set_num_threads(threads);
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, 40, 40));
+    model::Model m(mesh, test::blend(), {});
+    assembly::Assembly a(m);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(-1e-3, 1e-3);
+    std::vector<double> step(a.unknowns());
+    for (double& s : step) s = number(random);
+    a.retract(step, 1, {});
+    solver::SparseMatrix K = a.pattern();
+    REQUIRE(a.tangent(fabric::AtSwitch::loading, K, {}, {}));
+    std::vector<double> all = K.value;
+    all.insert(all.end(), a.internal_on_x().begin(), a.internal_on_x().end());
+    return all;
+  };
+  const auto one = make(1);
+  CHECK(one == make(2));
+  CHECK(one == make(4));
+  omp_set_num_threads(omp_get_num_procs());
+}
