@@ -1,41 +1,22 @@
-#include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "base/error.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/lattice.hpp"
 
 namespace fabricsh::mesh {
 
 namespace {
 
-constexpr Index most_cells = 1'000'000'000;
-
-void check_size(const char* field, double size) {
-  if (std::isfinite(size) && size > 0) return;
-  char got[32];
-  std::snprintf(got, sizeof got, "%.10g", size);
-  throw Error(std::string("rectangle: field '") + field + "': expected a positive length, m, got " + got);
-}
-
-void check_cells(const char* field, Index cells) {
-  if (cells >= 1 && cells <= most_cells) return;
-  throw Error(std::string("rectangle: field '") + field + "': expected a count from 1 to " +
-              std::to_string(most_cells) + ", got " + std::to_string(cells));
-}
-
 void check(double width, double height, Index nx, Index ny, const Vec3& origin) {
-  check_size("width", width);
-  check_size("height", height);
-  check_cells("nx", nx);
-  check_cells("ny", ny);
-  if (nx > most_cells / ny)
-    throw Error("rectangle: nx * ny: expected at most " + std::to_string(most_cells) + " cells, got " +
-                std::to_string(nx) + " x " + std::to_string(ny));
+  check_length("rectangle", "width", width);
+  check_length("rectangle", "height", height);
+  check_count("rectangle", "nx", nx);
+  check_count("rectangle", "ny", ny);
+  check_product("rectangle", "nx * ny", nx, ny);
   if (!origin.allFinite()) throw Error("rectangle: field 'origin': expected finite coordinates, m");
 }
 
-void add_sets(Mesh& mesh, Index nx, Index ny) {
+void name_sides(Mesh& mesh, Index nx, Index ny) {
   NodeSet left, right, bottom, top, boundary, all;
   for (Index j = 0; j <= ny; ++j)
     for (Index i = 0; i <= nx; ++i) {
@@ -56,19 +37,9 @@ void add_sets(Mesh& mesh, Index nx, Index ny) {
 
 Mesh rectangle(double width, double height, Index nx, Index ny, const Vec3& origin) {
   check(width, height, nx, ny, origin);
-  Mesh mesh;
-  mesh.nodes.reserve(static_cast<std::size_t>((nx + 1) * (ny + 1)));
-  mesh.elements.reserve(static_cast<std::size_t>(nx * ny));
-  for (Index j = 0; j <= ny; ++j)
-    for (Index i = 0; i <= nx; ++i)
-      mesh.nodes.push_back(origin + Vec3(width * (static_cast<double>(i) / static_cast<double>(nx)),
-                                         height * (static_cast<double>(j) / static_cast<double>(ny)), 0.0));
-  for (Index j = 0; j < ny; ++j)
-    for (Index i = 0; i < nx; ++i) {
-      const Index first = j * (nx + 1) + i;
-      mesh.elements.push_back({first, first + 1, first + nx + 2, first + nx + 1});
-    }
-  add_sets(mesh, nx, ny);
+  Mesh mesh = fill(Lattice{nx, ny},
+                   [&](double u, double v) -> Vec3 { return origin + Vec3(width * u, height * v, 0); });
+  name_sides(mesh, nx, ny);
   mesh.flat = true;
   mesh.origin = "rectangle " + std::to_string(nx) + "x" + std::to_string(ny);
   return mesh;

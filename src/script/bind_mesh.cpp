@@ -1,5 +1,6 @@
-// fabric.mesh.*: generators, sets, and nodes and elements to read.
-#include "script/bind.hpp"
+// fabric.mesh.rectangle; sets, and nodes and elements to read.
+#include "script/bind_mesh.hpp"
+
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -264,6 +265,7 @@ std::vector<Entry> rows() {
 
 void bind_mesh(Session& session) {
   install(session, rows());
+  install(session, mesh_generator_rows());
   set_meta(session, "mesh", "__tostring", mesh_text);
   set_meta(session, "nodes", "__len", node_count);
   set_meta(session, "nodes", "__index", node_at);

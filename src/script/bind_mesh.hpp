@@ -1,0 +1,9 @@
+// The rows of fabric.mesh.*, in parts.
+#pragma once
+#include "script/bind.hpp"
+
+namespace fabricsh::script {
+
+std::vector<Entry> mesh_generator_rows();
+
+}  // namespace fabricsh::script

@@ -1,0 +1,28 @@
+-- The generators from a deck's side: sets, wrong fields, and a disk that needs no warp direction.
+local fabric = require "fabric"
+
+local function refused(part, f, ...)
+  local ok, why = pcall(f, ...)
+  assert(not ok and tostring(why):find(part, 1, true), tostring(why))
+end
+
+local disk = fabric.mesh.disk{ radius = 0.05, cells = 4 }
+assert(#disk.nodes == 25 + 2 * 16 and #disk:set "centre" == 1)
+local x = disk.nodes[disk:set("centre")[1]]
+assert(math.abs(x[1]) < 1e-15 and math.abs(x[2]) < 1e-15 and x[3] == 0)
+fabric.model{ mesh = disk, card = fabric.card "blend" }
+
+local sleeve = fabric.mesh.cylinder{ radius = 0.04, length = 0.2, around = 12, along = 4 }
+assert(#sleeve:set "bottom" == 12 and #sleeve:set "seam" == 5)
+refused("warp", fabric.model, { mesh = sleeve, card = fabric.card "blend" })
+
+local shell = fabric.mesh.hemisphere{ radius = 10, hole = 18, around = 4, along = 4 }
+assert(#shell:set "start" == 5 and #shell:set "end" == 5)
+assert(#fabric.mesh.annulus{ inner = 1, outer = 2, around = 8, across = 2, angle = 180 }:set "inner" == 9)
+
+refused("unknown field 'radios', did you mean 'radius'?", fabric.mesh.disk, { radios = 1, cells = 2 })
+refused("disk: field 'rings': expected an integer of at least 1, got 0", fabric.mesh.disk, { radius = 1, cells = 2, rings = 0 })
+refused("annulus: field 'outer'", fabric.mesh.annulus, { inner = 1, outer = 1, around = 3, across = 1 })
+refused("hemisphere: field 'hole': expected a number above 0 to below 90 in degrees, got 90", fabric.mesh.hemisphere,
+  { radius = 1, hole = 90, around = 3, along = 1 })
+refused("cylinder: field 'angle'", fabric.mesh.cylinder, { radius = 1, length = 1, around = 3, along = 1, angle = 0 })
