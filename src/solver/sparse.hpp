@@ -21,6 +21,7 @@ struct LinearReport {
   bool singular = false;
   double reciprocal_condition = 0;  // rough estimate: smallest over largest pivot
   Index fill = 0;                   // entries of the factors
+  Index negative_pivots = 0;  // of a symmetric matrix: its negative eigenvalues (Sylvester's law of inertia)
 };
 
 // Direct solver. The symbolic phase runs once per pattern (analyse), the numeric one per matrix (factorise).
@@ -34,7 +35,16 @@ class LinearSolver {
   virtual LinearReport report() const = 0;
 };
 
+// What keeps the factors sparse. automatic: AMD for small matrices, METIS for large ones, by measurement
+// (tests/bench/bench_solver.cpp).
+enum class Ordering { automatic, amd, metis };
+
 // UMFPACK with the symmetric-pattern strategy: unsymmetric values. BLAS is held to one thread.
-std::unique_ptr<LinearSolver> make_unsymmetric_solver();
+std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering = Ordering::automatic);
+
+// Supernodal Cholesky (CHOLMOD), which reads the lower triangle alone. A matrix that is not positive definite
+// goes to the unsymmetric solver, which counts its negative pivots; so do the ones after it, until one has
+// none.
+std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering = Ordering::automatic);
 
 }  // namespace fabricsh::solver

@@ -1,5 +1,6 @@
 #include <umfpack.h>
 
+#include "solver/ordering.hpp"
 #include "solver/sparse.hpp"
 
 extern "C" void openblas_set_num_threads(int);
@@ -17,12 +18,11 @@ const SuiteSparse_long* as_long(const std::vector<Index>& v) {
 
 class Umfpack final : public LinearSolver {
  public:
-  Umfpack() {
+  explicit Umfpack(Ordering ordering) : ordering_(ordering) {
     openblas_set_num_threads(
         1);  // two BLAS threads are slower than one here, and sums must not depend on them
     umfpack_dl_defaults(control_);
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
-    control_[UMFPACK_ORDERING] = UMFPACK_ORDERING_AMD;
   }
   Umfpack(const Umfpack&) = delete;
   Umfpack& operator=(const Umfpack&) = delete;
@@ -30,6 +30,7 @@ class Umfpack final : public LinearSolver {
 
   bool analyse(const SparseMatrix& A) override {
     clear(true);
+    control_[UMFPACK_ORDERING] = use_metis(ordering_, A.size) ? UMFPACK_ORDERING_METIS : UMFPACK_ORDERING_AMD;
     return umfpack_dl_symbolic(A.size, A.size, as_long(A.column), as_long(A.row), nullptr, &symbolic_,
                                control_, info_) == UMFPACK_OK;
   }
@@ -42,6 +43,7 @@ class Umfpack final : public LinearSolver {
     report_.singular = status != UMFPACK_OK;
     report_.reciprocal_condition = info_[UMFPACK_RCOND];
     report_.fill = static_cast<Index>(info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ]);
+    report_.negative_pivots = status == UMFPACK_OK ? count_negative(A.size) : 0;
     return status == UMFPACK_OK;
   }
 
@@ -58,6 +60,31 @@ class Umfpack final : public LinearSolver {
     if (numeric_ != nullptr) umfpack_dl_free_numeric(&numeric_);
     if (symbolic && symbolic_ != nullptr) umfpack_dl_free_symbolic(&symbolic_);
   }
+  // Signs on the diagonal of U. Pivots off the diagonal of the matrix come in cycles of rows and columns,
+  // each of which counts once where its determinant is negative (a 2 x 2 pivot has one eigenvalue of each
+  // sign).
+  Index count_negative(Index n) const {
+    std::vector<SuiteSparse_long> P(n), Q(n), place(n);
+    std::vector<double> D(n);
+    SuiteSparse_long reciprocal = 0;
+    if (umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, P.data(), Q.data(),
+                               D.data(), &reciprocal, nullptr, numeric_) != UMFPACK_OK)
+      return 0;
+    for (Index k = 0; k < n; ++k) place[P[k]] = k;
+    std::vector<bool> seen(n, false);
+    Index count = 0;
+    for (Index k = 0; k < n; ++k) {
+      bool negative = false;
+      for (Index i = k; !seen[i]; i = place[Q[i]]) {
+        seen[i] = true;
+        if ((D[i] < 0) != (i != k)) negative = !negative;
+      }
+      if (negative) ++count;
+    }
+    return count;
+  }
+
+  Ordering ordering_;
   double control_[UMFPACK_CONTROL], info_[UMFPACK_INFO];
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
@@ -66,6 +93,8 @@ class Umfpack final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_unsymmetric_solver() { return std::make_unique<Umfpack>(); }
+std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering) {
+  return std::make_unique<Umfpack>(ordering);
+}
 
 }  // namespace fabricsh::solver

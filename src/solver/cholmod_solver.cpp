@@ -1,0 +1,120 @@
+#include <cholmod.h>
+
+#include <algorithm>
+
+#include "solver/ordering.hpp"
+#include "solver/sparse.hpp"
+
+extern "C" void openblas_set_num_threads(int);
+
+namespace fabricsh::solver {
+
+namespace {
+
+// CHOLMOD's view of our arrays; it reads them only.
+template <class T>
+T* writable(const std::vector<T>& v) {
+  return const_cast<T*>(v.data());
+}
+
+class Cholmod final : public LinearSolver {
+ public:
+  explicit Cholmod(Ordering ordering) : ordering_(ordering) {
+    openblas_set_num_threads(1);  // as for UMFPACK: sums must not depend on the threads
+    cholmod_l_start(&common_);
+    common_.print = 0;
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+    common_.final_ll = 1;
+    common_.nmethods = 1;
+  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+  ~Cholmod() override {
+    if (L_ != nullptr) cholmod_l_free_factor(&L_, &common_);
+    for (cholmod_dense** v : {&X_, &Y_, &E_})
+      if (*v != nullptr) cholmod_l_free_dense(v, &common_);
+    cholmod_l_finish(&common_);
+  }
+
+  bool analyse(const SparseMatrix& A) override {
+    if (L_ != nullptr) cholmod_l_free_factor(&L_, &common_);
+    by_general_ = false;
+    general_.reset();
+    common_.method[0].ordering = use_metis(ordering_, A.size) ? CHOLMOD_METIS : CHOLMOD_AMD;
+    cholmod_sparse view = lower(A);
+    L_ = cholmod_l_analyze(&view, &common_);
+    return L_ != nullptr;
+  }
+
+  bool factorise(const SparseMatrix& A) override {
+    if (L_ == nullptr) return false;
+    const bool try_cholesky = !by_general_ || report_.negative_pivots == 0;
+    by_general_ = !(try_cholesky && cholesky(A));
+    if (!by_general_) return true;
+    if (!general_) {
+      general_ = make_unsymmetric_solver(ordering_);
+      if (!general_->analyse(A)) return false;
+    }
+    const bool done = general_->factorise(A);
+    report_ = general_->report();
+    return done;
+  }
+
+  bool solve(const SparseMatrix& A, std::span<const double> b, std::span<double> x) override {
+    if (by_general_) return general_->solve(A, b, x);
+    cholmod_dense rhs{};
+    rhs.nrow = rhs.d = rhs.nzmax = b.size();
+    rhs.ncol = 1;
+    rhs.x = const_cast<double*>(b.data());
+    rhs.xtype = CHOLMOD_REAL;
+    rhs.dtype = CHOLMOD_DOUBLE;
+    if (!cholmod_l_solve2(CHOLMOD_A, L_, &rhs, nullptr, &X_, nullptr, &Y_, &E_, &common_)) return false;
+    const double* result = static_cast<const double*>(X_->x);
+    std::copy(result, result + b.size(), x.begin());
+    return true;
+  }
+
+  LinearReport report() const override { return report_; }
+
+ private:
+  static cholmod_sparse lower(const SparseMatrix& A) {
+    cholmod_sparse view{};
+    view.nrow = view.ncol = A.size;
+    view.nzmax = A.row.size();
+    view.p = writable(A.column);
+    view.i = writable(A.row);
+    view.x = writable(A.value);
+    view.stype = -1;  // symmetric, the lower triangle is read
+    view.itype = CHOLMOD_LONG;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = view.packed = 1;
+    return view;
+  }
+
+  bool cholesky(const SparseMatrix& A) {
+    cholmod_sparse view = lower(A);
+    const bool done = cholmod_l_factorize(&view, L_, &common_) && common_.status == CHOLMOD_OK;
+    report_ = {};
+    if (!done) return false;
+    report_.reciprocal_condition = cholmod_l_rcond(L_, &common_);
+    report_.fill = static_cast<Index>(L_->xsize);
+    return true;
+  }
+
+  Ordering ordering_;
+  cholmod_common common_;
+  cholmod_factor* L_ = nullptr;
+  cholmod_dense *X_ = nullptr, *Y_ = nullptr, *E_ = nullptr;  // solve's workspace
+  std::unique_ptr<LinearSolver> general_;                     // made when the first indefinite matrix comes
+  bool by_general_ = false;                                   // the last matrix was factorised by it
+  LinearReport report_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering) {
+  return std::make_unique<Cholmod>(ordering);
+}
+
+}  // namespace fabricsh::solver

@@ -1,0 +1,115 @@
+// The direct solvers on matrices whose solution and inertia are known.
+#include <cmath>
+#include <numbers>
+
+#include "catch.hpp"
+#include "solver/sparse.hpp"
+
+using namespace fabricsh::solver;
+
+namespace {
+
+// Five-point Laplacian on an n x n grid minus `shift` on the diagonal; its eigenvalues are
+// 4 - 2 cos(i h) - 2 cos(j h) - shift, h = pi / (n + 1).
+SparseMatrix laplacian(Index n, double shift, double skew = 0) {
+  SparseMatrix A;
+  A.size = n * n;
+  A.column = {0};
+  const auto add = [&](Index row, double value) {
+    A.row.push_back(row);
+    A.value.push_back(value);
+  };
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const Index c = j * n + i;
+      if (j > 0) add(c - n, -1 - skew);
+      if (i > 0) add(c - 1, -1 - skew);
+      add(c, 4 - shift);
+      if (i + 1 < n) add(c + 1, -1 + skew);
+      if (j + 1 < n) add(c + n, -1 + skew);
+      A.column.push_back(static_cast<Index>(A.row.size()));
+    }
+  return A;
+}
+
+Index negative_eigenvalues(Index n, double shift) {
+  const double h = std::numbers::pi / static_cast<double>(n + 1);
+  Index count = 0;
+  for (Index i = 1; i <= n; ++i)
+    for (Index j = 1; j <= n; ++j)
+      if (4 - 2 * std::cos(i * h) - 2 * std::cos(j * h) < shift) ++count;
+  return count;
+}
+
+// Largest error of the solution of A x = A x0.
+double error(LinearSolver& solver, const SparseMatrix& A) {
+  std::vector<double> x0(A.size), b(A.size, 0), x(A.size);
+  for (Index i = 0; i < A.size; ++i) x0[i] = std::sin(1.0 + static_cast<double>(i));
+  for (Index c = 0; c < A.size; ++c)
+    for (Index k = A.column[c]; k < A.column[c + 1]; ++k) b[A.row[k]] += A.value[k] * x0[c];
+  REQUIRE(solver.factorise(A));
+  REQUIRE(solver.solve(A, b, x));
+  double worst = 0;
+  for (Index i = 0; i < A.size; ++i) worst = std::max(worst, std::abs(x[i] - x0[i]));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("both solvers solve a definite matrix, in either ordering") {
+  const auto A = laplacian(30, 0);
+  for (const auto make : {make_symmetric_solver, make_unsymmetric_solver})
+    for (const auto ordering : {Ordering::automatic, Ordering::amd, Ordering::metis}) {
+      const auto solver = make(ordering);
+      REQUIRE(solver->analyse(A));
+      CHECK(error(*solver, A) < 1e-11);  // condition number 400
+      CHECK(solver->report().negative_pivots == 0);
+      CHECK(solver->report().fill > 0);
+      CHECK_FALSE(solver->report().singular);
+    }
+}
+
+TEST_CASE("an indefinite matrix is solved and its negative eigenvalues are counted") {
+  const auto symmetric = make_symmetric_solver(), general = make_unsymmetric_solver();
+  const Index n = 24;
+  REQUIRE(symmetric->analyse(laplacian(n, 0)));
+  REQUIRE(general->analyse(laplacian(n, 0)));
+  for (const double shift : {0.0, 0.5, 2.31, 0.02, 0.0, 1.07}) {
+    const auto A = laplacian(n, shift);
+    INFO("shift " << shift);
+    CHECK(error(*symmetric, A) < 1e-10);
+    CHECK(error(*general, A) < 1e-10);
+    CHECK(symmetric->report().negative_pivots == negative_eigenvalues(n, shift));
+    CHECK(general->report().negative_pivots == negative_eigenvalues(n, shift));
+  }
+}
+
+TEST_CASE("the symmetric solver reads the lower triangle alone, the other one both") {
+  const auto A = laplacian(12, 0, 0.3);
+  const auto general = make_unsymmetric_solver(), symmetric = make_symmetric_solver();
+  REQUIRE(general->analyse(A));
+  CHECK(error(*general, A) < 1e-11);
+  REQUIRE(symmetric->analyse(A));
+  CHECK(error(*symmetric, A) > 1e-3);
+}
+
+TEST_CASE("a singular matrix is refused by both") {
+  auto A = laplacian(6, 0);
+  for (Index k = A.column[7]; k < A.column[8]; ++k) A.value[k] = 0;
+  for (Index c = 0; c < A.size; ++c)
+    for (Index k = A.column[c]; k < A.column[c + 1]; ++k)
+      if (A.row[k] == 7) A.value[k] = 0;
+  for (const auto make : {make_symmetric_solver, make_unsymmetric_solver}) {
+    const auto solver = make(Ordering::automatic);
+    REQUIRE(solver->analyse(A));
+    CHECK_FALSE(solver->factorise(A));
+    CHECK(solver->report().singular);
+  }
+}
+
+TEST_CASE("no unknowns, no trouble before analyse()") {
+  for (const auto make : {make_symmetric_solver, make_unsymmetric_solver}) {
+    const auto solver = make(Ordering::automatic);
+    CHECK_FALSE(solver->factorise(laplacian(3, 0)));
+  }
+}
