@@ -40,7 +40,8 @@ struct StaticOptions {
   double duration = 0;         // s, required, positive
   std::optional<double> step;  // largest step, s; default duration / 20
   double tolerance = 1e-10;    // residual over the largest nodal force so far
-  int max_iterations = 25;
+  int max_iterations =
+      50;             // slack cloth at its first strains switches many yarns: an active set takes its time
   int max_cuts = 12;  // halvings of one step before the run gives up
   bool line_search = true;
 };

@@ -56,6 +56,9 @@ class Static::Problem final : public solver::Problem {
   bool tangent(solver::SparseMatrix& K) override {
     return assembly_.tangent(fabric::AtSwitch::loading, K, {}, {});
   }
+  std::pair<double, solver::Index> largest(std::span<const double> r) const override {
+    return assembly_.largest_residual(r);
+  }
   double force_scale() const override { return std::max(peak_, assembly_.largest_force()); }
 
   double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }

@@ -142,7 +142,7 @@ std::vector<double> Static::field(const std::string& name) const {
 Energy Static::energy() const {
   const mesh::Index count = assembly_->elements();
   std::vector<fabric::Energy> per(count);
-  std::vector<double> bending(count);
+  std::vector<assembly::BendingEnergy> bending(count);
 #pragma omp parallel for schedule(static) if (assembly_->elements() >= 256)
   for (mesh::Index e = 0; e < count; ++e) {
     assembly_->visit(e, [&](double w, const fabric::Law& law, const double* E, const double* state) {
@@ -157,7 +157,8 @@ Energy Static::energy() const {
   }
   Energy sum;
   for (mesh::Index e = 0; e < count; ++e) {
-    sum.stored += per[e].stored + bending[e];
+    sum.stored += per[e].stored + bending[e].stored;
+    sum.dissipated_bending += bending[e].lost;
     sum.dissipated_warp += per[e].dissipated_warp;
     sum.dissipated_weft += per[e].dissipated_weft;
     sum.dissipated_shear += per[e].dissipated_shear;

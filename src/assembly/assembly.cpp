@@ -232,23 +232,34 @@ void Assembly::residual(std::span<const double> external, std::span<double> r) c
   }
 }
 
+std::pair<double, Index> Assembly::largest_residual(std::span<const double> r) const {
+  std::pair<double, Index> best{0, -1};
+  for (std::size_t i = 0; i < r.size(); ++i)
+    if (const double size = std::abs(r[i]) / (turns_[i] ? length_ : 1); size > best.first)
+      best = {size, static_cast<Index>(i)};
+  return best;
+}
+
 double Assembly::largest_force() const {
-  double largest = 0;
+  double largest = 0, moment = 0;
   for (const double f : force_x_) largest = std::max(largest, std::abs(f));
-  return largest;
+  const std::span<const double> fd(force_d_);
+  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
+    const Vec3 d = at(std::as_const(*state_).d(), i), f = at(fd, i);
+    moment = std::max(moment, (f - f.dot(d) * d).cwiseAbs().maxCoeff());
+  }
+  return std::max(largest, moment / length_);
 }
 
 double Assembly::rounding_floor(const solver::SparseMatrix& K) const {
-  double stiffest = 0, farthest = 0;
-  for (const auto& node : freedoms_.nodes)
-    for (int c = 0; c < 3; ++c) {
-      const Index eq = node.equation[c];
-      if (eq < 0) continue;
-      const auto first = K.row.begin() + K.column[eq], last = K.row.begin() + K.column[eq + 1];
-      stiffest = std::max(stiffest, std::abs(K.value[std::lower_bound(first, last, eq) - K.row.begin()]));
-    }
+  double stiffest[2] = {0, 0}, farthest = 0;  // displacements, rotations
+  for (Index eq = 0; eq < K.size; ++eq) {
+    const auto first = K.row.begin() + K.column[eq], last = K.row.begin() + K.column[eq + 1];
+    const double k = std::abs(K.value[std::lower_bound(first, last, eq) - K.row.begin()]);
+    stiffest[turns_[eq]] = std::max(stiffest[turns_[eq]], k);
+  }
   for (const double x : std::as_const(*state_).x()) farthest = std::max(farthest, std::abs(x));
-  return 4 * std::numeric_limits<double>::epsilon() * farthest * stiffest;
+  return 16 * std::numeric_limits<double>::epsilon() * std::max(farthest * stiffest[0], stiffest[1] / length_);
 }
 
 Vec3 Assembly::support_force(Index n, std::span<const double> external) const {
@@ -303,21 +314,29 @@ std::pair<Vec3, Vec3> Assembly::yarns(Index element) const {
   return {(T[0] * a1 + T[1] * a2).normalized(), (T[2] * a1 + T[3] * a2).normalized()};
 }
 
-double Assembly::bending_energy(Index element) const {
-  const auto& bending = model_.section().bending;
-  if (!bending) return 0;
+BendingEnergy Assembly::bending_energy(Index element) const {
+  const auto& section = model_.section();
+  if (!section.bends_apart) return {};
   const Place place = place_[element];
   const element::Shell4Layout layout(1);
   alignas(64) double x[12 * lanes], d[12 * lanes], kappa[gauss_points * 3 * lanes];
   gather(batches_[place.batch], x, d, nullptr);
   const double* geometry = geometry_.data() + place.batch * geometry_size_;
-  kernels_.curvature(model_.section(), {geometry, x, d, nullptr, nullptr, nullptr}, kappa);
-  double sum = 0;
+  kernels_.curvature(section, {geometry, x, d, nullptr, nullptr, nullptr}, kappa);
+  const double* law = std::as_const(*state_).law().data() + place.batch * law_size_;
+  BendingEnergy sum;
   for (int g = 0; g < gauss_points; ++g) {
-    const double area = geometry[(layout.point(g, 0) + 7) * lanes + place.lane] / model_.section().thickness;
-    const auto k = [&](int i) { return kappa[(3 * g + i) * lanes + place.lane]; };
-    sum +=
-        area * (bending->warp * k(0) * k(0) + bending->weft * k(1) * k(1) + bending->twist * k(2) * k(2)) / 2;
+    const double area = geometry[(layout.point(g, 0) + 7) * lanes + place.lane] / section.thickness;
+    for (int m = 0; m < 3; ++m) {
+      fabric::BendingState<double> state;
+      const auto number = [&](int i) {
+        return law[(g * section.state_size + section.bending_state + 2 * m + i) * lanes + place.lane];
+      };
+      if (section.bending_state >= 0 && m < 2) state = {number(0), number(1)};
+      sum.stored +=
+          area * fabric::bending_stored(section.bending[m], kappa[(3 * g + m) * lanes + place.lane], state);
+      sum.lost += area * state.lost;
+    }
   }
   return sum;
 }

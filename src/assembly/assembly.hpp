@@ -22,6 +22,10 @@ struct Place {
   int lane;
 };
 
+struct BendingEnergy {
+  double stored = 0, lost = 0;  // J
+};
+
 class Assembly {
  public:
   // Errors: a degenerate element (named); warp without a direction.
@@ -60,8 +64,11 @@ class Assembly {
   void residual(std::span<const double> external, std::span<double> r) const;
   std::span<const double> internal_on_x() const { return force_x_; }  // 3 per node, N, global
   std::span<const double> internal_on_d() const { return force_d_; }  // 3 per node, N m
-  double largest_force() const;                                       // N, largest component on any node
-  // The nodal force that a unit of rounding in the coordinates makes: 4 eps max |x| max K_ii over
+  // Residuals and forces of one kind: N, moments on directors divided by the mean edge length. The largest of
+  // each; the second of the pair is the unknown that carries it, -1: none.
+  std::pair<double, Index> largest_residual(std::span<const double> r) const;
+  double largest_force() const;
+  // The nodal force that rounding makes: 16 eps max |x| max K_ii over
   // displacements, N.
   double rounding_floor(const solver::SparseMatrix& K) const;
   // Force of the supports on one node, N, global: internal minus external along the held and driven
@@ -76,7 +83,7 @@ class Assembly {
   // Warp and weft of an element in the trial configuration: unit vectors, global, convected with the cloth,
   // at its middle.
   std::pair<Vec3, Vec3> yarns(Index element) const;
-  double bending_energy(Index element) const;  // J, of separate bending; 0 without
+  BendingEnergy bending_energy(Index element) const;  // of separate bending; zero without
   Index elements() const { return static_cast<Index>(place_.size()); }
   Index element_of_unknown(Index unknown) const;  // some element of the node that carries it
   Index node_of_unknown(Index unknown) const;
@@ -120,6 +127,8 @@ class Assembly {
   std::vector<Vec3> first_axes_;  // of the reference directors, for directors that are driven
   std::vector<Vec3> reference_directors_;
   std::vector<Index> node_element_, unknown_node_;
+  std::vector<bool> turns_;  // per unknown: is it a rotation
+  double length_ = 1;        // m, mean edge of the elements
   Index failed_element_ = -1;
 };
 

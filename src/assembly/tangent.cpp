@@ -26,9 +26,17 @@ std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std:
 void Assembly::make_pattern() {
   const Index n = freedoms_.unknowns;
   unknown_node_.assign(n, -1);
+  turns_.assign(n, false);
+  double edges = 0;
+  for (const auto& e : model_.mesh().elements)
+    for (int a = 0; a < 4; ++a) edges += (X_[e[a]] - X_[e[(a + 1) % 4]]).norm();
+  length_ = edges / (4.0 * static_cast<double>(model_.mesh().elements.size()));
   for (std::size_t i = 0; i < freedoms_.nodes.size(); ++i)
-    for (const Index eq : freedoms_.nodes[i].equation)
-      if (eq >= 0) unknown_node_[eq] = static_cast<Index>(i);
+    for (int c = 0; c < 5; ++c)
+      if (const Index eq = freedoms_.nodes[i].equation[c]; eq >= 0) {
+        unknown_node_[eq] = static_cast<Index>(i);
+        turns_[eq] = c >= 3;
+      }
   std::vector<std::vector<Index>> rows(n);
   for (const auto& e : model_.mesh().elements) {
     const auto eq = equations_of(freedoms_, e);

@@ -272,20 +272,27 @@ inline void add_tangent(const Transform& t, const double* C, double z, Stiffness
     for (int j = 0; j < 2; ++j) k.g_g[i][j] += D[3 + i][3 + j];
 }
 
-// Separate bending: M = B kappa in material axes, rigidities in the order (11, 22, 2 12), at the middle
-// thickness point.
-inline void add_bending(const section::Section& section, const InPlane& p, const Transform& t, Resultants& r,
-                        Stiffness* k) {
-  const Pack B[3] = {Pack(section.bending->warp), Pack(section.bending->weft), Pack(section.bending->twist)};
+// Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point, with
+// friction states s0, s1 (slip and lost of warp, then of weft; null without friction).
+inline void add_bending(const section::Section& section, fabric::AtSwitch at, const InPlane& p,
+                        const Transform& t, const double* s0, double* s1, Resultants& r, Stiffness* k) {
   const Pack area = t.weight / Pack(section.thickness);
   constexpr int row[3] = {0, 1, 4};
   for (int m = 0; m < 3; ++m) {
     const Pack* L = t.L[row[m]];
-    const Pack moment = area * B[m] * (L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2]);
+    const Pack kappa = L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2];
+    fabric::BendingState<Pack> state;
+    const bool rubs = s0 != nullptr && m < 2;
+    if (rubs) state = {load(s0 + 2 * m * lanes), load(s0 + (2 * m + 1) * lanes)};
+    const auto bent = fabric::bending_moment(section.bending[m], at, kappa, state);
+    if (rubs) {
+      store(s1 + 2 * m * lanes, state.slip);
+      store(s1 + (2 * m + 1) * lanes, state.lost);
+    }
     for (int i = 0; i < 3; ++i) {
-      r.M[i] += L[i] * moment;
+      r.M[i] += L[i] * area * bent.M;
       if (k != nullptr)
-        for (int j = 0; j < 3; ++j) k->bending[i][j] += area * B[m] * L[i] * L[j];
+        for (int j = 0; j < 3; ++j) k->bending[i][j] += area * bent.C * L[i] * L[j];
     }
   }
 }
@@ -313,7 +320,11 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
         *point.law, at, E, batch.s0 + offset, batch.s1 + offset, S, k != nullptr ? C : nullptr);
     add_stress(t, S, z, r);
     if (k != nullptr) add_tangent(t, C, z, *k);
-    if (section.bending) add_bending(section, p, t, r, k);
+    if (!section.bends_apart) continue;
+    const bool rubs = section.bending_state >= 0;
+    const long bending = static_cast<long>(g * section.state_size + section.bending_state) * lanes;
+    add_bending(section, at, p, t, rubs ? batch.s0 + bending : nullptr, rubs ? batch.s1 + bending : nullptr,
+                r, k);
   }
   return failed;
 }

@@ -293,7 +293,7 @@ std::vector<Entry> driving() {
         number_("step", "s", positive, "largest step; default duration/20").optional(),
         number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force")
             .or_else(1e-10),
-        integer_("max_iterations", from_one, "of one step, before it is cut").or_else(25),
+        integer_("max_iterations", from_one, "of one step, before it is cut").or_else(50),
         integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").or_else(12),
         value_("line_search", boolean, "on the energy along the Newton step").or_else(true)},
        "A quasi-static run: Newton's method through the histories' time.",

@@ -60,6 +60,16 @@ void add_points(Section& s, const card::Card& card, int points, double low, doub
   }
 }
 
+void add_bending(Section& s, const card::Bending& bending) {
+  s.bends_apart = true;
+  s.bending = {fabric::bending_spring_of(bending.warp, bending.friction_warp),
+               fabric::bending_spring_of(bending.weft, bending.friction_weft),
+               fabric::bending_spring_of(bending.twist, std::nullopt)};
+  if (s.bending[0].friction <= 0 && s.bending[1].friction <= 0) return;
+  s.bending_state = s.state_size;
+  s.state_size += 4;
+}
+
 }  // namespace
 
 Section integrated(const card::Card& card, double thickness, int points, double offset) {
@@ -68,8 +78,8 @@ Section integrated(const card::Card& card, double thickness, int points, double 
   s.thickness = thickness;
   s.offset = offset;
   s.areal_mass = card.density * thickness;
-  s.bending = card.bending;
   add_points(s, card, card.bending ? 1 : points, -1, 1, 0);
+  if (card.bending) add_bending(s, *card.bending);
   return s;
 }
 

@@ -1,10 +1,12 @@
 // Through the thickness: integration points with their laws and weights, or a membrane with its own bending
 // rigidity.
 #pragma once
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "card/card.hpp"
+#include "fabric/bending_spring.hpp"
 #include "fabric/law.hpp"
 
 namespace fabricsh::section {
@@ -27,7 +29,12 @@ struct Section {
   std::vector<Point> points;
   int state_size = 0;     // numbers per in-plane integration point, all thickness points together
   bool symmetric = true;  // is every tangent symmetric
-  std::optional<card::Bending> bending;  // given: one thickness point in the middle, M = B kappa beside it
+  // Separate bending: one thickness point in the middle, and beside it three springs on the material
+  // curvatures k11, k22, 2 k12. With friction two states each (slip, lost) for warp and weft, from
+  // bending_state on.
+  bool bends_apart = false;
+  std::array<fabric::BendingSpring, 3> bending;
+  int bending_state = -1;  // -1: no friction
 };
 
 // One ply of a stack, from the side that the normal leaves to the side that it points to.
