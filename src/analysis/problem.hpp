@@ -1,15 +1,22 @@
 // The quasi-static problem as Newton sees it: supports and loads at a target time, the assembly's forces and
 // tangents.
 #pragma once
+#include <algorithm>
+
 #include "analysis/analysis.hpp"
+#include "analysis/damping.hpp"
 
 namespace fabricsh::analysis {
 
-class Static::Problem final : public solver::Problem {
+class Static::Problem final : public solver::PathProblem {
  public:
-  explicit Problem(assembly::Assembly& assembly)
+  // small_time: s, that rates are differences over.
+  Problem(assembly::Assembly& assembly, double small_time, double stabilise)
       : assembly_(assembly),
+        damping_(assembly, stabilise),
+        small_time_(small_time),
         product_(assembly.unknowns()),
+        ahead_(assembly.unknowns()),
         driven_(assembly.targets(0)),
         lead_(driven_.size()) {
     assembly_.external(0, external_);
@@ -17,7 +24,8 @@ class Static::Problem final : public solver::Problem {
   }
 
   // Sets the time whose supports and loads the next predict() aims at.
-  void aim(double time) {
+  void aim(double time) override {
+    aimed_ = time;
     targets_ = assembly_.targets(time);
     assembly_.external(time, external_);
     assembly_.aim(time);
@@ -26,11 +34,23 @@ class Static::Problem final : public solver::Problem {
   void committed() {
     previous_lead_ = lead_;
     driven_ = targets_;
-    previous_push_ = push();
+    previous_push_ = push_;
     committed_external_ = external_;
     peak_ = std::max(peak_, assembly_.largest_force());
   }
   const std::vector<double>& external() const { return external_; }
+  Damping& damping() { return damping_; }
+  // Has a path come to a kink of a history, where loads may turn round?
+  void at_kink(bool kink) { kink_ = kink; }
+  // A configuration to come back to.
+  void keep() {
+    const auto k = assembly_.state().kinematics();
+    kept_.assign(k.begin(), k.end());
+  }
+  void recall() {
+    std::copy(kept_.begin(), kept_.end(), assembly_.state().kinematics().begin());
+    assembly_.state().touch();
+  }
 
   solver::Index size() const override { return assembly_.unknowns(); }
 
@@ -38,10 +58,13 @@ class Static::Problem final : public solver::Problem {
     assembly_.state().rollback();
     assembly_.begin_iterate();
     for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - driven_[i];
+    set_push(external_, committed_external_);
     const auto at = reverses() ? fabric::AtSwitch::unloading : fabric::AtSwitch::loading;
     if (!assembly_.tangent(at, K, lead_, product_)) return false;
     assembly_.residual(external_, r);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= product_[i];
+    damping_.start(aimed_ - assembly_.state().time(), K);
+    damping_.add_stiffness(K);
     return true;
   }
   void retract(std::span<const double> delta, double scale) override {
@@ -51,10 +74,33 @@ class Static::Problem final : public solver::Problem {
   bool residual(std::span<double> r) override {
     if (!assembly_.forces(fabric::AtSwitch::loading)) return false;
     assembly_.residual(external_, r);
+    damping_.add_force(r);
     return true;
   }
   bool tangent(solver::SparseMatrix& K) override {
-    return assembly_.tangent(fabric::AtSwitch::loading, K, {}, {});
+    if (!assembly_.tangent(fabric::AtSwitch::loading, K, {}, {})) return false;
+    damping_.add_stiffness(K);
+    return true;
+  }
+
+  bool start(solver::SparseMatrix& K, std::span<double> r, std::span<double> q) override {
+    assembly_.state().rollback();
+    assembly_.begin_iterate();
+    look_ahead();
+    const auto at = kink_ && reverses() ? fabric::AtSwitch::unloading : fabric::AtSwitch::loading;
+    if (!tangent_and_rate(at, K, q)) return false;
+    assembly_.residual(external_, r);
+    return true;
+  }
+  bool tangent_and_rate(solver::SparseMatrix& K, std::span<double> q) override {
+    look_ahead();
+    return tangent_and_rate(fabric::AtSwitch::loading, K, q);
+  }
+  double product(std::span<const double> a, std::span<const double> b) const override {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (!assembly_.turns(static_cast<assembly::Index>(i))) sum += a[i] * b[i];
+    return sum;
   }
   std::pair<double, solver::Index> largest(std::span<const double> r) const override {
     return assembly_.largest_residual(r);
@@ -64,22 +110,49 @@ class Static::Problem final : public solver::Problem {
   double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }
 
  private:
-  std::vector<double> push() const {
-    std::vector<double> p(external_.size());
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] = external_[i] - committed_external_[i];
-    return p;
+  void set_push(const std::vector<double>& to, const std::vector<double>& from) {
+    push_.resize(to.size());
+    for (std::size_t i = 0; i < to.size(); ++i) push_[i] = to[i] - from[i];
+  }
+  // What supports and dead loads do in a small time from the one aimed at.
+  void look_ahead() {
+    const double later = aimed_ + small_time_;
+    const auto moved = assembly_.targets(later);
+    for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = moved[i] - targets_[i];
+    assembly_.external(later, later_external_);
+    set_push(later_external_, external_);
+  }
+  // K and q = dr/dt at fixed unknowns; the coupling with the driven freedoms is the tangent's own, the rate
+  // of follower loads a difference of forces. Leaves the forces of the time aimed at.
+  bool tangent_and_rate(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<double> q) {
+    const bool follower = !assembly_.symmetric_loads();
+    if (follower) {
+      assembly_.aim(aimed_ + small_time_);
+      const bool done = assembly_.forces(at);
+      assembly_.residual(later_external_, ahead_);
+      assembly_.aim(aimed_);
+      if (!done) return false;
+    }
+    if (!assembly_.tangent(at, K, lead_, product_)) return false;
+    if (!follower) assembly_.residual(later_external_, ahead_);
+    assembly_.residual(external_, q);
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = (ahead_[i] - q[i] - product_[i]) / small_time_;
+    return true;
   }
   // Does this step move supports and loads against the way of the last one?
   bool reverses() const {
     double along = 0;
     for (std::size_t i = 0; i < previous_lead_.size(); ++i) along += previous_lead_[i] * lead_[i];
-    const auto p = push();
-    for (std::size_t i = 0; i < previous_push_.size(); ++i) along += previous_push_[i] * p[i];
+    for (std::size_t i = 0; i < previous_push_.size(); ++i) along += previous_push_[i] * push_[i];
     return along < 0;
   }
 
   assembly::Assembly& assembly_;
-  std::vector<double> product_, driven_, lead_, previous_lead_, targets_;
+  Damping damping_;
+  double small_time_, aimed_ = 0;
+  bool kink_ = true;
+  std::vector<double> product_, ahead_, later_external_, push_, kept_;
+  std::vector<double> driven_, lead_, previous_lead_, targets_;
   std::vector<double> external_, committed_external_, previous_push_;
   double peak_ = 0;  // N, the largest nodal force of the run's committed states
 };

@@ -166,6 +166,7 @@ Energy Static::energy() const {
   }
   sum.stored += assembly_->spring_energy();
   sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending;
+  sum.damping = damping_work_;
   sum.external = external_work_;
   if (largest_external_work_ > 0)
     sum.error = std::abs(sum.kinetic + sum.stored + sum.dissipated + sum.damping - sum.external) /
@@ -173,27 +174,12 @@ Energy Static::energy() const {
   return sum;
 }
 
-std::string Static::switching_yarn(mesh::Index element) const {
-  // Branches of the committed state at the committed strain: a point within a hair of a switch is the one to
-  // name.
-  std::string yarn;
-  assembly_->visit(element, [&](double, const fabric::Law& law, const double* E, const double* state) {
-    if (!yarn.empty()) return;
-    const auto in = fabric::internal(law, E, state);
-    if (in.warp != fabric::Branch::virgin)
-      yarn = "warp";
-    else if (in.weft != fabric::Branch::virgin)
-      yarn = "weft";
-    else if (in.shear != fabric::Branch::virgin)
-      yarn = "shear";
-  });
-  return yarn;
-}
-
 struct Static::Snapshot {
   const Static* owner;
   std::vector<double> data;
   double time, current_step, external_work, largest_external_work;
+  double arc_length, damping_work, damping_factor;
+  std::vector<double> direction;
   std::vector<double> previous_x, previous_force;
   std::vector<std::int64_t> counts;
   bool stopped;
@@ -205,6 +191,10 @@ std::shared_ptr<const Static::Snapshot> Static::snapshot() const {
   s->data = assembly_->state().data();
   s->time = assembly_->state().time();
   s->current_step = current_step_;
+  s->arc_length = arc_length_;
+  s->damping_work = damping_work_;
+  s->damping_factor = problem_->damping().factor();
+  if (arc_) s->direction = arc_->direction();
   s->external_work = external_work_;
   s->largest_external_work = largest_external_work_;
   s->previous_x = previous_x_;
@@ -219,6 +209,11 @@ void Static::restore(const Snapshot& s) {
   assembly_->state().restore(s.data, s.time);
   trial_time_ = s.time;
   current_step_ = s.current_step;
+  arc_length_ = s.arc_length;
+  damping_work_ = s.damping_work;
+  problem_->damping().set_factor(s.damping_factor);
+  problem_->at_kink(s.direction.empty());
+  if (arc_) arc_->set_direction(s.direction);
   external_work_ = s.external_work;
   largest_external_work_ = s.largest_external_work;
   previous_x_ = s.previous_x;

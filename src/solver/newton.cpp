@@ -17,13 +17,6 @@ bool all_finite(std::span<const double> v) {
   return true;
 }
 
-std::pair<double, Index> largest(std::span<const double> v) {
-  std::pair<double, Index> best{0, -1};
-  for (std::size_t i = 0; i < v.size(); ++i)
-    if (std::abs(v[i]) > best.first) best = {std::abs(v[i]), static_cast<Index>(i)};
-  return best;
-}
-
 }  // namespace
 
 const char* describe(NewtonStatus status) {
@@ -36,6 +29,8 @@ const char* describe(NewtonStatus status) {
       return "the tangent is singular (a part can move freely, or has buckled)";
     case NewtonStatus::diverged:
       return "the residual grew without bound";
+    case NewtonStatus::turned_back:
+      return "the path turned back to time 0";
     default:
       return "too many iterations";
   }
@@ -73,24 +68,43 @@ bool Newton::search(Problem& problem, bool line_search) {
   return false;
 }
 
-NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
+namespace {
+NewtonResult failed(NewtonStatus status) {
   NewtonResult result;
-  auto stop = [&](NewtonStatus status) {
+  result.status = status;
+  return result;
+}
+}  // namespace
+
+NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
+  if (!problem.predict(K_, r_) || !all_finite(r_)) return failed(NewtonStatus::law_failed);
+  return iterate(problem, options, true);
+}
+
+NewtonResult Newton::correct(Problem& problem, const NewtonOptions& options) {
+  problem.accept();
+  if (!problem.tangent(K_) || !problem.residual(r_) || !all_finite(r_))
+    return failed(NewtonStatus::law_failed);
+  return iterate(problem, options, false);
+}
+
+// predicted: the residual in hand carries the supports' move linearised, so the first step is taken whole
+// where it can be.
+NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, bool predicted) {
+  NewtonResult result;
+  const auto stop = [&](NewtonStatus status) {
     result.status = status;
     return result;
   };
-  if (!problem.predict(K_, r_)) return stop(NewtonStatus::law_failed);
-  if (!all_finite(r_)) return stop(NewtonStatus::law_failed);
   for (int i = 0; i < options.max_iterations; ++i) {
     if (!direction(r_)) return stop(NewtonStatus::singular);
     ++result.iterations;
-    // The first step carries the supports' move, whose residual is linearised: it is taken whole where it can
-    // be.
-    if (!search(problem, options.line_search && i > 0)) return stop(NewtonStatus::law_failed);
+    result.negative_pivots = linear_->report().negative_pivots;
+    if (!search(problem, options.line_search && !(predicted && i == 0)))
+      return stop(NewtonStatus::law_failed);
     problem.accept();
-    const auto [size, where] = largest(r_);
-    const double scale = problem.force_scale();
-    const double relative = size == 0 ? 0 : size / scale;
+    const auto [size, where] = problem.largest(r_);
+    const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.residuals.push_back(relative);
     result.worst = where;
     if (relative <= options.tolerance || size <= problem.rounding_floor(K_))

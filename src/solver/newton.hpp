@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/sparse.hpp"
@@ -25,7 +26,10 @@ class Problem {
   virtual void accept() = 0;                       // iterate = trial
   virtual bool residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
   virtual bool tangent(SparseMatrix& K) = 0;       // at the trial configuration
-  virtual double force_scale() const = 0;          // N: what a residual is measured against
+  // The largest entry of a residual, N (moments over the problem's length), and which unknown carries it (-1:
+  // none).
+  virtual std::pair<double, Index> largest(std::span<const double> r) const = 0;
+  virtual double force_scale() const = 0;  // N: what that is measured against
   // N: the residual that rounding of the coordinates alone makes at this stiffness; none smaller can be asked
   // for.
   virtual double rounding_floor(const SparseMatrix& K) const = 0;
@@ -37,7 +41,7 @@ struct NewtonOptions {
   bool line_search = true;
 };
 
-enum class NewtonStatus { converged, law_failed, singular, diverged, too_many_iterations };
+enum class NewtonStatus { converged, law_failed, singular, diverged, too_many_iterations, turned_back };
 const char* describe(NewtonStatus status);
 
 struct NewtonResult {
@@ -45,15 +49,18 @@ struct NewtonResult {
   int iterations = 0;             // linear solves
   std::vector<double> residuals;  // relative, after each solve
   Index worst = -1;               // unknown that carries the largest residual
+  Index negative_pivots = 0;      // of the last tangent that was factorised
 };
 
 class Newton {
  public:
   Newton(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern);
-  NewtonResult solve(Problem& problem, const NewtonOptions& options);
+  NewtonResult solve(Problem& problem, const NewtonOptions& options);    // from the committed configuration
+  NewtonResult correct(Problem& problem, const NewtonOptions& options);  // from the trial configuration
   LinearReport linear_report() const { return linear_->report(); }
 
  private:
+  NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);
   bool direction(std::span<const double> r);  // delta_ = K^-1 r
   bool search(Problem& problem, bool line_search);
   std::unique_ptr<LinearSolver> linear_;

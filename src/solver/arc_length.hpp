@@ -1,0 +1,65 @@
+// Path following: time, which loads and supports hang on, is an unknown beside the others, and a step has a
+// given length along the path. It passes limit points, where time turns back, and snaps.
+//
+// Constraint: the spherical one of [crisfield1981] with time left out of the length, linearised and solved by
+// Newton together with equilibrium, so that no root has to be chosen:
+//   K delta_r = r,  K delta_t = q = dr/dt,  delta = delta_r + dt delta_t,
+//   dt = -((|D|^2 - L^2) / 2 + D . delta_r) / (D . delta_t)      D: the step's increment so far
+// and at the end of a stretch of time the constraint is t = landing.
+#pragma once
+#include "solver/newton.hpp"
+
+namespace fabricsh::solver {
+
+class PathProblem : public Problem {
+ public:
+  virtual void aim(double time) = 0;  // supports and loads of the next start() or retract()
+  // At the committed configuration and the time aimed at (the committed one): K, r and q = dr/dt.
+  virtual bool start(SparseMatrix& K, std::span<double> r, std::span<double> q) = 0;
+  virtual bool tangent_and_rate(SparseMatrix& K, std::span<double> q) = 0;  // at the trial configuration
+  // Scalar product that lengths are measured with: displacements only.
+  virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
+};
+
+struct ArcOptions {
+  double time = 0;          // s, of the committed configuration
+  double landing = 0;       // s, > time: the step ends there where it would pass it
+  double length = 0;        // 0: the length of a first step of `largest_step`
+  double largest_step = 0;  // s, of the predictor
+};
+
+struct ArcResult : NewtonResult {
+  double time = 0;    // s, reached
+  double length = 0;  // tried
+  bool landed = false;
+};
+
+class ArcLength {
+ public:
+  ArcLength(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern);
+  ArcResult solve(PathProblem& problem, const NewtonOptions& options, const ArcOptions& arc);
+  // After a commit: the step just solved is the direction that the next one goes on in. Forgotten (at a kink
+  // of a history), the next one starts forwards in time.
+  void committed() { direction_ = increment_; }
+  void forget() { direction_.clear(); }
+  const std::vector<double>& direction() const { return direction_; }
+  void set_direction(std::vector<double> direction) { direction_ = std::move(direction); }
+
+ private:
+  struct Step {  // of the predictor or of one correction
+    double time = 0;
+    bool possible = true;
+  };
+  bool factorise();
+  Step predictor(const PathProblem& problem, const ArcOptions& arc, ArcResult& result);
+  Step correction(const PathProblem& problem, const ArcOptions& arc, const ArcResult& result) const;
+  bool followed(const PathProblem& problem) const;
+  bool move(PathProblem& problem, double along, double time);
+
+  std::unique_ptr<LinearSolver> linear_;
+  SparseMatrix K_;
+  std::vector<double> r_, q_, delta_r_, delta_t_, delta_, increment_, direction_, predicted_;
+  bool analysed_ = false;
+};
+
+}  // namespace fabricsh::solver

@@ -1,0 +1,85 @@
+#include "solver/relaxation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fabricsh::solver {
+
+namespace {
+constexpr int kRefresh = 200;  // iterations after which the masses are renewed without a peak
+}
+
+Relaxation::Relaxation(SparseMatrix pattern)
+    : K_(std::move(pattern)), r_(K_.size), mass_(K_.size), velocity_(K_.size) {}
+
+// With a time step of 1, stable below omega_max = 2; Gershgorin: omega^2 <= max_i sum_j |K_ij| / m_i. A tenth
+// is kept in hand for the stiffening between two renewals.
+bool Relaxation::masses(Problem& problem) {
+  if (!problem.tangent(K_)) return false;
+  double largest = 0;
+  for (Index c = 0; c < K_.size; ++c) {
+    double sum = 0;
+    for (Index k = K_.column[c]; k < K_.column[c + 1]; ++k) sum += std::abs(K_.value[k]);
+    mass_[c] = 1.1 * sum / 4;
+    largest = std::max(largest, mass_[c]);
+  }
+  for (double& m : mass_) m = std::max(m, 1e-12 * largest);
+  return largest > 0;
+}
+
+NewtonResult Relaxation::solve(Problem& problem, const RelaxationOptions& options) {
+  std::fill(velocity_.begin(), velocity_.end(), 0.0);
+  if (!problem.predict(K_, r_)) {
+    NewtonResult result;
+    result.status = NewtonStatus::law_failed;
+    return result;
+  }
+  problem.retract(velocity_, 0);
+  return go_on(problem, options);
+}
+
+NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& options) {
+  NewtonResult result;
+  const auto stop = [&](NewtonStatus status) {
+    result.status = status;
+    return result;
+  };
+  std::fill(velocity_.begin(), velocity_.end(), 0.0);
+  problem.accept();
+  if (K_.size > 0 && !masses(problem)) return stop(NewtonStatus::law_failed);
+  double before = 0;
+  bool starts = true;  // at rest: the first step of the leapfrog is half a one
+  for (int since = 0; result.iterations < options.max_iterations; ++result.iterations, ++since) {
+    if (!problem.residual(r_)) return stop(NewtonStatus::law_failed);
+    const auto [size, where] = problem.largest(r_);
+    const double relative = size == 0 ? 0 : size / problem.force_scale();
+    result.worst = where;
+    if (!std::isfinite(relative) || relative > 1e12) return stop(NewtonStatus::diverged);
+    if (relative <= options.tolerance) {
+      result.residuals.push_back(relative);
+      return stop(NewtonStatus::converged);
+    }
+    double energy = 0;
+    for (std::size_t i = 0; i < r_.size(); ++i) {
+      velocity_[i] += (starts ? 0.5 : 1.0) * r_[i] / mass_[i];
+      energy += mass_[i] * velocity_[i] * velocity_[i];
+    }
+    starts = energy < before;
+    if (starts) {  // past the peak
+      std::fill(velocity_.begin(), velocity_.end(), 0.0);
+      result.residuals.push_back(relative);
+      energy = 0;
+    }
+    before = energy;
+    if (starts || since >= kRefresh) {
+      since = 0;
+      if (!masses(problem)) return stop(NewtonStatus::law_failed);
+    }
+    if (starts) continue;
+    problem.retract(velocity_, 1);
+    problem.accept();
+  }
+  return stop(NewtonStatus::too_many_iterations);
+}
+
+}  // namespace fabricsh::solver

@@ -1,0 +1,29 @@
+// Dynamic relaxation with kinetic damping [day1965; papadrakakis1981]: a fictitious motion with lumped masses
+// under the residual forces, stopped dead at every peak of its kinetic energy, until the residual is gone. No
+// matrix is factorised, so that it goes on where the tangent is singular or indefinite; many cheap
+// iterations.
+#pragma once
+#include "solver/newton.hpp"
+
+namespace fabricsh::solver {
+
+struct RelaxationOptions {
+  double tolerance = 1e-4;
+  int max_iterations = 20000;
+};
+
+class Relaxation {
+ public:
+  explicit Relaxation(SparseMatrix pattern);
+  // From the committed configuration (supports moved to their targets first), or on from the trial one.
+  // iterations: of the fictitious motion; residuals: at the peaks and at the end.
+  NewtonResult solve(Problem& problem, const RelaxationOptions& options);
+  NewtonResult go_on(Problem& problem, const RelaxationOptions& options);
+
+ private:
+  bool masses(Problem& problem);
+  SparseMatrix K_;
+  std::vector<double> r_, mass_, velocity_;
+};
+
+}  // namespace fabricsh::solver
