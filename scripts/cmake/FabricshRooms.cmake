@@ -64,7 +64,7 @@ function(fabricsh_rooms layers)
   set(FABRICSH_ROOM_TARGETS ${targets} PARENT_SCOPE)
   # The only rooms that may see a third-party library.
   fabricsh_room_uses(solver PRIVATE fabricsh_dep_suitesparse)
-  fabricsh_room_uses(files PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOXML)
+  fabricsh_room_uses(files PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOCore VTK::IOXML)
   fabricsh_room_uses(script PUBLIC PkgConfig::LUA)
   fabricsh_room_uses(repl PRIVATE PkgConfig::EDIT)
 endfunction()

@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkSignedCharArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -29,9 +30,33 @@ void check_length(const Array& array, std::size_t items, const char* of) {
               std::to_string(array.values.size()) + " in all");
 }
 
+// VTK writes a name as it is, whatever XML makes of it.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&')
+      text += "&amp;";
+    else if (c == '<')
+      text += "&lt;";
+    else if (c == '"')
+      text += "&quot;";
+    else
+      text += c;
+  }
+  return text;
+}
+
+void add_flags(vtkDataSetAttributes* data, const Array& array) {
+  vtkNew<vtkSignedCharArray> copy;
+  copy->SetName(escaped(array.name).c_str());
+  for (const double value : array.values) copy->InsertNextValue(value != 0 ? 1 : 0);
+  data->AddArray(copy);
+}
+
 void add(vtkDataSetAttributes* data, const Array& array) {
+  if (array.flags) return add_flags(data, array);
   vtkNew<vtkDoubleArray> copy;
-  copy->SetName(array.name.c_str());
+  copy->SetName(escaped(array.name).c_str());
   copy->SetNumberOfComponents(array.components);
   for (std::size_t c = 0; c < array.component_names.size(); ++c)
     copy->SetComponentName(static_cast<vtkIdType>(c), array.component_names[c].c_str());

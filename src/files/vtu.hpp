@@ -18,6 +18,7 @@ struct Array {
   int components = 1;
   std::vector<double> values;
   std::vector<std::string> component_names = {};  // none, or one per component: shown by ParaView
+  bool flags = false;                             // 0 and 1, written as integers of one byte
 };
 
 struct Grid {
