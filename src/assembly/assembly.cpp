@@ -52,8 +52,9 @@ void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
 
 Assembly::Assembly(const model::Model& model)
     : model_(model), X_(model.mesh().nodes), kernels_(element::shell4_kernels(best_isa())) {
-  const auto directors = reference_directors(model.mesh());
+  auto directors = reference_directors(model.mesh());
   freedoms_ = number_freedoms(model, directors);
+  meet_directors(directors);
   colour_elements();
   const auto& section = model.section();
   law_size_ = gauss_points * section.state_size * lanes;
@@ -66,6 +67,7 @@ Assembly::Assembly(const model::Model& model)
     realign(n, state_->d(), state_->b1());
   }
   reference_directors_ = directors;
+  retract_ties({}, 0);
   state_->commit(0);
   iterate_.assign(state_->kinematics().begin(), state_->kinematics().end());
   make_geometry(directors);
@@ -188,7 +190,7 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
       if (equation >= 0)
         u[c] += step(equation);
       else
-        u[c] = equation == held ? 0.0 : targets[motion_of(equation)];
+        u[c] = equation == held || equation == tied ? 0.0 : targets[motion_of(equation)];
     }
     at(state_->x(), i) = X_[i] + node.frame.transpose() * u;
     at(state_->d(), i) = at(base.subspan(3 * n), i);
@@ -206,6 +208,7 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
     turn(at(state_->d(), i), at(state_->b1(), i), q1 * b1 + q2 * d.cross(b1));
     realign(i, state_->d(), state_->b1());
   }
+  retract_ties(delta, scale);
   state_->touch();
 }
 
@@ -230,12 +233,13 @@ void Assembly::residual(std::span<const double> external, std::span<double> r) c
     r[node.equation[3]] = -b1.dot(at(fd, i));
     if (node.equation[4] >= 0) r[node.equation[4]] = -d.cross(b1).dot(at(fd, i));
   }
+  add_tied_residual(external, r);
 }
 
 std::pair<double, Index> Assembly::largest_residual(std::span<const double> r) const {
   std::pair<double, Index> best{0, -1};
   for (std::size_t i = 0; i < r.size(); ++i)
-    if (const double size = std::abs(r[i]) / (turns_[i] ? length_ : 1); size > best.first)
+    if (const double size = std::abs(r[i]) / lever_[i]; size > best.first)
       best = {size, static_cast<Index>(i)};
   return best;
 }
@@ -259,14 +263,17 @@ double Assembly::rounding_floor(const solver::SparseMatrix& K) const {
     stiffest[turns_[eq]] = std::max(stiffest[turns_[eq]], k);
   }
   for (const double x : std::as_const(*state_).x()) farthest = std::max(farthest, std::abs(x));
-  return 16 * std::numeric_limits<double>::epsilon() * std::max(farthest * stiffest[0], stiffest[1] / length_);
+  return 16 * std::numeric_limits<double>::epsilon() *
+         std::max(farthest * stiffest[0], stiffest[1] / length_);
 }
 
 Vec3 Assembly::support_force(Index n, std::span<const double> external) const {
   const NodeFreedoms& node = freedoms_.nodes[n];
-  Vec3 f = node.frame * (at(std::span<const double>(force_x_), n) - at(external, n));
+  Vec3 f = at(std::span<const double>(force_x_), n) - at(external, n);
+  if (!led_.empty() && !led_[n].empty()) f += tied_force(n, external);
+  f = node.frame * f;
   for (int c = 0; c < 3; ++c)
-    if (node.equation[c] >= 0) f[c] = 0;
+    if (node.equation[c] >= 0 || node.equation[c] == tied) f[c] = 0;
   return node.frame.transpose() * f;
 }
 

@@ -101,13 +101,30 @@ class Assembly {
            std::span<double> product);
   void scatter_force(const Batch& batch, const double* f);
   void scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
-                       std::span<const double> lead, std::span<double> product) const;
+                       std::span<const double> lead, std::span<double> product);
   double* trial_law(Index batch);
   const double* committed_law(Index batch) const;
   void realign(Index node, std::span<double> d, std::span<double> b1) const;
   void add_load_stiffness(solver::SparseMatrix& K, std::span<const double> lead,
                           std::span<double> product) const;
   double lead_of(Index motion, std::span<const double> lead) const;
+
+  // Ties (ties.cpp). An element with a tied node is scattered after the parallel loop, in element order: what
+  // it leads to is shared across colours.
+  void meet_directors(std::vector<Vec3>& directors) const;
+  void list_tied_elements();
+  void links(Index node, std::vector<Link>& out) const;
+  void add_link_pattern(std::vector<std::vector<Index>>& rows) const;
+  void retract_ties(std::span<const double> delta, double scale);
+  void add_tied_residual(std::span<const double> external, std::span<double> r) const;
+  Vec3 tied_force(Index lead, std::span<const double> external) const;
+  void scatter_tied(solver::SparseMatrix& K, std::span<const double> lead, std::span<double> product) const;
+  void add_block(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k, solver::SparseMatrix& K,
+                 std::span<const double> lead, std::span<double> product) const;
+  void add_body_stiffness(solver::SparseMatrix& K) const;
+  void add_entry(Index row, Index column, double value, solver::SparseMatrix& K, std::span<const double> lead,
+                 std::span<double> product) const;
+  Vec3 centroid(const Body& body, std::span<const double> x) const;
 
   const model::Model& model_;
   std::vector<Vec3> X_;
@@ -128,8 +145,13 @@ class Assembly {
   std::vector<Vec3> first_axes_;  // of the reference directors, for directors that are driven
   std::vector<Vec3> reference_directors_;
   std::vector<Index> node_element_, unknown_node_;
-  std::vector<bool> turns_;  // per unknown: is it a rotation
-  double length_ = 1;        // m, mean edge of the elements
+  std::vector<bool> turns_;        // per unknown: is it a rotation
+  std::vector<Index> tied_place_;  // per batch and lane: place in tied_elements_ or -1; empty without ties
+  std::vector<Place> tied_elements_;
+  std::vector<double> tied_tangent_;                     // per tied element, row-major 20x20
+  std::vector<std::vector<std::pair<Index, int>>> led_;  // per node: followers it leads, and as which lead
+  std::vector<double> lever_;  // per unknown: m that a rotation's moment is divided by; 1
+  double length_ = 1;          // m, mean edge of the elements
   Index failed_element_ = -1;
 };
 

@@ -51,6 +51,25 @@ void add_turn(const model::Turn& turn, const mesh::Mesh& mesh, Freedoms& f,
   }
 }
 
+// Marks the freedoms that follow others and the nodes of rigid bodies.
+void mark_ties(const model::Model& model, Freedoms& f) {
+  auto ties = model::work_out_ties(model);
+  for (const auto& follower : ties.followers) {
+    auto& equation = f.nodes[follower.node].equation;
+    equation[follower.component] = tied;
+    if (follower.component == 3) equation[4] = tied;
+  }
+  f.followers = std::move(ties.followers);
+  if (!ties.bodies.empty()) f.body_of.assign(f.nodes.size(), -1);
+  for (auto& nodes : ties.bodies) {
+    for (const Index n : nodes) {
+      f.nodes[n].equation.fill(tied);
+      f.body_of[n] = static_cast<Index>(f.bodies.size());
+    }
+    f.bodies.push_back({std::move(nodes)});
+  }
+}
+
 }  // namespace
 
 Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d) {
@@ -98,17 +117,23 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
         }
     }
   for (const auto& turn : model.turns()) add_turn(turn, mesh, f, motion);
+  mark_ties(model, f);
   for (std::size_t n = 0; n < f.nodes.size(); ++n) {
     auto& node = f.nodes[n];
     for (int i = 0; i < 3; ++i)
-      node.equation[i] = motion[n][i] >= 0         ? driven(motion[n][i])
-                         : holds[n].translation[i] ? held
-                                                   : f.unknowns++;
-    if (node.turn_axis) continue;
+      if (node.equation[i] != tied)
+        node.equation[i] = motion[n][i] >= 0         ? driven(motion[n][i])
+                           : holds[n].translation[i] ? held
+                                                     : f.unknowns++;
+    if (node.turn_axis || node.equation[3] == tied) continue;
     const int lost = holds[n].rotation ? 2 : held_rotations(holds[n].axes, directors[n]);
     if (lost == 1) node.held_axes = holds[n].axes;
     node.equation[3] = lost == 2 ? held : f.unknowns++;
     node.equation[4] = lost >= 1 ? held : f.unknowns++;
+  }
+  for (Body& body : f.bodies) {
+    body.equation = f.unknowns;
+    f.unknowns += 6;
   }
   return f;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace fabricsh::assembly {
 using Index = std::int64_t;
 
 // Equation numbers of one node, order u1 u2 u3 (along the node's frame) q1 q2: >= 0 unknown, held = -1,
-// driven <= -2.
+// driven <= -2, tied: follows other nodes' (see Tied).
 inline constexpr Index held = -1;
+inline constexpr Index tied = std::numeric_limits<Index>::min();
 inline constexpr Index driven(Index motion) { return -2 - motion; }
 inline constexpr Index motion_of(Index equation) { return -2 - equation; }
 
@@ -34,10 +36,31 @@ struct NodeFreedoms {
   std::vector<Vec3> held_axes;  // rotation axes held, global; empty with both rotations free or held outright
 };
 
+// A rigid body's unknowns: displacement and rotation increments about its centroid, global axes.
+struct Body {
+  mesh::NodeSet nodes;
+  Index equation = 0;  // the first of six
+};
+
+// How a tied node's five freedoms move with an unknown or a driven freedom.
+struct Link {
+  Index equation;
+  Eigen::Matrix<double, 5, 1> column;
+};
+
 struct Freedoms {
   std::vector<NodeFreedoms> nodes;
   std::vector<DrivenFreedom> motions;
+  std::vector<model::Follower> followers;
+  std::vector<Body> bodies;
+  std::vector<Index> body_of;  // per node: its body or -1; empty without bodies
   Index unknowns = 0;
+
+  bool ties(Index node) const {
+    const auto& eq = nodes[node].equation;
+    return eq[0] == tied || eq[1] == tied || eq[2] == tied || eq[3] == tied;
+  }
+  Index body(Index node) const { return body_of.empty() ? -1 : body_of[node]; }
 };
 
 // Numbers the unknowns node by node. The model must have been validated.

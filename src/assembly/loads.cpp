@@ -92,6 +92,7 @@ Loads::Loads(const model::Model& model, const std::vector<double>& mass,
 }
 
 void Loads::aim(double time) {
+  aimed_ = time;
   aimed_pressure_.clear();
   for (const auto& p : pressures_) aimed_pressure_.push_back(p.value.value(time));
   aimed_moment_.assign(moments_.empty() ? 0 : mass_.size(), Vec3::Zero());

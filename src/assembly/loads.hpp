@@ -31,6 +31,9 @@ class Loads {
 
   void aim(double time);  // evaluates the histories of the follower loads
   bool symmetric() const { return pressures_.empty() && moments_.empty(); }
+  double aimed() const { return aimed_; }
+  // Aimed moment on a node, N m, about axes fixed in space; null without moments.
+  const Vec3* moment_on(Index node) const { return aimed_moment_.empty() ? nullptr : &aimed_moment_[node]; }
   // Dead forces on x: gravity, forces, tractions. 3 per node, N, global.
   void dead(double time, std::vector<double>& out) const;
   // out += scale * follower forces on x (pressure) at a time.
@@ -69,6 +72,7 @@ class Loads {
   std::vector<Grounded> springs_;
   std::vector<double> mass_, mass_moment_;
   Vec3 gravity_;
+  double aimed_ = 0;
   std::vector<double> aimed_pressure_;
   std::vector<Vec3> aimed_moment_;  // per node, N m; empty without moments
 };

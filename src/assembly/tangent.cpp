@@ -37,7 +37,12 @@ void Assembly::make_pattern() {
         unknown_node_[eq] = static_cast<Index>(i);
         turns_[eq] = c >= 3;
       }
+  lever_.assign(n, 1);
+  for (Index eq = 0; eq < n; ++eq)
+    if (turns_[eq]) lever_[eq] = length_;
+  list_tied_elements();
   std::vector<std::vector<Index>> rows(n);
+  add_link_pattern(rows);
   for (const auto& e : model_.mesh().elements) {
     const auto eq = equations_of(freedoms_, e);
     for (const Index c : eq)
@@ -119,12 +124,16 @@ void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, De
 }  // namespace
 
 void Assembly::scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
-                               std::span<const double> lead, std::span<double> product) const {
+                               std::span<const double> lead, std::span<double> product) {
   const Index b = &batch - batches_.data();
   for (int l = 0; l < batch.used; ++l) {
     Dense k;
     for (int i = 0; i < kEntries; ++i) k.data()[i] = K[i * lanes + l];
     into_frames(freedoms_, batch.nodes[l], k);
+    if (!tied_place_.empty() && tied_place_[b * lanes + l] >= 0) {
+      std::copy_n(k.data(), kEntries, tied_tangent_.data() + tied_place_[b * lanes + l] * kEntries);
+      continue;
+    }
     const Index* slot = slots_.data() + (b * lanes + l) * kEntries;
     for (int i = 0; i < kEntries; ++i)
       if (slot[i] >= 0) out.value[slot[i]] += k.data()[i];
@@ -150,24 +159,41 @@ double Assembly::lead_of(Index motion, std::span<const double> lead) const {
   return lead[motion] * rate.dot(m.component == 3 ? Vec3(b1) : Vec3(d.cross(b1)));
 }
 
+// One number into K, or through a driven column into the product.
+void Assembly::add_entry(Index r, Index c, double v, solver::SparseMatrix& K, std::span<const double> lead,
+                         std::span<double> product) const {
+  if (r < 0 || c == held || v == 0) return;
+  if (c < held) {
+    if (!lead.empty()) product[r] += v * lead_of(motion_of(c), lead);
+    return;
+  }
+  const auto first = K.row.begin() + K.column[c], last = K.row.begin() + K.column[c + 1];
+  K.value[std::lower_bound(first, last, r) - K.row.begin()] += v;
+}
+
 void Assembly::add_load_stiffness(solver::SparseMatrix& K, std::span<const double> lead,
                                   std::span<double> product) const {
-  const auto add = [&](Index r, Index c, double v) {
-    if (r < 0 || c == held || v == 0) return;
-    if (c < held) {
-      if (!lead.empty()) product[r] += v * lead_of(motion_of(c), lead);
-      return;
-    }
-    const auto first = K.row.begin() + K.column[c], last = K.row.begin() + K.column[c + 1];
-    K.value[std::lower_bound(first, last, r) - K.row.begin()] += v;
+  const auto add = [&](Index r, Index c, double v) { add_entry(r, c, v, K, lead, product); };
+  const auto through_ties = [&](Index a, Index b) {
+    return !tied_elements_.empty() && (freedoms_.ties(a) || freedoms_.ties(b));
   };
   const auto on_x = [&](Index a, Index b, const Mat3& k) {
     const NodeFreedoms &A = freedoms_.nodes[a], &B = freedoms_.nodes[b];
     const Mat3 turned = A.frame * k * B.frame.transpose();
+    if (through_ties(a, b)) {
+      Eigen::Matrix<double, 5, 5> block = Eigen::Matrix<double, 5, 5>::Zero();
+      block.topLeftCorner<3, 3>() = turned;
+      return add_block(a, b, block, K, lead, product);
+    }
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) add(A.equation[i], B.equation[j], turned(i, j));
   };
   const auto on_q = [&](Index a, const Eigen::Matrix2d& k) {
+    if (through_ties(a, a)) {
+      Eigen::Matrix<double, 5, 5> block = Eigen::Matrix<double, 5, 5>::Zero();
+      block.bottomRightCorner<2, 2>() = k;
+      return add_block(a, a, block, K, lead, product);
+    }
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
         add(freedoms_.nodes[a].equation[3 + i], freedoms_.nodes[a].equation[3 + j], k(i, j));
@@ -205,7 +231,11 @@ bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix*
   }
   const auto& s = std::as_const(*state_);
   loads_->add_to_internal(s.x(), s.d(), X_, force_x_, force_d_);
-  if (with_tangent) add_load_stiffness(*K, lead, product);
+  if (with_tangent) {
+    scatter_tied(*K, lead, product);
+    add_load_stiffness(*K, lead, product);
+    add_body_stiffness(*K);
+  }
   failed_element_ = failed;
   return failed < 0;
 }

@@ -16,7 +16,7 @@ const char* const kFreedomNames[] = {"x", "y", "z", "rx", "ry", "rz"};
 
 std::string quoted(const std::string& s) { return "'" + s + "'"; }
 
-void take_word(Freedoms& f, const std::string& word) {
+void take_word(Freedoms& f, const std::string& word, const std::string& call) {
   if (word == "rotation") {
     f.rotation = true;
     return;
@@ -26,7 +26,7 @@ void take_word(Freedoms& f, const std::string& word) {
       (i < 3 ? f.translation[i] : f.axis[i - 3]) = true;
       return;
     }
-  throw Error("fix: unknown freedom " + quoted(word) + ", expected some of x y z rx ry rz rotation");
+  throw Error(call + ": unknown freedom " + quoted(word) + ", expected some of x y z rx ry rz rotation");
 }
 
 bool none_given(const Components& c) { return !c[0] && !c[1] && !c[2]; }
@@ -50,7 +50,7 @@ Mat3 frame_from(const Vec3& e1, const Vec3& e2) {
   return frame;
 }
 
-Freedoms parse_freedoms(const std::string& words) {
+Freedoms parse_freedoms(const std::string& words, const std::string& call) {
   Freedoms f;
   std::string word;
   bool any = false;
@@ -60,11 +60,11 @@ Freedoms parse_freedoms(const std::string& words) {
       continue;
     }
     if (word.empty()) continue;
-    take_word(f, word);
+    take_word(f, word, call);
     any = true;
     word.clear();
   }
-  if (!any) throw Error("fix: no freedom named, expected some of x y z rx ry rz rotation");
+  if (!any) throw Error(call + ": no freedom named, expected some of x y z rx ry rz rotation");
   return f;
 }
 
@@ -157,6 +157,22 @@ void Model::symmetry(const std::string& set, int axis) {
   f.axis = {true, true, true};
   f.axis[axis] = false;
   fix(set, f);
+}
+
+void Model::tie(Tie tie) {
+  check_open("tie");
+  const auto& set = mesh_->set(tie.set);
+  const Freedoms& f = tie.freedoms;
+  if (tie.kind == TieKind::rigid) {
+    if (set.size() < 2) throw Error("tie: rigid set " + quoted(tie.set) + " needs two nodes or more");
+  } else if (!f.translation[0] && !f.translation[1] && !f.translation[2] && !f.rotation) {
+    throw Error("tie: no freedom named, expected some of x y z");
+  }
+  if (tie.kind == TieKind::periodic) mesh_->set(tie.partner);
+  if (f.axis[0] || f.axis[1] || f.axis[2] || (f.rotation && tie.kind != TieKind::periodic))
+    throw Error(tie.kind == TieKind::periodic ? "tie: expected some of x y z rotation"
+                                              : "tie: expected some of x y z");
+  ties_.push_back(std::move(tie));
 }
 
 std::vector<double> Model::kinks() const {
@@ -270,6 +286,7 @@ void Model::validate() const {
   for (const auto& m : motions_)
     for (const auto& h : m.displacement)
       if (h) h->value(0);
+  work_out_ties(*this);
   std::vector<bool> used(mesh_->nodes.size(), false);
   for (const auto& e : mesh_->elements)
     for (const auto n : e)

@@ -13,6 +13,7 @@
 #include "card/card.hpp"
 #include "history/history.hpp"
 #include "mesh/mesh.hpp"
+#include "model/ties.hpp"
 #include "section/section.hpp"
 
 namespace fabricsh::model {
@@ -38,7 +39,7 @@ struct Freedoms {
   bool rotation = false;
 };
 // "x y z rx ry rz rotation", blanks or commas between. Error: unknown or empty word, with the accepted list.
-Freedoms parse_freedoms(const std::string& words);
+Freedoms parse_freedoms(const std::string& words, const std::string& call = "fix");
 
 using Components = std::array<std::optional<History>, 3>;
 
@@ -87,6 +88,17 @@ struct Turn {
   std::optional<Vec3> centre;  // m
 };
 
+// equal     the nodes of the set share their displacements
+// straight  they stay on the line between the set's two extreme nodes, where they lie on it in the reference
+// rigid     nodes and directors move as one rigid body
+// periodic  u_b - u_a is the same for all pairs of the set and its partner; directors of a pair are the same
+enum class TieKind { equal, straight, rigid, periodic };
+struct Tie {
+  TieKind kind;
+  std::string set, partner;  // partner: periodic only
+  Freedoms freedoms;         // along global axes; a rigid set has none of its own
+};
+
 struct Options {
   std::optional<double> thickness;  // m; wins over the card's
   std::optional<WarpField> warp;    // required unless the mesh is flat
@@ -116,8 +128,12 @@ class Model {
   void symmetry(const std::string& set,
                 int axis);  // plane normal to axis 0, 1 or 2: that displacement, two rotations
 
+  // Errors: a freedom that the kind does not tie; none named; a rigid set of one node; a periodic tie without
+  // a partner.
+  void tie(Tie tie);
+
   // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at
-  // once.
+  // once; what work_out_ties refuses.
   void validate() const;
   void seal() { sealed_ = true; }  // by the analysis that compiles it: any change after that is an Error
 
@@ -136,6 +152,7 @@ class Model {
   const std::vector<Pressure>& pressures() const { return pressures_; }
   const std::vector<Spring>& springs() const { return springs_; }
   const std::vector<Turn>& turns() const { return turns_; }
+  const std::vector<Tie>& ties() const { return ties_; }
   // Times on which a step must land: the kinks of every history.
   std::vector<double> kinks() const;
   // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite,
@@ -157,6 +174,7 @@ class Model {
   std::vector<Pressure> pressures_;
   std::vector<Spring> springs_;
   std::vector<Turn> turns_;
+  std::vector<Tie> ties_;
   Vec3 gravity_ = Vec3::Zero();
   bool sealed_ = false;
 };

@@ -128,6 +128,9 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_loads(Session& session) { install(session, rows()); }
+void bind_loads(Session& session) {
+  install(session, rows());
+  bind_ties(session);
+}
 
 }  // namespace fabricsh::script

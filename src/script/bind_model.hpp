@@ -12,5 +12,6 @@ Argument components_row(const char* unit, const char* sentence);
 Argument frame_row();
 int return_self(const Call& call);  // methods of a model can be chained
 void bind_loads(Session& session);
+void bind_ties(Session& session);
 
 }  // namespace fabricsh::script
