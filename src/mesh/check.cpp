@@ -1,0 +1,321 @@
+#include "mesh/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <unordered_map>
+
+#include "mesh/orientation.hpp"
+
+namespace fabricsh::mesh {
+
+namespace {
+
+constexpr double most_aspect = 10, most_warping = 15, least_corner = 20;
+
+// "element 3", "elements 3, 7, 12", "elements 1, 2, 3, 4, 5 and 40 more".
+std::string listed(const char* noun, const std::vector<Index>& ids) {
+  std::string text = std::string(noun) + (ids.size() > 1 ? "s " : " ");
+  for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 5); ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(ids[i] + 1);
+  return ids.size() > 5 ? text + " and " + std::to_string(ids.size() - 5) + " more" : text;
+}
+
+std::string shown(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+double degrees(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * (180 / std::numbers::pi);
+}
+
+// The geometry of one element.
+struct Shape {
+  std::size_t n;
+  Vec3 x[4];
+  Shape(const Mesh& mesh, const std::array<Index, 4>& ids) : n(ids[3] < 0 ? 3 : 4) {
+    for (std::size_t i = 0; i < n; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(ids[i])];
+  }
+  Vec3 side(std::size_t i) const { return x[(i + 1) % n] - x[i % n]; }
+  // Square to the plane of the corner, as long as the area of its parallelogram.
+  Vec3 corner(std::size_t i) const { return side(i + n - 1).cross(side(i)); }
+  Vec3 area() const { return n == 4 ? Vec3(0.5 * (x[2] - x[0]).cross(x[3] - x[1])) : Vec3(0.5 * corner(1)); }
+  double shortest() const {
+    double length = side(0).norm();
+    for (std::size_t i = 1; i < n; ++i) length = std::min(length, side(i).norm());
+    return length;
+  }
+  double longest() const {
+    double length = 0;
+    for (std::size_t i = 0; i < n; ++i) length = std::max(length, side(i).norm());
+    return length;
+  }
+  // Angle between the triangles on either side of a diagonal, the larger of the two.
+  double warping() const {
+    return n == 3 ? 0 : std::max(degrees(corner(0), corner(2)), degrees(corner(1), corner(3)));
+  }
+  double least_angle() const {
+    double least = 180;
+    for (std::size_t i = 0; i < n; ++i) least = std::min(least, degrees(side(i), -side(i + n - 1)));
+    return least;
+  }
+  bool inverted() const {
+    for (std::size_t i = 0; i < n; ++i)
+      if (corner(i).dot(area()) <= 0) return true;
+    return false;
+  }
+};
+
+class Checker {
+ public:
+  explicit Checker(const Mesh& mesh) : mesh_(mesh), edges_(edges(mesh)) { report_.mesh = mesh.origin; }
+
+  Report run() {
+    shapes();
+    repeated();
+    sides();
+    shared_edges();
+    unused();
+    duplicates();
+    std::stable_sort(report_.items.begin(), report_.items.end(),
+                     [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
+    return std::move(report_);
+  }
+
+ private:
+  void add(const char* key, Severity severity, std::string text, std::vector<Index> elements,
+           std::vector<Index> nodes = {}) {
+    report_.items.push_back({key, severity, std::move(text), std::move(elements), std::move(nodes)});
+  }
+  void add_elements(const char* key, Severity severity, const std::vector<Index>& ids,
+                    const std::string& text) {
+    if (!ids.empty()) add(key, severity, listed("element", ids) + ": " + text, ids);
+  }
+
+  bool degenerate(const Shape& shape, const std::array<Index, 4>& ids) const {
+    for (std::size_t i = 0; i < shape.n; ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (ids[i] == ids[k]) return true;
+    const double longest = shape.longest();
+    return shape.shortest() <= 1e-12 * longest || shape.area().norm() <= 1e-12 * longest * longest;
+  }
+
+  void shapes();
+  void repeated();
+  void sides();
+  void shared_edges();
+  void free_edges(const std::vector<Edge>& free);
+  void unused();
+  void duplicates();
+
+  const Mesh& mesh_;
+  std::vector<Edge> edges_;
+  Report report_;
+};
+
+void Checker::shapes() {
+  Measures& m = report_.measures;
+  m.shortest = std::numeric_limits<double>::infinity();
+  m.least_angle = 180;
+  std::vector<Index> degenerates, inverted, long_ones, warped, sharp;
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    const auto id = static_cast<Index>(e);
+    const Shape shape(mesh_, mesh_.elements[e]);
+    ++(shape.n == 3 ? m.triangles : m.quadrilaterals);
+    m.area += shape.area().norm();
+    m.shortest = std::min(m.shortest, shape.shortest());
+    m.longest = std::max(m.longest, shape.longest());
+    if (degenerate(shape, mesh_.elements[e])) {
+      degenerates.push_back(id);
+      continue;
+    }
+    if (shape.inverted()) inverted.push_back(id);
+    const double aspect = shape.longest() / shape.shortest(), warping = shape.warping(),
+                 least = shape.least_angle();
+    if (aspect > most_aspect) long_ones.push_back(id);
+    if (warping > most_warping && !shape.inverted()) warped.push_back(id);
+    if (least < least_corner) sharp.push_back(id);
+    m.aspect = std::max(m.aspect, aspect);
+    m.warping = std::max(m.warping, warping);
+    m.least_angle = std::min(m.least_angle, least);
+  }
+  add_elements("degenerate", Severity::error, degenerates,
+               "no area, an edge without length, or a node twice");
+  add_elements(
+      "inverted", Severity::error, inverted,
+      "a corner turns the other way (nodes in the wrong order, or a corner of 180 degrees and more)");
+  add_elements("aspect", Severity::warning, long_ones,
+               "the longest side is up to " + shown(m.aspect) + " times the shortest");
+  add_elements(
+      "warping", Severity::warning, warped,
+      "out of plane, the halves of the quadrilateral meet at up to " + shown(m.warping) + " degrees");
+  add_elements("angle", Severity::warning, sharp, "corners down to " + shown(m.least_angle) + " degrees");
+}
+
+void Checker::repeated() {
+  std::vector<std::pair<std::array<Index, 4>, Index>> keys;
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    auto ids = mesh_.elements[e];
+    std::sort(ids.begin(), ids.end());
+    keys.emplace_back(ids, static_cast<Index>(e));
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<Index> found;
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    if (keys[i].first == keys[i - 1].first) found.push_back(keys[i].second);
+  std::sort(found.begin(), found.end());
+  add_elements("repeated", Severity::error, found, "on the same nodes as an element before");
+}
+
+void Checker::sides() {
+  const Orientation found = orientation(mesh_, edges_);
+  report_.measures.parts = found.parts();
+  std::vector<Index> turned, one_sided;
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    const bool moebius = found.one_sided[static_cast<std::size_t>(found.part[e])] != 0;
+    if (moebius) one_sided.push_back(static_cast<Index>(e));
+    if (!moebius && found.turned[e] != 0) turned.push_back(static_cast<Index>(e));
+  }
+  add_elements("orientation", Severity::error, turned,
+               "normal against that of the neighbours (mesh:orient() turns it)");
+  add_elements("one_sided", Severity::error, one_sided,
+               "in a strip with one side only, no orientation exists");
+}
+
+void Checker::shared_edges() {
+  std::vector<Edge> free;
+  std::vector<Index> elements, nodes;
+  Index count = 0;
+  for_each_edge(edges_, [&](const Edge* begin, const Edge* end) {
+    if (end - begin == 1) free.push_back(*begin);
+    if (end - begin < 3) return;
+    ++count;
+    nodes.insert(nodes.end(), {begin->first, begin->second});
+    for (const Edge* edge = begin; edge != end; ++edge) elements.push_back(edge->element);
+  });
+  for (auto* list : {&elements, &nodes}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  if (count > 0) {
+    std::string text = listed("element", elements) + ": three or more of them meet at an edge, " +
+                       std::to_string(count) + (count == 1 ? " edge" : " edges") + " in all";
+    add("nonmanifold", Severity::warning, std::move(text), std::move(elements), std::move(nodes));
+  }
+  free_edges(free);
+}
+
+// Border lines are the connected pieces of the free edges.
+void Checker::free_edges(const std::vector<Edge>& free) {
+  if (free.empty()) return;
+  std::unordered_map<Index, Index> leader;
+  const auto lead = [&leader](Index node) {
+    leader.emplace(node, node);
+    while (leader[node] != node) node = leader[node] = leader[leader[node]];
+    return node;
+  };
+  for (const Edge& edge : free) leader[lead(edge.first)] = lead(edge.second);
+  NodeSet nodes;
+  Index borders = 0;
+  for (const auto& [node, above] : leader) {
+    nodes.push_back(node);
+    borders += node == above ? 1 : 0;
+  }
+  std::sort(nodes.begin(), nodes.end());
+  report_.measures.borders = borders;
+  add("free", Severity::note,
+      std::to_string(free.size()) + " free edges in " + std::to_string(borders) +
+          (borders == 1 ? " border line" : " border lines"),
+      {}, std::move(nodes));
+}
+
+void Checker::unused() {
+  std::vector<char> used(mesh_.nodes.size(), 0);
+  for (const auto& ids : mesh_.elements)
+    for (const Index id : ids)
+      if (id >= 0) used[static_cast<std::size_t>(id)] = 1;
+  std::vector<Index> nodes;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i] == 0) nodes.push_back(static_cast<Index>(i));
+  if (!nodes.empty()) add("unused", Severity::warning, listed("node", nodes) + ": in no element", {}, nodes);
+}
+
+// Nodes closer than 1e-9 of the mesh's size. Boxes of twice that size: a near node lies in one of the eight
+// boxes around the corner of its box that is nearest.
+void Checker::duplicates() {
+  if (mesh_.nodes.empty()) return;
+  Vec3 low = mesh_.nodes.front(), high = low;
+  for (const Vec3& x : mesh_.nodes) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const double near = 1e-9 * (high - low).norm();
+  if (near == 0) return;
+  using Box = std::array<std::int64_t, 3>;
+  const auto hash = [](const Box& b) {
+    return static_cast<std::size_t>(b[0]) * 73856093u ^ static_cast<std::size_t>(b[1]) * 19349663u ^
+           static_cast<std::size_t>(b[2]) * 83492791u;
+  };
+  std::unordered_map<Box, Index, decltype(hash)> boxes(mesh_.nodes.size(), hash);
+  std::vector<Index> nodes;
+  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
+    const Vec3 place = (mesh_.nodes[i] - low) / (2 * near);
+    bool found = false;
+    for (int corner = 0; corner < 8 && !found; ++corner) {
+      Box box;
+      for (std::size_t k = 0; k < 3; ++k)
+        box[k] = static_cast<std::int64_t>(
+            std::floor(place[static_cast<int>(k)] + ((corner >> k & 1) != 0 ? 0.5 : -0.5)));
+      const auto at = boxes.find(box);
+      found = at != boxes.end() &&
+              (mesh_.nodes[static_cast<std::size_t>(at->second)] - mesh_.nodes[i]).norm() <= near;
+    }
+    if (found) nodes.push_back(static_cast<Index>(i));
+    const Box own{static_cast<std::int64_t>(std::floor(place[0])),
+                  static_cast<std::int64_t>(std::floor(place[1])),
+                  static_cast<std::int64_t>(std::floor(place[2]))};
+    boxes.emplace(own, static_cast<Index>(i));
+  }
+  if (!nodes.empty())
+    add("duplicate", Severity::warning,
+        listed("node", nodes) + ": at the place of a node before, and not joined to it", {}, nodes);
+}
+
+}  // namespace
+
+const char* name(Severity severity) {
+  return severity == Severity::note ? "note" : severity == Severity::warning ? "warning" : "error";
+}
+
+bool Report::ok() const {
+  return std::none_of(items.begin(), items.end(),
+                      [](const Finding& f) { return f.severity == Severity::error; });
+}
+
+const Finding* Report::find(const std::string& key) const {
+  for (const Finding& item : items)
+    if (item.key == key) return &item;
+  return nullptr;
+}
+
+std::string Report::text() const {
+  const Measures& m = measures;
+  std::string text = mesh + ": " + std::to_string(m.quadrilaterals) + " quadrilaterals, " +
+                     std::to_string(m.triangles) + " triangles, " + std::to_string(m.parts) +
+                     (m.parts == 1 ? " part" : " parts") + ", area " + shown(m.area) + " m2\nedges " +
+                     shown(m.shortest) + " to " + shown(m.longest) + " m, aspect up to " + shown(m.aspect) +
+                     ", corners from " + shown(m.least_angle) + " degrees, warping up to " +
+                     shown(m.warping) + " degrees\n";
+  for (const Finding& item : items) text += std::string(name(item.severity)) + ": " + item.text + "\n";
+  return text;
+}
+
+Report check(const Mesh& mesh) { return Checker(mesh).run(); }
+
+}  // namespace fabricsh::mesh

@@ -1,0 +1,136 @@
+#include <cmath>
+
+#include "mesh/check.hpp"
+#include "mesh/generators.hpp"
+#include "message_of.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::mesh;
+using Ids = std::vector<Index>;
+
+namespace {
+
+const Finding& found(const Report& report, const std::string& key) {
+  const Finding* item = report.find(key);
+  INFO(key << " in\n" << report.text());
+  REQUIRE(item != nullptr);
+  return *item;
+}
+
+// A strip of n quadrilaterals whose ends are joined after half a turn.
+Mesh moebius(Index n) {
+  Mesh m = rectangle(1, 0.1, n, 1);
+  const Index width = n + 1;
+  m.elements.back() = {n - 1, width, 0, width + n - 1};
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("check: generated meshes are clean", "[mesh]") {
+  for (const Mesh& m : {rectangle(1, 2, 3, 4), disk({.radius = 1, .cells = 8}),
+                        annulus({.inner = 1, .outer = 2, .around = 16, .across = 4}),
+                        cylinder({.radius = 1, .length = 2, .around = 16, .along = 8}),
+                        hemisphere({.radius = 1, .around = 8, .along = 8})}) {
+    const Report report = check(m);
+    INFO(report.text());
+    CHECK(report.ok());
+    CHECK(report.items.size() == 1);
+    CHECK(found(report, "free").nodes == m.set("boundary"));
+    CHECK(report.measures.parts == 1);
+    CHECK(report.measures.borders == (m.sets.contains("seam") ? 2 : 1));
+  }
+}
+
+TEST_CASE("check: measures against closed forms", "[mesh]") {
+  Mesh m = rectangle(3, 1, 1, 1);
+  m.nodes[3].z() = 0.5;  // the far corner lifted
+  const Measures& lifted = check(m).measures;
+  const double deg = 180 / std::acos(-1.0);
+  // Halves along the diagonal through the lifted corner: normals (0, 0, 1) against each other's tilt.
+  const Vec3 a = Vec3(3, 0, 0).cross(Vec3(3, 1, 0.5)), b = Vec3(3, 1, 0.5).cross(Vec3(0, 1, 0));
+  const double along = std::acos(a.dot(b) / a.norm() / b.norm()) * deg;
+  const Vec3 c(0, 0, 1), d = Vec3(0, 1, 0.5).cross(Vec3(-3, 0, 0.5));
+  const double across = std::acos(std::abs(c.dot(d)) / d.norm()) * deg;
+  CHECK(lifted.warping == Approx(std::max(along, across)).epsilon(1e-12));
+  CHECK(lifted.shortest == Approx(1));
+  CHECK(lifted.longest == Approx(std::sqrt(9.25)));
+  CHECK(lifted.aspect == Approx(std::sqrt(9.25)));
+  CHECK(check(rectangle(3, 1, 5, 5)).measures.area == Approx(3).epsilon(1e-14));
+}
+
+TEST_CASE("check: elements that cannot be are named from 1", "[mesh]") {
+  Mesh m = rectangle(3, 1, 3, 1);
+  std::swap(m.elements[1][2], m.elements[1][3]);  // a bow tie
+  Report report = check(m);
+  CHECK_FALSE(report.ok());
+  CHECK(found(report, "degenerate").elements == Ids{1});  // its halves cancel
+  says(report.text(), "error: element 2: no area");
+  m = rectangle(3, 1, 3, 1);
+  m.nodes[5] = Vec3(1.6, 0.1, 0);  // a re-entrant corner of the second element
+  report = check(m);
+  CHECK(found(report, "inverted").elements == Ids{1});
+  m = rectangle(3, 1, 3, 1);
+  m.elements[2][2] = m.elements[2][1];
+  CHECK(found(check(m), "degenerate").elements == Ids{2});
+  m = rectangle(3, 1, 3, 1);
+  m.elements.push_back({1, 2, 6, 5});
+  report = check(m);
+  CHECK(found(report, "repeated").elements == Ids{3});
+  CHECK(found(report, "nonmanifold").elements == Ids{0, 1, 2, 3});
+}
+
+TEST_CASE("check: nodes at one place, and nodes in no element", "[mesh]") {
+  Mesh m = annulus({.inner = 1, .outer = 2, .around = 12, .across = 2, .slit = true});
+  CHECK(found(check(m), "duplicate").nodes == m.set("end"));
+  m.nodes.push_back(Vec3(0, 0, 5));
+  const Report report = check(m);
+  CHECK(found(report, "unused").nodes == Ids{39});
+  says(report.text(), "warning: node 40: in no element");
+  CHECK(report.ok());
+  m = rectangle(1, 1, 20, 20);
+  for (int k = 0; k < 3; ++k) {  // as near as rounding, in every direction
+    m.nodes.push_back(m.nodes[static_cast<std::size_t>(100 + k)] + Vec3(1e-13, -1e-13, k == 1 ? 1e-13 : 0));
+    m.elements.push_back({441 + k, 0, 21, -1});
+  }
+  CHECK(found(check(m), "duplicate").nodes == Ids{441, 442, 443});
+}
+
+TEST_CASE("check: shape warnings", "[mesh]") {
+  CHECK(found(check(rectangle(20, 1, 1, 1)), "aspect").elements == Ids{0});
+  Mesh m = rectangle(1, 1, 1, 1);
+  m.map([](const Vec3& x) { return Vec3(x.x() + 5 * x.y(), x.y(), 0); });
+  CHECK(found(check(m), "angle").elements == Ids{0});
+  m = rectangle(1, 1, 1, 1);
+  m.nodes[0].z() = 0.3;
+  CHECK(found(check(m), "warping").elements == Ids{0});
+}
+
+TEST_CASE("orient: turns those that disagree, as few as can be", "[mesh]") {
+  Mesh m = cylinder({.radius = 1, .length = 2, .around = 8, .along = 4});
+  const auto good = m.elements;
+  for (const std::size_t e : {3u, 17u}) std::swap(m.elements[e][1], m.elements[e][3]);
+  CHECK(found(check(m), "orientation").elements == Ids{3, 17});
+  CHECK(orient(m) == 2);
+  CHECK(m.elements == good);
+  CHECK(orient(m) == 0);
+  Mesh flat = rectangle(1, 1, 3, 3);
+  CHECK(orient(flat, Vec3(0, 0.1, -1)) == 9);
+  CHECK(orient(flat, Vec3(0, 0, 1)) == 9);
+  says(message_of([&] { orient(flat, Vec3(1, 0, 0)); }),
+       "orient: the mean normal of part 1 of the mesh is square");
+}
+
+TEST_CASE("orient: two parts, triangles, and a strip with one side", "[mesh]") {
+  Mesh m = rectangle(2, 1, 2, 1);
+  m.elements = {{0, 1, 4, -1}, {0, 3, 4, -1}, {1, 5, 4, -1}, {1, 2, 5, -1}};
+  CHECK(orient(m) == 1);
+  CHECK(check(m).find("orientation") == nullptr);
+  Mesh strip = moebius(6);
+  CHECK(found(check(strip), "one_sided").elements.size() == 6);
+  says(message_of([&] { orient(strip); }), "Moebius");
+  Mesh two = rectangle(3, 1, 3, 1);
+  two.elements.erase(two.elements.begin() + 1);
+  CHECK(check(two).measures.parts == 2);
+  CHECK(check(two).measures.borders == 2);
+}
