@@ -266,6 +266,7 @@ std::vector<Entry> rows() {
 void bind_mesh(Session& session) {
   install(session, rows());
   install(session, mesh_generator_rows());
+  install(session, mesh_file_rows());
   set_meta(session, "mesh", "__tostring", mesh_text);
   set_meta(session, "nodes", "__len", node_count);
   set_meta(session, "nodes", "__index", node_at);

@@ -5,5 +5,6 @@
 namespace fabricsh::script {
 
 std::vector<Entry> mesh_generator_rows();
+std::vector<Entry> mesh_file_rows();
 
 }  // namespace fabricsh::script

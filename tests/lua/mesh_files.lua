@@ -1,0 +1,52 @@
+-- Meshes from and to files from a deck's side: what comes along, round trips, files that lie, reports, orientation.
+local fabric = require "fabric"
+
+local function refused(part, f, ...)
+  local ok, why = pcall(f, ...)
+  assert(not ok and tostring(why):find(part, 1, true), tostring(why))
+end
+
+local function write(name, text)
+  local file = assert(io.open(name, "wb"))
+  file:write(text)
+  file:close()
+  return name
+end
+
+-- Each mesh that comes along, in both forms.
+for _, name in ipairs { "strip", "disc", "sleeve", "wavy" } do
+  local a, b = fabric.mesh.read(name .. ".msh"), fabric.mesh.read(name .. ".vtu")
+  assert(#a.nodes == #b.nodes and #a.elements == #b.elements and #a.sets == #b.sets)
+  assert(a:check().ok and tostring(a):find(name .. ".msh", 1, true))
+end
+
+-- A strip from a file runs as the generated one does; the warp has to be said.
+local strip = fabric.mesh.read "strip.msh"
+refused("warp", fabric.model, { mesh = strip, card = fabric.card "blend" })
+fabric.model { mesh = strip, card = fabric.card "blend", warp = 90 }:fix("bottom", "x y z")
+
+-- Sets made by the deck travel with the mesh.
+local disk = fabric.mesh.disk { radius = 0.05, cells = 4 }
+disk:set("half", function(x) return x > 0 end)
+assert(disk:write "out/disk.msh" == disk)
+assert(#fabric.mesh.read "out/disk.msh":set "half" == #disk:set "half")
+refused("write: cannot write 'disk.stl': expected a name that ends in .vtu or .msh", disk.write, disk, "disk.stl")
+
+-- Triangles load.
+local obj = write("pair.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng lower\nf 1 2 3\ng upper\nf 1 4 3\n")
+local pair = fabric.mesh.read(obj)
+assert(#pair.elements[1] == 3 and #pair:set "lower" == 3)
+local report = pair:check()
+assert(not report.ok and report.triangles == 2 and report.items[1].key == "orientation")
+assert(tostring(report):find("error: element 2: normal against that of the neighbours", 1, true))
+assert(pair:orient { 0, 0, 1 } == 1 and pair:check().ok and pair.elements[2][2] == 3)
+refused("orient: argument 'direction': expected a direction", pair.orient, pair, { 0, 0, 0 })
+refused("orient: the mean normal of part 1 of the mesh is square to the direction", pair.orient, pair, { 1, 0, 0 })
+
+-- Errors name the file and its line.
+refused("read: cannot read 'none.msh': No such file or directory", fabric.mesh.read, "none.msh")
+refused("expected a name that ends in .msh, .vtu, .vtk or .obj", fabric.mesh.read, "mesh.stl")
+refused("bad.obj:2: expected three coordinates", fabric.mesh.read, write("bad.obj", "v 0 0 0\nv 1 0\n"))
+refused("bad.msh: the file is empty", fabric.mesh.read, write("bad.msh", ""))
+refused("bad.vtu:1: expected <VTKFile>, got <html>", fabric.mesh.read, write("bad.vtu", "<html></html>"))
+refused("bad.vtk:1: expected a .vtk file", fabric.mesh.read, write("bad.vtk", ("\0\255"):rep(1000)))
