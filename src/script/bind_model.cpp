@@ -1,6 +1,7 @@
 // fabric.model: supports, motions, loads.
 #include "script/bind_model.hpp"
 
+#include "fabric/check.hpp"
 #include "model/model.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
@@ -130,6 +131,16 @@ void read_layers(const Call& call, model::Options& options) {
   if (options.plies.empty()) call.refuse("layers", "expected at least one layer");
 }
 
+// A card that fails its check is refused; each of its warnings is said once.
+void check_card(const Call& call, const card::Card& card) {
+  const auto report = fabric::check(card);
+  for (const auto& item : report.items) {
+    const std::string words = "card '" + card.name + "': " + item.key + ": " + item.text;
+    if (item.severity == fabric::Severity::error) throw Error(words);
+    if (item.severity == fabric::Severity::warning) call.session().notices().once(words, "warning: " + words);
+  }
+}
+
 int make(Call& call) {
   model::Options options;
   read_layers(call, options);
@@ -141,7 +152,10 @@ int make(Call& call) {
   options.points = static_cast<int>(call.integer("points"));
   options.offset = call.number("offset");
   read_warp(call, options);
-  push_object(call.L(), std::make_shared<Model>(call.object<mesh::Mesh>("mesh"), card, std::move(options)));
+  auto model = std::make_shared<Model>(call.object<mesh::Mesh>("mesh"), card, std::move(options));
+  for (const auto& ply : model->options().plies) check_card(call, ply.card);
+  if (model->options().plies.empty()) check_card(call, card);
+  push_object(call.L(), std::move(model));
   return 1;
 }
 
