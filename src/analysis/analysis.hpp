@@ -48,7 +48,7 @@ enum class Method { newton, relaxation, either };
 
 struct StaticOptions {
   double duration = 0;         // s, required, positive
-  std::optional<double> step;  // largest step, s; default duration / 20
+  std::optional<double> step = {};  // largest step, s; default duration / 20
   double tolerance = 1e-10;    // residual over the largest nodal force so far
   int max_iterations =
       50;             // slack cloth at its first strains switches many yarns: an active set takes its time

@@ -1,4 +1,5 @@
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 
@@ -16,6 +17,19 @@ template <class T>
 T* writable(const std::vector<T>& v) {
   return const_cast<T*>(v.data());
 }
+
+// While this lives, parallel regions run on one thread. CHOLMOD asks for four around loops of microseconds,
+// and spends more time on waking them than on the factors.
+class OneThread {
+ public:
+  OneThread() { omp_set_max_active_levels(0); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+  ~OneThread() { omp_set_max_active_levels(levels_); }
+
+ private:
+  int levels_ = omp_get_max_active_levels();
+};
 
 class Cholmod final : public LinearSolver {
  public:
@@ -41,7 +55,7 @@ class Cholmod final : public LinearSolver {
     by_general_ = false;
     general_.reset();
     common_.method[0].ordering = use_metis(ordering_, A.size) ? CHOLMOD_METIS : CHOLMOD_AMD;
-    cholmod_sparse view = lower(A);
+    cholmod_sparse view = upper(A);
     L_ = cholmod_l_analyze(&view, &common_);
     return L_ != nullptr;
   }
@@ -62,6 +76,7 @@ class Cholmod final : public LinearSolver {
 
   bool solve(const SparseMatrix& A, std::span<const double> b, std::span<double> x) override {
     if (by_general_) return general_->solve(A, b, x);
+    const OneThread one;
     cholmod_dense rhs{};
     rhs.nrow = rhs.d = rhs.nzmax = b.size();
     rhs.ncol = 1;
@@ -77,14 +92,14 @@ class Cholmod final : public LinearSolver {
   LinearReport report() const override { return report_; }
 
  private:
-  static cholmod_sparse lower(const SparseMatrix& A) {
+  static cholmod_sparse upper(const SparseMatrix& A) {
     cholmod_sparse view{};
     view.nrow = view.ncol = A.size;
     view.nzmax = A.row.size();
     view.p = writable(A.column);
     view.i = writable(A.row);
     view.x = writable(A.value);
-    view.stype = -1;  // symmetric, the lower triangle is read
+    view.stype = 1;  // symmetric, the upper triangle is read: one permuted copy less than from the lower
     view.itype = CHOLMOD_LONG;
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
@@ -93,7 +108,8 @@ class Cholmod final : public LinearSolver {
   }
 
   bool cholesky(const SparseMatrix& A) {
-    cholmod_sparse view = lower(A);
+    const OneThread one;
+    cholmod_sparse view = upper(A);
     const bool done = cholmod_l_factorize(&view, L_, &common_) && common_.status == CHOLMOD_OK;
     report_ = {};
     if (!done) return false;

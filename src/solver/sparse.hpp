@@ -42,7 +42,7 @@ enum class Ordering { automatic, amd, metis };
 // UMFPACK with the symmetric-pattern strategy: unsymmetric values. BLAS is held to one thread.
 std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering = Ordering::automatic);
 
-// Supernodal Cholesky (CHOLMOD), which reads the lower triangle alone. A matrix that is not positive definite
+// Supernodal Cholesky (CHOLMOD), which reads the upper triangle alone. A matrix that is not positive definite
 // goes to the unsymmetric solver, which counts its negative pivots; so do the ones after it, until one has
 // none.
 std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering = Ordering::automatic);

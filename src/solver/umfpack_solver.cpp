@@ -16,6 +16,8 @@ const SuiteSparse_long* as_long(const std::vector<Index>& v) {
   return reinterpret_cast<const SuiteSparse_long*>(v.data());
 }
 
+constexpr double kRounding = 2e-14;  // smallest over largest pivot, 100 times the unit of rounding
+
 class Umfpack final : public LinearSolver {
  public:
   explicit Umfpack(Ordering ordering) : ordering_(ordering) {
@@ -40,11 +42,12 @@ class Umfpack final : public LinearSolver {
     if (symbolic_ == nullptr) return false;
     const auto status = umfpack_dl_numeric(as_long(A.column), as_long(A.row), A.value.data(), symbolic_,
                                            &numeric_, control_, info_);
-    report_.singular = status != UMFPACK_OK;
+    // A pivot that is rounding alone beside the largest one: a part that moves freely, whatever its sign.
+    report_.singular = status != UMFPACK_OK || info_[UMFPACK_RCOND] < kRounding;
     report_.reciprocal_condition = info_[UMFPACK_RCOND];
     report_.fill = static_cast<Index>(info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ]);
     report_.negative_pivots = status == UMFPACK_OK ? count_negative(A.size) : 0;
-    return status == UMFPACK_OK;
+    return !report_.singular;
   }
 
   bool solve(const SparseMatrix& A, std::span<const double> b, std::span<double> x) override {

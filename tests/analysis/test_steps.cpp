@@ -1,0 +1,140 @@
+// Step sizes, threads, stabilisation, relaxation, and what a failure says.
+#include <omp.h>
+
+#include "analysis/problems.hpp"
+#include "catch.hpp"
+#include "message_of.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::test;
+using analysis::Control;
+using analysis::Static;
+using analysis::StaticOptions;
+
+namespace {
+
+// A square plate held on the left, its right edge lifted by a fifth of its length and pushed in by a tenth.
+std::shared_ptr<model::Model> make_plate(const card::Card& card, int n, double push = 0) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, n, n));
+  auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
+  m->fix("left", model::parse_freedoms("x y z rotation"));
+  model::Components lift;
+  lift[2] = history::History::ramp(0.2, 1);
+  if (push != 0) lift[0] = history::History::ramp(-push, 1);
+  m->move("right", lift);
+  return m;
+}
+
+std::vector<double> positions(const Static& a) {
+  const auto x = a.assembly().state().x();
+  return {x.begin(), x.end()};
+}
+
+}  // namespace
+
+TEST_CASE("steps that converge well keep the size that was asked for") {
+  Static a(make_plate(isotropic(1e7, 0.3, 0.05), 4), {.duration = 1, .step = 1.0 / 80}, quiet());
+  a.solve();
+  CHECK(a.steps().size() == 80);
+  for (const auto& s : a.steps()) CHECK(std::abs(80 * s.step - 1) < 1e-9);
+}
+
+TEST_CASE("a step that is too large is cut, and the run still lands on its end") {
+  Static a(make_plate(isotropic(1e7, 0.3, 0.002), 8), {.duration = 1, .step = 0.5, .max_iterations = 6},
+           quiet());
+  a.solve();
+  int cuts = 0;
+  for (const auto& s : a.steps()) {
+    cuts += s.cuts;
+    CHECK(s.step <= 0.5 + 1e-12);
+  }
+  CHECK(cuts > 0);
+  CHECK(a.time() == 1);
+}
+
+TEST_CASE("one thread and two give the same bits, in load and along an arc, symmetric or not") {
+  const int before = omp_get_max_threads();
+  for (const Control control : {Control::load, Control::arc})
+    for (const auto linear : {analysis::Linear::symmetric, analysis::Linear::unsymmetric}) {
+      std::vector<double> x[2];
+      for (const int threads : {1, 2}) {
+        omp_set_num_threads(threads);
+        StaticOptions options{.duration = 1, .step = 0.1, .linear = linear, .control = control};
+        Static a(make_plate(isotropic(1e7, 0.3, 0.02), 24), options, quiet());  // 576 elements: shared out
+        a.advance(0.3);
+        x[threads - 1] = positions(a);
+      }
+      CHECK(x[0] == x[1]);
+    }
+  omp_set_num_threads(before);
+}
+
+TEST_CASE("the symmetric and the unsymmetric solver give the same state of woven cloth") {
+  std::vector<double> x[2];
+  int i = 0;
+  for (const auto linear : {analysis::Linear::symmetric, analysis::Linear::unsymmetric}) {
+    Static a(make_plate(blend(), 6), {.duration = 1, .step = 0.1, .linear = linear}, quiet());
+    a.advance(0.5);
+    x[i++] = positions(a);
+  }
+  double worst = 0;
+  for (std::size_t k = 0; k < x[0].size(); ++k) worst = std::max(worst, std::abs(x[0][k] - x[1][k]));
+  CHECK(worst < 1e-7);  // m, of a plate of 1 m: both stop at a residual of 1e-10
+}
+
+TEST_CASE("relaxation alone arrives where Newton does") {
+  std::vector<double> x[2];
+  int i = 0;
+  for (const auto method : {analysis::Method::newton, analysis::Method::relaxation}) {
+    Static a(make_plate(isotropic(1e7, 0.3, 0.05), 4), {.duration = 1, .step = 0.25, .method = method},
+             quiet());
+    a.solve();
+    x[i++] = positions(a);
+    if (method == analysis::Method::relaxation) CHECK(a.steps().front().iterations > 50);
+  }
+  double worst = 0;
+  for (std::size_t k = 0; k < x[0].size(); ++k) worst = std::max(worst, std::abs(x[0][k] - x[1][k]));
+  CHECK(worst < 1e-9);
+}
+
+TEST_CASE("stabilisation takes the fraction of the work that it is told, and reports it") {
+  for (const double fraction : {2e-4, 2e-3}) {
+    Static a(make_plate(isotropic(1e7, 0.3, 0.05), 4), {.duration = 1, .step = 0.05, .stabilise = fraction},
+             quiet());
+    a.solve();
+    const auto e = a.energy();
+    INFO("damping " << e.damping << " of " << e.external);
+    CHECK(e.damping > 0.1 * fraction * e.external);
+    CHECK(e.damping < 2 * fraction * e.external);
+    CHECK(e.error < 5e-3);  // the trapezoid over 20 steps
+  }
+}
+
+TEST_CASE("bad options say what they are and what they may be") {
+  const auto message = [](const StaticOptions& options) {
+    return message_of([&] { Static(make_plate(isotropic(1e7, 0.3, 0.05), 2), options, quiet()); });
+  };
+  says(message({.duration = 1, .control = Control::arc, .stabilise = 1e-3}), "field 'control'");
+  says(message({.duration = 1, .stabilise = -1}), "field 'stabilise'");
+  says(message({.duration = 1, .step = 0.1, .min_step = 0.2}), "field 'min_step'");
+}
+
+TEST_CASE("a part that can move freely: the failure names the cause in two lines") {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, 2, 2));
+  auto m = std::make_shared<model::Model>(mesh, isotropic(1e7, 0.3, 0.01), model::Options{});
+  model::Components pull;
+  pull[0] = history::History::ramp(1, 1);
+  m->force("right", pull);
+  Static a(m, {.duration = 1}, quiet());
+  try {
+    a.solve();
+    FAIL("no failure");
+  } catch (const NumericalFailure& failure) {
+    const std::string message = failure.what();
+    INFO(message);
+    CHECK(std::count(message.begin(), message.end(), '\n') == 1);
+    says(message, "the tangent is singular");
+    says(message, "\nTry: supports that leave no part free");
+  }
+}

@@ -1,0 +1,117 @@
+// What a static step is made of, on square plates of n x n elements held along one edge and bent at the
+// other: bench_solver [n ...]. CPU times in ms on one thread, and the ratios that matter: assembly over
+// numeric factorisation, and the whole step over the bare factorisation times the number of iterations.
+#include <omp.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+#include "analysis/problems.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+
+namespace {
+
+// CPU time of the process, on one thread: the machine may be shared.
+class Stopwatch {
+ public:
+  double ms() const { return now() - start_; }
+
+ private:
+  static double now() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+  double start_ = now();
+};
+
+template <class Act>
+double best(int repeats, Act act) {
+  double least = 1e30;
+  for (int i = 0; i < repeats; ++i) {
+    const Stopwatch watch;
+    act();
+    least = std::min(least, watch.ms());
+  }
+  return least;
+}
+
+std::shared_ptr<model::Model> make_plate(const card::Card& card, int n) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, n, n));
+  auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
+  m->fix("left", model::parse_freedoms("x y z rotation"));
+  model::Components lift;
+  lift[2] = history::History::ramp(0.2, 1);
+  m->move("right", lift);
+  return m;
+}
+
+struct Factor {
+  double analyse = 0, numeric = 0, solve = 0;
+  double fill = 0;  // million entries
+};
+
+Factor measure(solver::LinearSolver& solver, const solver::SparseMatrix& K, int repeats) {
+  Factor f;
+  std::vector<double> b(K.size, 1.0), x(K.size);
+  f.analyse = best(1, [&] { solver.analyse(K); });
+  f.numeric = best(repeats, [&] {
+    if (!solver.factorise(K)) std::printf("  not factorised\n");
+  });
+  f.solve = best(repeats, [&] { solver.solve(K, b, x); });
+  f.fill = static_cast<double>(solver.report().fill) / 1e6;
+  return f;
+}
+
+void print(const char* name, const Factor& f) {
+  std::printf("  %-18s analyse %8.1f  factorise %8.1f  solve %7.1f  fill %6.1f M\n", name, f.analyse,
+              f.numeric, f.solve, f.fill);
+}
+
+void run(const char* name, const card::Card& card, int n, bool orderings) {
+  const int repeats = n <= 64 ? 5 : 2;
+  auto plate = make_plate(card, n);
+  assembly::Assembly assembly(*plate);
+  auto K = assembly.pattern();
+  std::printf("%s, %d x %d elements, %lld unknowns\n", name, n, n, static_cast<long long>(K.size));
+  const double tangent = best(repeats, [&] { assembly.tangent(fabric::AtSwitch::loading, K, {}, {}); });
+  const double force = best(repeats, [&] { assembly.forces(fabric::AtSwitch::loading); });
+  const bool symmetric = plate->section().symmetric;
+  using solver::Ordering;
+  const auto chosen =
+      measure(*(symmetric ? solver::make_symmetric_solver() : solver::make_unsymmetric_solver()), K, repeats);
+  if (orderings) {
+    print("CHOLMOD AMD", measure(*solver::make_symmetric_solver(Ordering::amd), K, repeats));
+    print("CHOLMOD METIS", measure(*solver::make_symmetric_solver(Ordering::metis), K, repeats));
+    print("UMFPACK AMD", measure(*solver::make_unsymmetric_solver(Ordering::amd), K, repeats));
+    print("UMFPACK METIS", measure(*solver::make_unsymmetric_solver(Ordering::metis), K, repeats));
+  }
+  print("automatic", chosen);
+  analysis::Static a(make_plate(card, n), {.duration = 1, .step = 0.05}, test::quiet());
+  a.step();
+  const Stopwatch watch;
+  int iterations = 0;
+  for (int i = 0; i < 2; ++i) {
+    a.step();
+    iterations += a.steps().back().iterations;
+  }
+  const double total = watch.ms();
+  std::printf("  tangent %.1f  force %.1f  | two steps %.1f in %d iterations, %.1f each\n", tangent, force,
+              total, iterations, total / iterations);
+  std::printf("  ratios: tangent / factorisation %.3f   whole / bare factorisation %.3f\n",
+              tangent / chosen.numeric, total / (iterations * chosen.numeric));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  omp_set_num_threads(1);
+  std::vector<int> sizes;
+  for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
+  if (sizes.empty()) sizes = {32, 64, 128};
+  for (const int n : sizes) {
+    run("isotropic", test::isotropic(1e7, 0.3, 1e-3), n, true);
+    run("woven (blend)", test::blend(), n, false);
+  }
+}
