@@ -123,7 +123,8 @@ void VtuReader::find_appended(const XmlTag& tag) {
 const DataArray& VtuReader::array(const char* parent, const char* name) const {
   for (const DataArray& array : arrays_)
     if (array.parent == parent && (*name == '\0' || array.name == name)) return array;
-  source_.fail(std::string("no array ") + (*name == '\0' ? "" : in_quotes(name) + " ") + "in <" + parent + ">");
+  source_.fail(std::string("no array ") + (*name == '\0' ? "" : in_quotes(name) + " ") + "in <" + parent +
+               ">");
 }
 
 // Appended base64 ends where the next array begins, so that no array is decoded with all that follow it.
@@ -189,7 +190,8 @@ mesh::Mesh VtuReader::read() {
       continue;
     source_.move_to(array.begin);
     const auto values = decoder.integers(stored(array));
-    expect("values of array " + in_quotes(array.name), on_cells ? mesh.cells() : mesh.points(), values.size());
+    expect("values of array " + in_quotes(array.name), on_cells ? mesh.cells() : mesh.points(),
+           values.size());
     mesh.add_sets(array.name, on_cells, values);
   }
   return mesh.finish();
