@@ -47,9 +47,9 @@ enum class Control { load, arc };
 enum class Method { newton, relaxation, either };
 
 struct StaticOptions {
-  double duration = 0;         // s, required, positive
+  double duration = 0;              // s, required, positive
   std::optional<double> step = {};  // largest step, s; default duration / 20
-  double tolerance = 1e-10;    // residual over the largest nodal force so far
+  double tolerance = 1e-10;         // residual over the largest nodal force so far
   int max_iterations =
       50;             // slack cloth at its first strains switches many yarns: an active set takes its time
   int max_cuts = 12;  // halvings of one step before the run gives up

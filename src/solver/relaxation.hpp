@@ -1,4 +1,4 @@
-// Dynamic relaxation with kinetic damping [day1965; papadrakakis1981]: a fictitious motion with lumped masses
+// Dynamic relaxation [day1965; papadrakakis1981] with kinetic damping: a fictitious motion with lumped masses
 // under the residual forces, stopped dead at every peak of its kinetic energy, until the residual is gone. No
 // matrix is factorised, so that it goes on where the tangent is singular or indefinite; many cheap
 // iterations.
