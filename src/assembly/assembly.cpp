@@ -11,9 +11,6 @@ namespace fabricsh::assembly {
 
 namespace {
 
-using element::gauss_points;
-using element::shell4_dofs;
-
 // The element's fibre basis after Hughes: the global axis least aligned with the director (PHYSICS section
 // 6).
 Vec3 first_axis(const Vec3& d) {
@@ -50,15 +47,21 @@ void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
 
 }  // namespace
 
-Assembly::Assembly(const model::Model& model)
-    : model_(model), X_(model.mesh().nodes), kernels_(element::shell4_kernels(best_isa())) {
+Assembly::Assembly(const model::Model& model) : model_(model), X_(model.mesh().nodes) {
+  set_kinds();
   auto directors = reference_directors(model.mesh());
   freedoms_ = number_freedoms(model, directors);
   meet_directors(directors);
   colour_elements();
-  const auto& section = model.section();
-  law_size_ = gauss_points * section.state_size * lanes;
-  state_ = std::make_unique<StateStore>(X_.size(), batches_.size() * law_size_);
+  std::size_t law = 0, geometry = 0;
+  for (Batch& batch : batches_) {
+    batch.law = law;
+    batch.geometry = geometry;
+    law += static_cast<std::size_t>(batch.kind->in_plane) * model.section().state_size * lanes;
+    geometry += static_cast<std::size_t>(batch.kind->geometry_size) * lanes;
+  }
+  geometry_.assign(geometry, 0);
+  state_ = std::make_unique<StateStore>(X_.size(), law);
   for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
     at(state_->x(), n) = X_[n];
     at(state_->d(), n) = directors[n];
@@ -79,6 +82,24 @@ Assembly::Assembly(const model::Model& model)
 
 Assembly::~Assembly() = default;
 
+void Assembly::set_kinds() {
+  const int points = static_cast<int>(model_.section().points.size());
+  const element::Shell4Layout four(points);
+  const element::Shell3Layout three(points);
+  quad_ = {element::shell4_kernels(best_isa()),
+           4,
+           element::gauss_points,
+           element::shell4_dofs,
+           four.point(0, 0),
+           four.size()};
+  triangle_ = {element::shell3_kernels(best_isa()),
+               3,
+               element::shell3_points,
+               element::shell3_dofs,
+               three.point(0, 0),
+               three.size()};
+}
+
 void Assembly::colour_elements() {
   const auto& mesh = model_.mesh();
   const auto colours = colour(mesh);
@@ -87,25 +108,8 @@ void Assembly::colour_elements() {
   node_element_.assign(mesh.nodes.size(), -1);
   for (int c = 0; c < count; ++c) {
     colour_start_.push_back(static_cast<Index>(batches_.size()));
-    int lane = lanes;
-    for (std::size_t e = 0; e < colours.size(); ++e) {
-      if (colours[e] != c) continue;
-      if (mesh.elements[e][3] < 0)
-        throw Error("mesh: element " + std::to_string(e + 1) +
-                    " is a triangle; only quadrilaterals are computed");
-      if (lane == lanes) {
-        batches_.emplace_back();
-        lane = 0;
-      }
-      Batch& batch = batches_.back();
-      place_[e] = {static_cast<Index>(batches_.size()) - 1, lane};
-      // Lanes that stay empty repeat the batch's last element, and are never scattered.
-      for (int l = lane; l < lanes; ++l) {
-        batch.element[l] = static_cast<Index>(e);
-        batch.nodes[l] = mesh.elements[e];
-      }
-      batch.used = ++lane;
-    }
+    add_batches(colours, c, quad_);
+    add_batches(colours, c, triangle_);
   }
   colour_start_.push_back(static_cast<Index>(batches_.size()));
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
@@ -113,50 +117,83 @@ void Assembly::colour_elements() {
       if (n >= 0) node_element_[n] = static_cast<Index>(e);
 }
 
-void Assembly::make_geometry(const std::vector<Vec3>& directors) {
-  const auto& section = model_.section();
-  const element::Shell4Layout layout(static_cast<int>(section.points.size()));
-  geometry_size_ = layout.size() * lanes;
-  geometry_.assign(batches_.size() * geometry_size_, 0);
-  mass_.assign(X_.size(), 0);
-  mass_moment_.assign(X_.size(), 0);
-  const auto warp = [this](const Vec3& X, const Vec3& n) { return model_.warp_at(X, n); };
-  for (std::size_t b = 0; b < batches_.size(); ++b) {
-    double* geometry = geometry_.data() + b * geometry_size_;
-    for (int l = 0; l < lanes; ++l) {
-      const auto& nodes = batches_[b].nodes[l];
-      std::array<Vec3, 4> X, D;
-      for (int a = 0; a < 4; ++a) {
-        X[a] = X_[nodes[a]];
-        D[a] = directors[nodes[a]];
-      }
-      try {
-        element::shell4_geometry(section, X, D, warp, geometry, l, lanes);
-      } catch (const Error& e) {
-        const std::string what = e.what();
-        if (what.rfind("is ", 0) != 0) throw;
-        throw Error("mesh: element " + std::to_string(batches_[b].element[l] + 1) + " " + what);
-      }
-      if (l >= batches_[b].used) continue;
-      double mass = 0, moment = 0;  // kg, kg m
-      for (int g = 0; g < gauss_points; ++g)
-        for (std::size_t k = 0; k < section.points.size(); ++k) {
-          const double m =
-              section.points[k].density * geometry[(layout.point(g, static_cast<int>(k)) + 7) * lanes + l];
-          mass += m;
-          moment += m * section.thickness / 2 * (section.points[k].zeta - section.offset);
-        }
-      for (int a = 0; a < 4; ++a) {
-        mass_[nodes[a]] += mass / 4;
-        mass_moment_[nodes[a]] += moment / 4;
-      }
+// The elements of one colour and kind.
+void Assembly::add_batches(const std::vector<int>& colours, int colour, const Kind& kind) {
+  const auto& elements = model_.mesh().elements;
+  int lane = lanes;
+  for (std::size_t e = 0; e < colours.size(); ++e) {
+    if (colours[e] != colour || (elements[e][3] < 0) != (kind.corners == 3)) continue;
+    if (lane == lanes) {
+      batches_.emplace_back();
+      batches_.back().kind = &kind;
+      lane = 0;
     }
+    Batch& batch = batches_.back();
+    place_[e] = {static_cast<Index>(batches_.size()) - 1, lane};
+    // Lanes that stay empty repeat the batch's last element, and are never scattered.
+    for (int l = lane; l < lanes; ++l) {
+      batch.element[l] = static_cast<Index>(e);
+      batch.nodes[l] = elements[e];
+    }
+    batch.used = ++lane;
   }
 }
 
-double* Assembly::trial_law(Index batch) { return state_->law().data() + batch * law_size_; }
-const double* Assembly::committed_law(Index batch) const {
-  return state_->committed_law().data() + batch * law_size_;
+namespace {
+
+template <std::size_t corners>
+void put_geometry(const section::Section& section, const std::vector<Vec3>& X,
+                  const std::vector<Vec3>& directors, const std::array<Index, 4>& nodes,
+                  const element::WarpAt& warp, double* geometry, int lane) {
+  std::array<Vec3, corners> x, d;
+  for (std::size_t a = 0; a < corners; ++a) {
+    x[a] = X[nodes[a]];
+    d[a] = directors[nodes[a]];
+  }
+  if constexpr (corners == 3)
+    element::shell3_geometry(section, x, d, warp, geometry, lane, lanes);
+  else
+    element::shell4_geometry(section, x, d, warp, geometry, lane, lanes);
+}
+
+}  // namespace
+
+void Assembly::make_geometry(const std::vector<Vec3>& directors) {
+  mass_.assign(X_.size(), 0);
+  mass_moment_.assign(X_.size(), 0);
+  const auto warp = [this](const Vec3& X, const Vec3& n) { return model_.warp_at(X, n); };
+  for (const Batch& batch : batches_)
+    for (int l = 0; l < lanes; ++l) {
+      double* geometry = geometry_.data() + batch.geometry;
+      try {
+        if (batch.kind->corners == 3)
+          put_geometry<3>(model_.section(), X_, directors, batch.nodes[l], warp, geometry, l);
+        else
+          put_geometry<4>(model_.section(), X_, directors, batch.nodes[l], warp, geometry, l);
+      } catch (const Error& e) {
+        const std::string what = e.what();
+        if (what.rfind("is ", 0) != 0) throw;
+        throw Error("mesh: element " + std::to_string(batch.element[l] + 1) + " " + what);
+      }
+      if (l < batch.used) add_mass(batch, l);
+    }
+}
+
+void Assembly::add_mass(const Batch& batch, int lane) {
+  const auto& section = model_.section();
+  const int points = static_cast<int>(section.points.size());
+  double mass = 0, moment = 0;  // kg, kg m
+  for (int g = 0; g < batch.kind->in_plane; ++g)
+    for (int k = 0; k < points; ++k) {
+      const double m = section.points[k].density *
+                       geometry_[batch.geometry + (batch.kind->point(g, k, points) + 7) * lanes + lane];
+      mass += m;
+      moment += m * section.thickness / 2 * (section.points[k].zeta - section.offset);
+    }
+  for (int a = 0; a < batch.kind->corners; ++a) {
+    mass_[batch.nodes[lane][a]] += mass / batch.kind->corners;
+    mass_moment_[batch.nodes[lane][a]] += moment / batch.kind->corners;
+  }
 }
 
 void Assembly::realign(Index node, std::span<double> d, std::span<double> b1) const {
@@ -284,15 +321,16 @@ void Assembly::visit(Index element, const PointVisitor& f) const {
   const Place place = place_[element];
   const auto& section = model_.section();
   const int points = static_cast<int>(section.points.size());
-  const element::Shell4Layout layout(points);
+  const Batch& batch = batches_[place.batch];
+  const Kind& kind = *batch.kind;
   alignas(64) double x[12 * lanes], d[12 * lanes];
-  std::vector<double> E(static_cast<std::size_t>(gauss_points) * points * 5 * lanes),
+  std::vector<double> E(static_cast<std::size_t>(kind.in_plane) * points * 5 * lanes),
       state(section.state_size + 1);
-  gather(batches_[place.batch], x, d, nullptr);
-  const double* geometry = geometry_.data() + place.batch * geometry_size_;
-  kernels_.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, E.data());
-  const double* law = std::as_const(*state_).law().data() + place.batch * law_size_;
-  for (int g = 0; g < gauss_points; ++g)
+  gather(batch, x, d, nullptr);
+  const double* geometry = geometry_.data() + batch.geometry;
+  kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, E.data());
+  const double* law = std::as_const(*state_).law().data() + batch.law;
+  for (int g = 0; g < kind.in_plane; ++g)
     for (int k = 0; k < points; ++k) {
       const auto& point = section.points[k];
       double e[5];
@@ -300,24 +338,28 @@ void Assembly::visit(Index element, const PointVisitor& f) const {
       const int size = fabric::state_size(*point.law);
       for (int i = 0; i < size; ++i)
         state[i] = law[(g * section.state_size + point.state + i) * lanes + place.lane];
-      f(geometry[(layout.point(g, k) + 7) * lanes + place.lane], *point.law, e, state.data());
+      f(geometry[(kind.point(g, k, points) + 7) * lanes + place.lane], *point.law, e, state.data());
     }
 }
 
 std::pair<Vec3, Vec3> Assembly::yarns(Index element) const {
   const Place place = place_[element];
-  const auto& nodes = batches_[place.batch].nodes[place.lane];
+  const Batch& batch = batches_[place.batch];
+  const Kind& kind = *batch.kind;
+  const auto& nodes = batch.nodes[place.lane];
   const auto x = std::as_const(*state_).x();
-  const Vec3 a1 = (at(x, nodes[1]) + at(x, nodes[2]) - at(x, nodes[0]) - at(x, nodes[3])) / 4;
-  const Vec3 a2 = (at(x, nodes[2]) + at(x, nodes[3]) - at(x, nodes[0]) - at(x, nodes[1])) / 4;
+  Vec3 a1 = at(x, nodes[1]) - at(x, nodes[0]), a2 = at(x, nodes[2]) - at(x, nodes[0]);
+  if (kind.corners == 4) {
+    a1 = (at(x, nodes[1]) + at(x, nodes[2]) - at(x, nodes[0]) - at(x, nodes[3])) / 4;
+    a2 = (at(x, nodes[2]) + at(x, nodes[3]) - at(x, nodes[0]) - at(x, nodes[1])) / 4;
+  }
   // A material direction m_i = T_i1 G_1 + T_i2 G_2 goes to T_i1 a_1 + T_i2 a_2; T is averaged over the
   // in-plane points.
-  const element::Shell4Layout layout(static_cast<int>(model_.section().points.size()));
-  const int middle = layout.points / 2;
+  const int points = static_cast<int>(model_.section().points.size());
   double T[4] = {};
-  for (int g = 0; g < gauss_points; ++g)
+  for (int g = 0; g < kind.in_plane; ++g)
     for (int i = 0; i < 4; ++i)
-      T[i] += geometry_[place.batch * geometry_size_ + (layout.point(g, middle) + i) * lanes + place.lane];
+      T[i] += geometry_[batch.geometry + (kind.point(g, points / 2, points) + i) * lanes + place.lane];
   return {(T[0] * a1 + T[1] * a2).normalized(), (T[2] * a1 + T[3] * a2).normalized()};
 }
 
@@ -325,15 +367,16 @@ BendingEnergy Assembly::bending_energy(Index element) const {
   const auto& section = model_.section();
   if (!section.bends_apart) return {};
   const Place place = place_[element];
-  const element::Shell4Layout layout(1);
-  alignas(64) double x[12 * lanes], d[12 * lanes], kappa[gauss_points * 3 * lanes];
-  gather(batches_[place.batch], x, d, nullptr);
-  const double* geometry = geometry_.data() + place.batch * geometry_size_;
-  kernels_.curvature(section, {geometry, x, d, nullptr, nullptr, nullptr}, kappa);
-  const double* law = std::as_const(*state_).law().data() + place.batch * law_size_;
+  const Batch& batch = batches_[place.batch];
+  const Kind& kind = *batch.kind;
+  alignas(64) double x[12 * lanes], d[12 * lanes], kappa[element::gauss_points * 3 * lanes];
+  gather(batch, x, d, nullptr);
+  const double* geometry = geometry_.data() + batch.geometry;
+  kind.kernels.curvature(section, {geometry, x, d, nullptr, nullptr, nullptr}, kappa);
+  const double* law = std::as_const(*state_).law().data() + batch.law;
   BendingEnergy sum;
-  for (int g = 0; g < gauss_points; ++g) {
-    const double area = geometry[(layout.point(g, 0) + 7) * lanes + place.lane] / section.thickness;
+  for (int g = 0; g < kind.in_plane; ++g) {
+    const double area = geometry[(kind.point(g, 0, 1) + 7) * lanes + place.lane] / section.thickness;
     for (int m = 0; m < 3; ++m) {
       fabric::BendingState<double> state;
       const auto number = [&](int i) {

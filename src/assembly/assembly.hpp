@@ -10,7 +10,7 @@
 #include "assembly/freedoms.hpp"
 #include "assembly/loads.hpp"
 #include "assembly/state.hpp"
-#include "element/shell4.hpp"
+#include "element/shell3.hpp"
 #include "model/model.hpp"
 #include "solver/sparse.hpp"
 
@@ -20,6 +20,15 @@ namespace fabricsh::assembly {
 struct Place {
   Index batch;
   int lane;
+};
+
+// What the assembly must know of a kind of element.
+struct Kind {
+  element::Shell4Kernels kernels;
+  int corners, in_plane, dofs;
+  int first_point;    // of the geometry column: where the points' transforms begin, eight numbers each
+  int geometry_size;  // of the column of one lane
+  int point(int g, int k, int points) const { return first_point + 8 * (points * g + k); }
 };
 
 struct BendingEnergy {
@@ -93,7 +102,10 @@ class Assembly {
 
  private:
   struct Batch;
+  void set_kinds();
   void colour_elements();
+  void add_batches(const std::vector<int>& colours, int colour, const Kind& kind);
+  void add_mass(const Batch& batch, int lane);
   void make_geometry(const std::vector<Vec3>& directors);
   void make_pattern();
   void gather(const Batch& batch, double* x, double* d, double* b) const;
@@ -102,8 +114,6 @@ class Assembly {
   void scatter_force(const Batch& batch, const double* f);
   void scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
                        std::span<const double> lead, std::span<double> product);
-  double* trial_law(Index batch);
-  const double* committed_law(Index batch) const;
   void realign(Index node, std::span<double> d, std::span<double> b1) const;
   void add_load_stiffness(solver::SparseMatrix& K, std::span<const double> lead,
                           std::span<double> product) const;
@@ -130,14 +140,13 @@ class Assembly {
   std::vector<Vec3> X_;
   Freedoms freedoms_;
   std::unique_ptr<StateStore> state_;
-  element::Shell4Kernels kernels_;
+  Kind quad_, triangle_;
   std::vector<Batch> batches_;
-  std::vector<Index> colour_start_;       // batches of colour c: [colour_start_[c], colour_start_[c + 1])
-  std::vector<Place> place_;              // per element
-  std::vector<double> geometry_;          // per batch, contiguous
-  int geometry_size_ = 0, law_size_ = 0;  // numbers per batch
+  std::vector<Index> colour_start_;  // batches of colour c: [colour_start_[c], colour_start_[c + 1])
+  std::vector<Place> place_;         // per element
+  std::vector<double> geometry_;     // per batch, contiguous
   solver::SparseMatrix pattern_;
-  std::vector<Index> slots_;     // per batch, lane, row-major 20x20: slot in K or -1
+  std::vector<Index> slots_;     // per batch, lane, row-major in 400: slot in K or -1
   std::vector<double> iterate_;  // kinematics
   std::vector<double> force_x_, force_d_, mass_,
       mass_moment_;  // mass kg, its first moment about the surface kg m
@@ -148,7 +157,7 @@ class Assembly {
   std::vector<bool> turns_;        // per unknown: is it a rotation
   std::vector<Index> tied_place_;  // per batch and lane: place in tied_elements_ or -1; empty without ties
   std::vector<Place> tied_elements_;
-  std::vector<double> tied_tangent_;                     // per tied element, row-major 20x20
+  std::vector<double> tied_tangent_;                     // per tied element, row-major in 400
   std::vector<std::vector<std::pair<Index, int>>> led_;  // per node: followers it leads, and as which lead
   std::vector<double> lever_;  // per unknown: m that a rotation's moment is divided by; 1
   double length_ = 1;          // m, mean edge of the elements

@@ -1,4 +1,4 @@
-// Eight elements side by side, as the kernels take them. Internal to the assembly.
+// Eight elements of one kind side by side, as the kernels take them. Internal to the assembly.
 #pragma once
 #include <array>
 
@@ -10,6 +10,8 @@ struct Assembly::Batch {
   std::array<Index, lanes> element{};  // lanes from `used` on repeat the last one
   std::array<std::array<Index, 4>, lanes> nodes{};
   int used = 0;
+  const Kind* kind = nullptr;
+  std::size_t geometry = 0, law = 0;  // where its numbers begin
 };
 
 }  // namespace fabricsh::assembly

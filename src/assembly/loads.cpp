@@ -19,12 +19,17 @@ Mat3 cross_matrix(const Vec3& a) {
   return m;
 }
 
-// Bilinear shape functions of a face at one of its 2x2 Gauss points.
+// Shape functions of a face at one of its Gauss points: 2x2 of a quadrilateral; of a triangle one is enough,
+// its weight 1/2 in N.
 struct FacePoint {
   double N[4], N1[4], N2[4];
 };
 
-FacePoint face_point(int g) {
+int corners(const std::array<Index, 4>& face) { return face[3] < 0 ? 3 : 4; }
+int points(const std::array<Index, 4>& face) { return face[3] < 0 ? 1 : 4; }
+
+FacePoint face_point(const std::array<Index, 4>& face, int g) {
+  if (corners(face) == 3) return {{1.0 / 6, 1.0 / 6, 1.0 / 6, 0}, {-1, 1, 0, 0}, {-1, 0, 1, 0}};
   static constexpr double sx[4] = {-1, 1, 1, -1}, sy[4] = {-1, -1, 1, 1};
   const double r = sx[g] / std::sqrt(3.0), s = sy[g] / std::sqrt(3.0);
   FacePoint p;
@@ -42,7 +47,7 @@ struct Tangents {
 
 Tangents tangents(const FacePoint& p, const std::array<Index, 4>& nodes, std::span<const double> x) {
   Tangents t;
-  for (int a = 0; a < 4; ++a) {
+  for (int a = 0; a < corners(nodes); ++a) {
     t.a1 += p.N1[a] * at(x, nodes[a]);
     t.a2 += p.N2[a] * at(x, nodes[a]);
   }
@@ -116,14 +121,13 @@ void Loads::dead(double time, std::vector<double>& out) const {
 void Loads::add_follower(double time, std::span<const double> x, std::span<double> out, double scale) const {
   for (const auto& faces : pressures_) {
     const double p = scale * faces.value.value(time);
-    for (int g = 0; g < 4; ++g) {
-      const FacePoint point = face_point(g);
-      for (const auto& nodes : faces.elements) {
+    for (const auto& nodes : faces.elements)
+      for (int g = 0; g < points(nodes); ++g) {
+        const FacePoint point = face_point(nodes, g);
         const Tangents t = tangents(point, nodes, x);
         const Vec3 f = p * t.a1.cross(t.a2);
-        for (int a = 0; a < 4; ++a) at(out, nodes[a]) += point.N[a] * f;
+        for (int a = 0; a < corners(nodes); ++a) at(out, nodes[a]) += point.N[a] * f;
       }
-    }
   }
 }
 
@@ -138,14 +142,13 @@ Vec3 Loads::director_load(std::size_t node, const Vec3& d) const {
 void Loads::add_to_internal(std::span<const double> x, std::span<const double> d, const std::vector<Vec3>& X,
                             std::span<double> force_x, std::span<double> force_d) const {
   for (std::size_t k = 0; k < pressures_.size(); ++k)
-    for (int g = 0; g < 4; ++g) {
-      const FacePoint point = face_point(g);
-      for (const auto& nodes : pressures_[k].elements) {
+    for (const auto& nodes : pressures_[k].elements)
+      for (int g = 0; g < points(nodes); ++g) {
+        const FacePoint point = face_point(nodes, g);
         const Tangents t = tangents(point, nodes, x);
         const Vec3 f = aimed_pressure_[k] * t.a1.cross(t.a2);
-        for (int a = 0; a < 4; ++a) at(force_x, nodes[a]) -= point.N[a] * f;
+        for (int a = 0; a < corners(nodes); ++a) at(force_x, nodes[a]) -= point.N[a] * f;
       }
-    }
   for (std::size_t i = 0; i < mass_.size(); ++i)
     at(force_d, static_cast<Index>(i)) -= director_load(i, at(d, static_cast<Index>(i)));
   for (const auto& s : springs_) at(force_x, s.node) += s.stiffness * (at(x, s.node) - X[s.node]);
@@ -158,17 +161,18 @@ void Loads::add_stiffness(std::span<const double> x, std::span<const double> d, 
       Mat3 block[4][4];
       for (auto& row : block)
         for (auto& b : row) b.setZero();
-      for (int g = 0; g < 4; ++g) {
-        const FacePoint p = face_point(g);
+      const int n = corners(nodes);
+      for (int g = 0; g < points(nodes); ++g) {
+        const FacePoint p = face_point(nodes, g);
         const Tangents t = tangents(p, nodes, x);
         const Mat3 C1 = cross_matrix(t.a1), C2 = cross_matrix(t.a2);
         // delta (a1 x a2) = -a2 x delta a1 + a1 x delta a2; counted against the internal force.
-        for (int a = 0; a < 4; ++a)
-          for (int b = 0; b < 4; ++b)
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b)
             block[a][b] -= aimed_pressure_[k] * p.N[a] * (p.N2[b] * C1 - p.N1[b] * C2);
       }
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b < 4; ++b) on_x(nodes[a], nodes[b], block[a][b]);
+      for (int a = 0; a < n; ++a)
+        for (int b = 0; b < n; ++b) on_x(nodes[a], nodes[b], block[a][b]);
     }
   for (const auto& s : springs_) on_x(s.node, s.node, s.stiffness);
   const bool weighs = gravity_.norm() > 0;

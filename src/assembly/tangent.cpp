@@ -17,7 +17,7 @@ constexpr int kEntries = shell4_dofs * shell4_dofs;
 std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std::array<Index, 4>& nodes) {
   std::array<Index, shell4_dofs> eq;
   for (int a = 0; a < 4; ++a)
-    for (int i = 0; i < 5; ++i) eq[5 * a + i] = freedoms.nodes[nodes[a]].equation[i];
+    for (int i = 0; i < 5; ++i) eq[5 * a + i] = nodes[a] < 0 ? held : freedoms.nodes[nodes[a]].equation[i];
   return eq;
 }
 
@@ -27,10 +27,13 @@ void Assembly::make_pattern() {
   const Index n = freedoms_.unknowns;
   unknown_node_.assign(n, -1);
   turns_.assign(n, false);
-  double edges = 0;
-  for (const auto& e : model_.mesh().elements)
-    for (int a = 0; a < 4; ++a) edges += (X_[e[a]] - X_[e[(a + 1) % 4]]).norm();
-  length_ = edges / (4.0 * static_cast<double>(model_.mesh().elements.size()));
+  double edges = 0, count = 0;
+  for (const auto& e : model_.mesh().elements) {
+    const int sides = e[3] < 0 ? 3 : 4;
+    for (int a = 0; a < sides; ++a) edges += (X_[e[a]] - X_[e[(a + 1) % sides]]).norm();
+    count += sides;
+  }
+  length_ = edges / count;
   for (std::size_t i = 0; i < freedoms_.nodes.size(); ++i)
     for (int c = 0; c < 5; ++c)
       if (const Index eq = freedoms_.nodes[i].equation[c]; eq >= 0) {
@@ -80,8 +83,9 @@ void Assembly::gather(const Batch& batch, double* x, double* d, double* b) const
   const double* px = s.x().data();
   const double* pd = s.d().data();
   const double* pb = px + 6 * X_.size();
+  const int corners = batch.kind->corners;
   for (int l = 0; l < lanes; ++l)
-    for (int a = 0; a < 4; ++a) {
+    for (int a = 0; a < corners; ++a) {
       const Index n = 3 * batch.nodes[l][a];
       for (int i = 0; i < 3; ++i) {
         x[(3 * a + i) * lanes + l] = px[n + i];
@@ -98,12 +102,13 @@ void Assembly::gather(const Batch& batch, double* x, double* d, double* b) const
 }
 
 void Assembly::scatter_force(const Batch& batch, const double* f) {
+  const int corners = batch.kind->corners;
   for (int l = 0; l < batch.used; ++l)
-    for (int a = 0; a < 4; ++a)
+    for (int a = 0; a < corners; ++a)
       for (int i = 0; i < 3; ++i) {
         const Index n = 3 * batch.nodes[l][a] + i;
         force_x_[n] += f[(3 * a + i) * lanes + l];
-        force_d_[n] += f[(12 + 3 * a + i) * lanes + l];
+        force_d_[n] += f[(3 * (corners + a) + i) * lanes + l];
       }
 }
 
@@ -114,8 +119,8 @@ using Dense = Eigen::Matrix<double, shell4_dofs, shell4_dofs, Eigen::RowMajor>;
 // Turns the translations of oblique nodes into their frames.
 void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, Dense& K) {
   for (int a = 0; a < 4; ++a) {
+    if (nodes[a] < 0 || !freedoms.nodes[nodes[a]].oblique) continue;
     const NodeFreedoms& node = freedoms.nodes[nodes[a]];
-    if (!node.oblique) continue;
     K.middleRows<3>(5 * a) = (node.frame * K.middleRows<3>(5 * a)).eval();
     K.middleCols<3>(5 * a) = (K.middleCols<3>(5 * a) * node.frame.transpose()).eval();
   }
@@ -128,7 +133,15 @@ void Assembly::scatter_tangent(const Batch& batch, const double* K, solver::Spar
   const Index b = &batch - batches_.data();
   for (int l = 0; l < batch.used; ++l) {
     Dense k;
-    for (int i = 0; i < kEntries; ++i) k.data()[i] = K[i * lanes + l];
+    if (batch.kind->corners == 4) {
+      for (int i = 0; i < kEntries; ++i) k.data()[i] = K[i * lanes + l];
+    } else {
+      const int n = batch.kind->dofs;
+      for (int r = 0; r < n; ++r)
+        for (int c = 0; c < n; ++c) k(r, c) = K[(n * r + c) * lanes + l];
+      k.rightCols(shell4_dofs - n).setZero();
+      k.bottomRows(shell4_dofs - n).setZero();
+    }
     into_frames(freedoms_, batch.nodes[l], k);
     if (!tied_place_.empty() && tied_place_[b * lanes + l] >= 0) {
       std::copy_n(k.data(), kEntries, tied_tangent_.data() + tied_place_[b * lanes + l] * kEntries);
@@ -209,6 +222,8 @@ bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix*
   if (with_tangent) std::fill(K->value.begin(), K->value.end(), 0.0);
   std::fill(product.begin(), product.end(), 0.0);
   const auto& section = model_.section();
+  double* trial = state_->law().data();
+  const double* committed = std::as_const(*state_).committed_law().data();
   Index failed = -1;
   for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
     // Few batches are done by one thread: waking the others costs more, above all on a busy machine.
@@ -218,11 +233,12 @@ bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix*
     for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
       alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes], f[24 * lanes], k[kEntries * lanes];
       const Batch& batch = batches_[b];
+      const auto& kernels = batch.kind->kernels;
       gather(batch, x, d, basis);
       const element::Shell4Batch data{
-          geometry_.data() + b * geometry_size_, x, d, basis, committed_law(b), trial_law(b)};
+          geometry_.data() + batch.geometry, x, d, basis, committed + batch.law, trial + batch.law};
       unsigned bad =
-          with_tangent ? kernels_.tangent(section, at, data, f, k) : kernels_.force(section, at, data, f);
+          with_tangent ? kernels.tangent(section, at, data, f, k) : kernels.force(section, at, data, f);
       bad &= (1u << batch.used) - 1;
       if (bad != 0) failed = std::max(failed, batch.element[__builtin_ctz(bad)]);
       scatter_force(batch, f);

@@ -52,7 +52,8 @@ void Assembly::list_tied_elements() {
   tied_place_.assign(batches_.size() * lanes, -1);
   for (const Place place : place_) {
     const auto& nodes = batches_[place.batch].nodes[place.lane];
-    if (!std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return freedoms_.ties(n); })) continue;
+    if (!std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return n >= 0 && freedoms_.ties(n); }))
+      continue;
     tied_place_[place.batch * lanes + place.lane] = static_cast<Index>(tied_elements_.size());
     tied_elements_.push_back(place);
   }
@@ -121,6 +122,7 @@ void Assembly::add_link_pattern(std::vector<std::vector<Index>>& rows) const {
   for (const Place place : tied_elements_) {
     all.clear();
     for (const Index n : batches_[place.batch].nodes[place.lane]) {
+      if (n < 0) continue;
       links(n, node);
       for (const Link& l : node)
         if (l.equation >= 0) all.push_back(l.equation);
@@ -219,11 +221,12 @@ void Assembly::scatter_tied(solver::SparseMatrix& K, std::span<const double> lea
     const auto& nodes = batches_[place.batch].nodes[place.lane];
     const Eigen::Map<const Eigen::Matrix<double, shell4_dofs, shell4_dofs, Eigen::RowMajor>> k(
         tied_tangent_.data() + e * shell4_dofs * shell4_dofs);
-    for (int a = 0; a < 4; ++a) links(nodes[a], node[a]);
-    for (int b = 0; b < 4; ++b)
+    const int corners = batches_[place.batch].kind->corners;
+    for (int a = 0; a < corners; ++a) links(nodes[a], node[a]);
+    for (int b = 0; b < corners; ++b)
       for (const Link& column : node[b]) {
         const Eigen::Matrix<double, shell4_dofs, 1> kc = k.middleCols<5>(5 * b) * column.column;
-        for (int a = 0; a < 4; ++a)
+        for (int a = 0; a < corners; ++a)
           for (const Link& row : node[a])
             add_entry(row.equation, column.equation, row.column.dot(kc.segment<5>(5 * a)), K, lead, product);
       }

@@ -51,14 +51,15 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
                      int stride);
 
 // Current state of a batch of elements, structure of arrays: entry i of lane l at [i * lanes + l].
-struct Shell4Batch {
+struct ShellBatch {
   const double* geometry;
-  const double* x;   // 12: node A, component i at 3 A + i, m
-  const double* d;   // 12: directors, the same order
-  const double* b;   // 24: b1 then b2 per node, at 6 A + 3 (alpha) + i; tangent only
+  const double* x;   // 12 (a triangle: 9): node A, component i at 3 A + i, m
+  const double* d;   // directors, the same order
+  const double* b;   // 24 (18): b1 then b2 per node, at 6 A + 3 (alpha) + i; tangent only
   const double* s0;  // committed law states, [gauss][section state]
   double* s1;        // trial law states
 };
+using Shell4Batch = ShellBatch;
 
 // All return the mask of lanes whose law failed.
 // f   24 per lane: internal force on x (12, N) and on d (12, N m), the derivative of the internal energy.

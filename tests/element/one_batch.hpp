@@ -3,35 +3,48 @@
 #include <random>
 #include <vector>
 
-#include "element/shell4.hpp"
+#include "element/shell3.hpp"
 #include "test_cards.hpp"
 
 namespace fabricsh::test {
 
-using element::shell4_dofs;
+// The two elements, as the tests see them.
+struct Quadrilateral {
+  using Layout = element::Shell4Layout;
+  static constexpr int corners = 4, dofs = element::shell4_dofs, in_plane = element::gauss_points;
+  static constexpr auto geometry = element::shell4_geometry;
+  static constexpr auto kernels = element::shell4_kernels;
+};
+struct Triangle {
+  using Layout = element::Shell3Layout;
+  static constexpr int corners = 3, dofs = element::shell3_dofs, in_plane = element::shell3_points;
+  static constexpr auto geometry = element::shell3_geometry;
+  static constexpr auto kernels = element::shell3_kernels;
+};
 
-struct RandomShells {
+template <class Element>
+struct RandomBatch {
+  static constexpr int corners = Element::corners, dofs = Element::dofs, in_plane = Element::in_plane;
   section::Section section;
   element::Shell4Kernels kernels;
   std::mt19937 random{12345};
   std::vector<double> geometry, s0, s1;
-  std::array<std::array<Vec3, 4>, lanes> X, D, x, d, b1;
+  std::array<std::array<Vec3, corners>, lanes> X, D, x, d, b1;
 
-  RandomShells(const card::Card& card, int points, double offset = 0, Isa isa = best_isa())
-      : section(section::integrated(card, card.thickness, points, offset)),
-        kernels(element::shell4_kernels(isa)) {
-    const element::Shell4Layout layout(static_cast<int>(section.points.size()));
+  RandomBatch(const card::Card& card, int points, double offset = 0, Isa isa = best_isa())
+      : section(section::integrated(card, card.thickness, points, offset)), kernels(Element::kernels(isa)) {
+    const typename Element::Layout layout(static_cast<int>(section.points.size()));
     geometry.assign(layout.size() * lanes, 0);
-    s0.assign(element::gauss_points * section.state_size * lanes + 1, 0);
+    s0.assign(in_plane * section.state_size * lanes + 1, 0);
     s1 = s0;
     static const Vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     for (int l = 0; l < lanes; ++l) {
-      for (int a = 0; a < 4; ++a) {
+      for (int a = 0; a < corners; ++a) {
         X[l][a] = 0.01 * (square[a] + 0.15 * vector());
         D[l][a] = (Vec3::UnitZ() + 0.15 * vector()).normalized();
       }
       const Vec3 warp = (Vec3::UnitX() + vector()).normalized();
-      element::shell4_geometry(
+      Element::geometry(
           section, X[l], D[l], [&](const Vec3&, const Vec3&) { return warp; }, geometry.data(), l, lanes);
     }
     rest();
@@ -45,13 +58,13 @@ struct RandomShells {
   }
   void basis() {
     for (int l = 0; l < lanes; ++l)
-      for (int a = 0; a < 4; ++a) b1[l][a] = d[l][a].cross(Vec3::UnitX()).normalized();
+      for (int a = 0; a < corners; ++a) b1[l][a] = d[l][a].cross(Vec3::UnitX()).normalized();
   }
   // Strains of the order of `size`, after an arbitrary rigid turn of each element.
   void deform(double size) {
     for (int l = 0; l < lanes; ++l) {
       const Mat3 R = Eigen::AngleAxisd(3 * number(), vector().normalized()).toRotationMatrix();
-      for (int a = 0; a < 4; ++a) {
+      for (int a = 0; a < corners; ++a) {
         x[l][a] = R * (X[l][a] + 0.01 * size * vector());
         d[l][a] = (R * (D[l][a] + size * vector())).normalized();
       }
@@ -59,12 +72,12 @@ struct RandomShells {
     basis();
   }
   // x and d moved by the 20 increments of every lane (column l of `step`).
-  RandomShells moved(const Eigen::MatrixXd& step) const {
-    RandomShells other = *this;
+  RandomBatch moved(const Eigen::MatrixXd& step) const {
+    RandomBatch other = *this;
     for (int l = 0; l < lanes; ++l)
-      for (int a = 0; a < 4; ++a) {
-        const auto u = step.col(l).segment<5>(5 * a);
-        other.x[l][a] += u.head<3>();
+      for (int a = 0; a < corners; ++a) {
+        const auto u = step.col(l).template segment<5>(5 * a);
+        other.x[l][a] += u.template head<3>();
         const Vec3 q = u[3] * b1[l][a] + u[4] * d[l][a].cross(b1[l][a]);
         if (q.norm() == 0) continue;
         const Vec3 axis = q.normalized(), d0 = d[l][a];
@@ -75,12 +88,12 @@ struct RandomShells {
     return other;
   }
   struct Arrays {
-    alignas(64) double x[12 * lanes], d[12 * lanes], b[24 * lanes];
+    alignas(64) double x[3 * corners * lanes], d[3 * corners * lanes], b[6 * corners * lanes];
   };
   Arrays arrays() const {
     Arrays r;
     for (int l = 0; l < lanes; ++l)
-      for (int a = 0; a < 4; ++a)
+      for (int a = 0; a < corners; ++a)
         for (int i = 0; i < 3; ++i) {
           r.x[(3 * a + i) * lanes + l] = x[l][a][i];
           r.d[(3 * a + i) * lanes + l] = d[l][a][i];
@@ -93,30 +106,30 @@ struct RandomShells {
   // basis.
   Eigen::MatrixXd force() {
     const Arrays r = arrays();
-    alignas(64) double f[24 * lanes];
+    alignas(64) double f[6 * corners * lanes];
     REQUIRE(kernels.force(section, fabric::AtSwitch::loading,
                           {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data()}, f) == 0);
     return project(f);
   }
   Eigen::MatrixXd tangent(int lane, Eigen::MatrixXd* force_out = nullptr) {
     const Arrays r = arrays();
-    alignas(64) double f[24 * lanes], k[shell4_dofs * shell4_dofs * lanes];
+    alignas(64) double f[6 * corners * lanes], k[dofs * dofs * lanes];
     REQUIRE(kernels.tangent(section, fabric::AtSwitch::loading,
                             {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data()}, f, k) == 0);
     if (force_out != nullptr) *force_out = project(f);
-    Eigen::MatrixXd K(shell4_dofs, shell4_dofs);
-    for (int i = 0; i < shell4_dofs; ++i)
-      for (int j = 0; j < shell4_dofs; ++j) K(i, j) = k[(shell4_dofs * i + j) * lanes + lane];
+    Eigen::MatrixXd K(dofs, dofs);
+    for (int i = 0; i < dofs; ++i)
+      for (int j = 0; j < dofs; ++j) K(i, j) = k[(dofs * i + j) * lanes + lane];
     return K;
   }
   Eigen::MatrixXd project(const double* f) const {
-    Eigen::MatrixXd out(shell4_dofs, lanes);
+    Eigen::MatrixXd out(dofs, lanes);
     for (int l = 0; l < lanes; ++l)
-      for (int a = 0; a < 4; ++a) {
+      for (int a = 0; a < corners; ++a) {
         Vec3 fd;
         for (int i = 0; i < 3; ++i) {
           out(5 * a + i, l) = f[(3 * a + i) * lanes + l];
-          fd[i] = f[(12 + 3 * a + i) * lanes + l];
+          fd[i] = f[(3 * (corners + a) + i) * lanes + l];
         }
         out(5 * a + 3, l) = b1[l][a].dot(fd);
         out(5 * a + 4, l) = d[l][a].cross(b1[l][a]).dot(fd);
@@ -125,7 +138,7 @@ struct RandomShells {
   }
   std::vector<double> strains() {
     const Arrays r = arrays();
-    std::vector<double> E(element::gauss_points * section.points.size() * 5 * lanes);
+    std::vector<double> E(in_plane * section.points.size() * 5 * lanes);
     kernels.strain(section, {geometry.data(), r.x, r.d, nullptr, nullptr, nullptr}, E.data());
     return E;
   }
@@ -133,10 +146,10 @@ struct RandomShells {
   double energy(int lane) {
     const auto E = strains();
     const int points = static_cast<int>(section.points.size());
-    const element::Shell4Layout layout(points);
+    const typename Element::Layout layout(points);
     double sum = 0;
     std::vector<double> state(section.state_size + 1);
-    for (int g = 0; g < element::gauss_points; ++g)
+    for (int g = 0; g < in_plane; ++g)
       for (int k = 0; k < points; ++k) {
         double e[5];
         for (int i = 0; i < 5; ++i) e[i] = E[((g * points + k) * 5 + i) * lanes + lane];

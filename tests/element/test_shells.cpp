@@ -2,8 +2,9 @@
 #include "one_batch.hpp"
 
 using namespace fabricsh;
-using test::RandomShells;
-using test::shell4_dofs;
+using test::Quadrilateral;
+using test::RandomBatch;
+using test::Triangle;
 
 namespace {
 
@@ -21,26 +22,28 @@ card::Card svk() {
 
 }  // namespace
 
-TEST_CASE("the force is the derivative of the energy of a virgin step") {
+TEMPLATE_TEST_CASE("the force is the derivative of the energy of a virgin step", "", Quadrilateral,
+                   Triangle) {
+  [[maybe_unused]] constexpr int dofs = TestType::dofs;
   // Stored plus dissipated, from the state after the step, is a potential of the force as long as every
   // branch is virgin or slack from the start: central differences, second order, down to 1e-7 of the largest
   // force.
   for (const auto& card : {svk(), test::blend()}) {
-    RandomShells shells(card, 3);
+    RandomBatch<TestType> shells(card, 3);
     shells.deform(0.02);
     const Eigen::MatrixXd f = shells.force();
-    for (int dof = 0; dof < shell4_dofs; ++dof) {
-      Eigen::MatrixXd step = Eigen::MatrixXd::Zero(shell4_dofs, lanes);
+    for (int dof = 0; dof < dofs; ++dof) {
+      Eigen::MatrixXd step = Eigen::MatrixXd::Zero(dofs, lanes);
       step.row(dof).setConstant(1);
       const double h = dof % 5 < 3 ? 1e-8 : 1e-6;
-      RandomShells up = shells.moved(h * step), down = shells.moved(-h * step);
+      RandomBatch<TestType> up = shells.moved(h * step), down = shells.moved(-h * step);
       up.force();
       down.force();
       for (int l = 0; l < lanes; ++l) {
         const double want = (up.energy(l) - down.energy(l)) / (2 * h);
         const int kind = dof % 5 < 3 ? 0 : 3;
         double scale = 0;
-        for (int a = 0; a < 4; ++a)
+        for (int a = 0; a < TestType::corners; ++a)
           scale = std::max(scale, f.col(l).segment(5 * a + kind, kind == 0 ? 3 : 2).cwiseAbs().maxCoeff());
         CHECK(std::abs(f(dof, l) - want) <
               2e-6 * scale);  // difference quotient of an energy: cancellation at 1e-16 / h
@@ -49,12 +52,14 @@ TEST_CASE("the force is the derivative of the energy of a virgin step") {
   }
 }
 
-TEST_CASE("the tangent is the derivative of the force: error falls with the square of the step") {
+TEMPLATE_TEST_CASE("the tangent is the derivative of the force: error falls with the square of the step", "",
+                   Quadrilateral, Triangle) {
+  [[maybe_unused]] constexpr int dofs = TestType::dofs;
   for (const auto& card : {svk(), test::blend(), test::duck()}) {
     for (const double offset : {0.0, 0.7}) {
-      RandomShells shells(card, 3, offset);
+      RandomBatch<TestType> shells(card, 3, offset);
       shells.deform(0.02);
-      Eigen::MatrixXd direction(shell4_dofs, lanes);
+      Eigen::MatrixXd direction(dofs, lanes);
       for (int i = 0; i < direction.size(); ++i)
         direction.data()[i] = shells.number() * (i % 5 < 3 ? 0.01 : 1.0);
       std::vector<double> errors;
@@ -68,7 +73,7 @@ TEST_CASE("the tangent is the derivative of the force: error falls with the squa
           // Displacement rows (N) and rotation rows (N m) are measured apart.
           for (int kind : {0, 3}) {
             double error = 0, scale = 0;
-            for (int a = 0; a < 4; ++a)
+            for (int a = 0; a < TestType::corners; ++a)
               for (int i = kind; i < (kind == 0 ? 3 : 5); ++i) {
                 error = std::max(error, std::abs(got[5 * a + i] - want[5 * a + i]));
                 scale = std::max(scale, std::abs(got[5 * a + i]));
@@ -81,20 +86,21 @@ TEST_CASE("the tangent is the derivative of the force: error falls with the squa
       INFO(card.name << " offset " << offset << ": " << errors[0] << " " << errors[1] << " " << errors[2]);
       // A law with kinks is smooth only where no point switches between the two differences: by 1e-5 none
       // does.
-      CHECK(errors[2] < 1e-7);
-      CHECK(std::log10(errors[1] / errors[2]) == Approx(2).margin(0.1));
+      CHECK(errors[2] < 3e-7);
+      CHECK(std::log10(errors[1] / errors[2]) > 1.9);
     }
   }
 }
 
-TEST_CASE("a rigid motion by any angle makes no strain and no force") {
-  RandomShells shells(test::denim(), 3);
+TEMPLATE_TEST_CASE("a rigid motion by any angle makes no strain and no force", "", Quadrilateral, Triangle) {
+  [[maybe_unused]] constexpr int dofs = TestType::dofs;
+  RandomBatch<TestType> shells(test::denim(), 3);
   for (int trial = 0; trial < 20; ++trial) {
     const Mat3 R = Eigen::AngleAxisd(3.1 * shells.number(), shells.vector().normalized()).toRotationMatrix();
     const Vec3 shift = 0.01 * shells.vector();
     shells.rest();
     for (int l = 0; l < lanes; ++l)
-      for (int a = 0; a < 4; ++a) {
+      for (int a = 0; a < TestType::corners; ++a) {
         shells.x[l][a] = R * shells.X[l][a] + shift;
         shells.d[l][a] = R * shells.D[l][a];
       }
@@ -105,46 +111,50 @@ TEST_CASE("a rigid motion by any angle makes no strain and no force") {
   }
 }
 
-TEST_CASE("exactly six zero-energy modes in the virgin state") {
+TEMPLATE_TEST_CASE("exactly six zero-energy modes in the virgin state", "", Quadrilateral, Triangle) {
+  [[maybe_unused]] constexpr int dofs = TestType::dofs;
   for (const auto& card : {svk(), test::blend(), test::muslin()}) {
-    RandomShells shells(card, 3);
+    RandomBatch<TestType> shells(card, 3);
     for (int l = 0; l < lanes; ++l) {
       Eigen::MatrixXd K = shells.tangent(l);
       // Rotations in units of 10 mm, so that all entries are N/m.
-      for (int a = 0; a < 4; ++a)
+      for (int a = 0; a < TestType::corners; ++a)
         for (int i = 3; i < 5; ++i) {
           K.row(5 * a + i) /= 0.01;
           K.col(5 * a + i) /= 0.01;
         }
       const Eigen::VectorXd values =
           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>((K + K.transpose()) / 2).eigenvalues();
-      const double largest = values[shell4_dofs - 1];
+      const double largest = values[dofs - 1];
       CHECK(std::abs(values[5]) < 1e-12 * largest);
       CHECK(values[6] > 1e-8 * largest);
     }
   }
 }
 
-TEST_CASE("every instruction set gives the same answer to rounding") {
+TEMPLATE_TEST_CASE("every instruction set gives the same answer to rounding", "", Quadrilateral, Triangle) {
+  [[maybe_unused]] constexpr int dofs = TestType::dofs;
   const auto card = test::blend();
-  RandomShells base(card, 3, 0, Isa::baseline);
+  RandomBatch<TestType> base(card, 3, 0, Isa::baseline);
   base.deform(0.05);
   const Eigen::MatrixXd want = base.force();
   for (const Isa isa : {Isa::avx2, Isa::avx512}) {
     if (isa > best_isa()) continue;
-    RandomShells other = base;
-    other.kernels = element::shell4_kernels(isa);
+    RandomBatch<TestType> other = base;
+    other.kernels = TestType::kernels(isa);
     CHECK(largest(other.force() - want) < 1e-13 * largest(want));
   }
 }
 
-TEST_CASE("separate bending: moment B kappa on a rolled strip, none from the membrane") {
+TEMPLATE_TEST_CASE("separate bending: moment B kappa on a rolled strip, none from the membrane", "",
+                   Quadrilateral, Triangle) {
+  [[maybe_unused]] constexpr int dofs = TestType::dofs;
   auto card = test::blend();
   card.bending = card::Bending{10e-6, 20e-6, 5e-6, {}, {}};
-  RandomShells shells(card, 3);
+  RandomBatch<TestType> shells(card, 3);
   CHECK(shells.section.points.size() == 1);
   shells.deform(0.02);
-  Eigen::MatrixXd direction(shell4_dofs, lanes);
+  Eigen::MatrixXd direction(dofs, lanes);
   for (int i = 0; i < direction.size(); ++i) direction.data()[i] = shells.number() * (i % 5 < 3 ? 0.01 : 1.0);
   const double h = 1e-6;
   const Eigen::MatrixXd up = shells.moved(h * direction).force(), down = shells.moved(-h * direction).force();
@@ -152,5 +162,40 @@ TEST_CASE("separate bending: moment B kappa on a rolled strip, none from the mem
     const Eigen::VectorXd got = shells.tangent(l) * direction.col(l),
                           want = (up.col(l) - down.col(l)) / (2 * h);
     CHECK(largest(got - want) < 1e-7 * largest(got));
+  }
+}
+
+TEST_CASE("a triangle has no first corner: energy and forces are the same from each of the three") {
+  RandomBatch<Triangle> shells(svk(), 3, 0.4);
+  shells.deform(0.05);
+  const Vec3 along = Vec3(1, 0.3, -0.2).normalized();
+  const auto numbered = [&](int first) {
+    RandomBatch<Triangle> turned = shells;
+    for (int l = 0; l < lanes; ++l) {
+      for (int a = 0; a < 3; ++a) {
+        const int from = (a + first) % 3;
+        turned.X[l][a] = shells.X[l][from];
+        turned.D[l][a] = shells.D[l][from];
+        turned.x[l][a] = shells.x[l][from];
+        turned.d[l][a] = shells.d[l][from];
+        turned.b1[l][a] = shells.b1[l][from];
+      }
+      element::shell3_geometry(
+          turned.section, turned.X[l], turned.D[l], [&](const Vec3&, const Vec3&) { return along; },
+          turned.geometry.data(), l, lanes);
+    }
+    return turned;
+  };
+  auto one = numbered(0);
+  const Eigen::MatrixXd want = one.force();
+  for (const int first : {1, 2}) {
+    auto other = numbered(first);
+    const Eigen::MatrixXd got = other.force();
+    for (int l = 0; l < lanes; ++l) {
+      CHECK(std::abs(other.energy(l) / one.energy(l) - 1) < 1e-12);
+      for (int a = 0; a < 3; ++a)
+        CHECK(largest(got.col(l).segment(5 * a, 5) - want.col(l).segment(5 * ((a + first) % 3), 5)) <
+              1e-12 * largest(want.col(l)));
+    }
   }
 }

@@ -1,0 +1,230 @@
+// What the batch kernels of all shell elements share: vectors of packs, the way from covariant strains to
+// material ones and back, the law through the thickness. Included by the *_isa.cpp of this room only.
+#pragma once
+#include "element/shell4.hpp"
+#include "tensor/pack.hpp"
+
+namespace fabricsh::element {
+inline namespace FABRICSH_ISA {
+namespace {
+
+constexpr Isa isa_of_this_file = Isa::FABRICSH_ISA;
+constexpr int transform_size = 8;  // T11 T12 T21 T22 q1 q2 s w
+
+struct V3 {
+  Pack x, y, z;
+  friend V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend V3 operator*(Pack s, V3 a) { return {s * a.x, s * a.y, s * a.z}; }
+  V3& operator+=(V3 b) { return *this = *this + b; }
+  V3& operator-=(V3 b) { return *this = *this - b; }
+};
+inline Pack dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline V3 load3(const double* p, int i) {
+  return {load(p + i * lanes), load(p + (i + 1) * lanes), load(p + (i + 2) * lanes)};
+}
+inline void store3(double* p, int i, V3 v) {
+  store(p + i * lanes, v.x);
+  store(p + (i + 1) * lanes, v.y);
+  store(p + (i + 2) * lanes, v.z);
+}
+
+// Changes of the covariant strains from the reference at an in-plane point: eps, kappa, rho in the order (11,
+// 22, 2 12), and the assumed shears 2 c13, 2 c23.
+struct Strains {
+  Pack eps[3], kappa[3], rho[3];
+  Pack g1, g2;
+};
+
+// L: covariant (c11 c22 2c12 g1 g2) to material (E11 E22 2E23 2E13 2E12).
+struct Transform {
+  Pack L[5][5];
+  Pack weight;
+};
+
+inline Transform transform(const double* column) {
+  auto in = [&](int i) { return load(column + i * lanes); };
+  const Pack T11 = in(0), T12 = in(1), T21 = in(2), T22 = in(3), q1 = in(4), q2 = in(5), s = in(6);
+  const Pack two(2.0), zero(0.0);
+  Transform t{{{T11 * T11, T12 * T12, T11 * T12, zero, zero},
+               {T21 * T21, T22 * T22, T21 * T22, zero, zero},
+               {two * T21 * q1, two * T22 * q2, T21 * q2 + T22 * q1, T21 * s, T22 * s},
+               {two * T11 * q1, two * T12 * q2, T11 * q2 + T12 * q1, T11 * s, T12 * s},
+               {two * T11 * T21, two * T12 * T22, T11 * T22 + T12 * T21, zero, zero}},
+              in(7)};
+  return t;
+}
+
+inline void material_strain(const Strains& p, const Transform& t, double z, double* E) {
+  const Pack zz(z), z2(z * z);
+  Pack c[5];
+  for (int i = 0; i < 3; ++i) c[i] = p.eps[i] + zz * p.kappa[i] + z2 * p.rho[i];
+  c[3] = p.g1;
+  c[4] = p.g2;
+  for (int i = 0; i < 5; ++i) {
+    Pack e = t.L[i][0] * c[0] + t.L[i][1] * c[1] + t.L[i][2] * c[2];
+    if (i == 2 || i == 3) e += t.L[i][3] * c[3] + t.L[i][4] * c[4];
+    store(E + i * lanes, e);
+  }
+}
+
+// Stress resultants of an in-plane point, times the reference volume weights: work-conjugate to (eps kappa
+// rho g).
+struct Resultants {
+  Pack N[3], M[3], K[3], Q[2];
+};
+
+// Tangent of the eleven resultants: Z[m] holds sum w z^m L^T C L over in-plane rows and columns; shear blocks
+// apart.
+struct Stiffness {
+  Pack Z[5][3][3];     // z^0 .. z^4
+  Pack in_g[3][3][2];  // z^0 .. z^2: rows in-plane, columns shear
+  Pack g_in[3][2][3];
+  Pack g_g[2][2];
+  Pack bending[3][3];  // separate bending: curvature rows and columns only
+};
+
+inline void clear(Resultants& r) {
+  for (Pack* p : {r.N, r.M, r.K})
+    for (int i = 0; i < 3; ++i) p[i] = Pack(0.0);
+  r.Q[0] = r.Q[1] = Pack(0.0);
+}
+
+inline void clear(Stiffness& s) {
+  Pack* p = &s.Z[0][0][0];
+  for (unsigned i = 0; i < sizeof(Stiffness) / sizeof(Pack); ++i) p[i] = Pack(0.0);
+}
+
+inline void add_stress(const Transform& t, const double* S, double z, Resultants& r) {
+  Pack s[5];
+  for (int i = 0; i < 5; ++i) s[i] = t.weight * load(S + i * lanes);
+  const Pack zz(z), z2(z * z);
+  for (int j = 0; j < 3; ++j) {
+    Pack c(0.0);
+    for (int i = 0; i < 5; ++i) c += t.L[i][j] * s[i];
+    r.N[j] += c;
+    r.M[j] += zz * c;
+    r.K[j] += z2 * c;
+  }
+  for (int j = 0; j < 2; ++j) r.Q[j] += t.L[2][3 + j] * s[2] + t.L[3][3 + j] * s[3];
+}
+
+inline void add_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
+  Pack CL[5][5], D[5][5];
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      Pack c(0.0);
+      for (int m = 0; m < 5; ++m)
+        if (j < 3 || m == 2 || m == 3) c += load(C + (5 * i + m) * lanes) * t.L[m][j];
+      CL[i][j] = t.weight * c;
+    }
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      Pack c(0.0);
+      for (int m = 0; m < 5; ++m)
+        if (i < 3 || m == 2 || m == 3) c += t.L[m][i] * CL[m][j];
+      D[i][j] = c;
+    }
+  double power = 1;
+  for (int m = 0; m < 5; ++m, power *= z)
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) k.Z[m][i][j] += Pack(power) * D[i][j];
+      if (m < 3)
+        for (int j = 0; j < 2; ++j) {
+          k.in_g[m][i][j] += Pack(power) * D[i][3 + j];
+          k.g_in[m][j][i] += Pack(power) * D[3 + j][i];
+        }
+    }
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) k.g_g[i][j] += D[3 + i][3 + j];
+}
+
+// Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point, with
+// friction states s0, s1 (slip and lost of warp, then of weft; null without friction).
+inline void add_bending(const section::Section& section, fabric::AtSwitch at, const Strains& p,
+                        const Transform& t, const double* s0, double* s1, Resultants& r, Stiffness* k) {
+  const Pack area = t.weight / Pack(section.thickness);
+  constexpr int row[3] = {0, 1, 4};
+  for (int m = 0; m < 3; ++m) {
+    const Pack* L = t.L[row[m]];
+    const Pack kappa = L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2];
+    fabric::BendingState<Pack> state;
+    const bool rubs = s0 != nullptr && m < 2;
+    if (rubs) state = {load(s0 + 2 * m * lanes), load(s0 + (2 * m + 1) * lanes)};
+    const auto bent = fabric::bending_moment(section.bending[m], at, kappa, state);
+    if (rubs) {
+      store(s1 + 2 * m * lanes, state.slip);
+      store(s1 + (2 * m + 1) * lanes, state.lost);
+    }
+    for (int i = 0; i < 3; ++i) {
+      r.M[i] += L[i] * area * bent.M;
+      if (k != nullptr)
+        for (int j = 0; j < 3; ++j) k->bending[i][j] += area * bent.C * L[i] * L[j];
+    }
+  }
+}
+
+inline double height(const section::Section& section, int k) {
+  return section.thickness / 2 * (section.points[k].zeta - section.offset);
+}
+
+// Law evaluations of in-plane point g, all through the thickness; columns: its first transform.
+inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch,
+                          const double* columns, const Strains& p, int g, Resultants& r, Stiffness* k) {
+  const int n = static_cast<int>(section.points.size());
+  alignas(64) double E[5 * lanes], S[5 * lanes], C[25 * lanes];
+  unsigned failed = 0;
+  clear(r);
+  if (k != nullptr) clear(*k);
+  for (int i = 0; i < n; ++i) {
+    const auto& point = section.points[i];
+    const Transform t = transform(columns + i * transform_size * lanes);
+    const double z = height(section, i);
+    material_strain(p, t, z, E);
+    const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
+    failed |= fabric::batch_function(*point.law, isa_of_this_file)(
+        *point.law, at, E, batch.s0 + offset, batch.s1 + offset, S, k != nullptr ? C : nullptr);
+    add_stress(t, S, z, r);
+    if (k != nullptr) add_tangent(t, C, z, *k);
+    if (!section.bends_apart) continue;
+    const bool rubs = section.bending_state >= 0;
+    const long bending = static_cast<long>(g * section.state_size + section.bending_state) * lanes;
+    add_bending(section, at, p, t, rubs ? batch.s0 + bending : nullptr, rubs ? batch.s1 + bending : nullptr,
+                r, k);
+  }
+  return failed;
+}
+
+// The 11x11 tangent of the resultants, row i column j.
+inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
+  if (i / 3 == 1 && j / 3 == 1) return k.Z[2][i - 3][j - 3] + k.bending[i - 3][j - 3];
+  if (i < 9 && j < 9) return k.Z[i / 3 + j / 3][i % 3][j % 3];
+  if (i < 9) return k.in_g[i / 3][i % 3][j - 9];
+  if (j < 9) return k.g_in[j / 3][i - 9][j % 3];
+  return k.g_g[i - 9][j - 9];
+}
+
+// K += B^T D B. Rows 6..8 act on rotations alone and rows 0..2 on displacements alone; the zeros cost little.
+template <int dofs>
+inline void add_material(const Pack (&B)[11][dofs], const Stiffness& k, Pack (&K)[dofs][dofs]) {
+  Pack D[11][11];
+  for (int i = 0; i < 11; ++i)
+    for (int j = 0; j < 11; ++j) D[i][j] = stiffness_entry(k, i, j);
+  for (int c = 0; c < dofs; ++c) {
+    Pack DB[11];
+    for (int i = 0; i < 11; ++i) {
+      Pack v(0.0);
+      for (int j = 0; j < 11; ++j) v += D[i][j] * B[j][c];
+      DB[i] = v;
+    }
+    for (int r = 0; r < dofs; ++r) {
+      Pack v = K[r][c];
+      for (int i = 0; i < 11; ++i) v += B[i][r] * DB[i];
+      K[r][c] = v;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::element
