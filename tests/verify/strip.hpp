@@ -22,12 +22,21 @@ struct Strip {
   double step = 0.05;
   int nx = 3, ny = 9;
   double tolerance = 1e-10;
+  bool triangles = false;  // each cell cut in two
 };
 
 inline constexpr double strip_width = 25.4e-3, strip_length = 76.2e-3;
 
 inline std::shared_ptr<model::Model> make_strip(const Strip& s) {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(strip_width, strip_length, s.nx, s.ny));
+  if (s.triangles) {
+    const auto whole = mesh->elements;
+    mesh->elements.clear();
+    for (const auto& [a, b, c, d] : whole) {
+      mesh->elements.push_back({a, b, c, -1});
+      mesh->elements.push_back({a, c, d, -1});
+    }
+  }
   model::Options options;
   const Vec3 along = s.turn * (s.axis == 1 ? Vec3(0, 1, 0) : Vec3(1, 0, 0));
   if (s.turn != Mat3::Identity()) mesh->map([&](const Vec3& X) { return Vec3(s.turn * X); });
