@@ -1,4 +1,4 @@
-// A surface mesh: nodes, quadrilaterals (triangles later), named node sets.
+// A surface mesh: nodes, quadrilaterals and triangles, named node sets.
 #pragma once
 #include <array>
 #include <cstdint>
