@@ -1,169 +1,19 @@
-// Energy: closed loops, W = stored + dissipated, dissipation that never falls. FABRICSH_LONG=1 runs 100,000
-// loops per card instead of the few of the default suite.
-#include <algorithm>
+// Energy: closed loops, W = stored + dissipated, dissipation that never falls. test_loops_long.cpp runs the
+// same with 100,000 loops per card.
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <vector>
 
 #include "catch.hpp"
-#include "fabric/law_point.hpp"
-#include "fabric/thesis_cards.hpp"
+#include "fabric/loops.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::test;
 
-namespace {
-
-int loop_count() {
-  const char* wish = std::getenv("FABRICSH_LONG");
-  return wish != nullptr && wish[0] == '1' ? 100000 : 1000;
+TEST_CASE("closed loops of the potential law never make energy, whatever the option", "[law][energy]") {
+  for (int f = 0; f < 4; ++f) potential_loops(f, 500);
 }
 
-Strain random_strain(Random& random, const card::Woven& w) {
-  return {random(-0.3, 1.2) * w.tested.warp, random(-0.3, 1.2) * w.tested.weft, random(-0.1, 0.1),
-          random(-0.1, 0.1), random(-0.7, 0.7)};
-}
-
-Strain between(const Strain& a, const Strain& b, double s) {
-  Strain e;
-  for (int i = 0; i < 5; ++i) e[i] = a[i] + s * (b[i] - a[i]);
-  return e;
-}
-
-// Power S . (b - a) at the fraction s of a leg, from the state at its start.
-double power(LawPoint& point, const Strain& a, const Strain& b, double s) {
-  point.evaluate(between(a, b, s));
-  double sum = 0;
-  for (int i = 0; i < 5; ++i) sum += point.S[i] * (b[i] - a[i]);
-  return sum;
-}
-
-// Four-point Gauss-Lobatto: exact for degree 5, above any branch of the law; the ends are among its points,
-// so that no switch near one of them goes unseen.
-double lobatto(LawPoint& point, const Strain& a, const Strain& b, double s, double t) {
-  const double half = 0.5 * (t - s), mid = 0.5 * (s + t), x = std::sqrt(0.2) * half;
-  return half / 6 *
-         (power(point, a, b, s) + 5 * power(point, a, b, mid - x) + 5 * power(point, a, b, mid + x) +
-          power(point, a, b, t));
-}
-
-// Work of a leg to rounding: bisected wherever a switch lies.
-double work(LawPoint& point, const Strain& a, const Strain& b, double s, double t, double whole, double size,
-            int depth = 0) {
-  const double mid = 0.5 * (s + t);
-  const double left = lobatto(point, a, b, s, mid), right = lobatto(point, a, b, mid, t);
-  if (depth > 45 || std::fabs(left + right - whole) <= 1e-15 * size) return left + right;
-  return work(point, a, b, s, mid, left, size, depth + 1) + work(point, a, b, mid, t, right, size, depth + 1);
-}
-
-double leg_work(LawPoint& point, const Strain& b, double size) {
-  const Strain a = point.E;
-  const double W = work(point, a, b, 0, 1, lobatto(point, a, b, 0, 1), size);
-  point.go(b);
-  return W;
-}
-
-struct LoopSum {
-  double worst = 0;   // lowest work of a loop, of the loop's energy
-  double ledger = 0;  // largest |W - stored - dissipated|, of the loop's energy
-  double fall = 0;    // largest fall of dissipation, of the loop's energy
-};
-
-void one_loop(const card::Card& card, Random& random, LoopSum& sum) {
-  LawPoint point(card);
-  const auto& w = std::get<card::Woven>(card.law);
-  double W = 0, energy = 0, dissipated = 0, fall = 0;
-  const int corners = 2 + random.below(5);
-  for (int k = 0; k <= corners; ++k) {
-    const Strain next = k == corners ? Strain{} : random_strain(random, w);
-    const double step = leg_work(point, next, 1e5);
-    W += step;
-    energy += std::fabs(step);
-    const auto now = point.energy();
-    fall = std::max(fall, dissipated - now.dissipated());
-    dissipated = now.dissipated();
-    sum.ledger = std::max(sum.ledger, std::fabs(W - now.stored - dissipated) / energy);
-  }
-  sum.worst = std::min(sum.worst, W / energy);
-  sum.fall = std::max(sum.fall, fall / energy);
-}
-
-void no_energy_from_nothing(const card::Card& card, unsigned seed, int loops) {
-  Random random(seed);
-  LoopSum sum;
-  for (int k = 0; k < loops; ++k) one_loop(card, random, sum);
-  std::printf("loops %-7s potential%s: %d loops, least work %.1e, ledger %.1e, fall %.1e\n",
-              card.name.c_str(), std::get<card::Woven>(card.law).biaxial ? "+biaxial" : "", loops, sum.worst,
-              sum.ledger, sum.fall);
-  CHECK(sum.worst >= -1e-12);
-  CHECK(sum.ledger <= 1e-10);  // the quadrature of this test stops at 1e-10 J/m^3 a piece, not the law
-  CHECK(sum.fall <= 1e-14);
-}
-
-// The comparison laws keep their own account; legs of 20 steps.
-struct Made {
-  double created = 0, dissipated = 0, energy = 0;
-  double worst = 0;  // lowest work of a loop, of its energy
-  int negative = 0;
-};
-
-void one_rate_loop(const card::Card& card, Random& random, Made& made) {
-  LawPoint point(card);
-  const auto& w = std::get<card::Woven>(card.law);
-  double energy = 0, W = 0;
-  const int corners = 2 + random.below(5);
-  for (int k = 0; k <= corners; ++k) {
-    const Strain a = point.E, b = k == corners ? Strain{} : random_strain(random, w);
-    for (int step = 1; step <= 20; ++step) {
-      point.go(step == 20 ? b : between(a, b, step / 20.0));
-      const auto now = point.energy();
-      energy += std::fabs(now.stored + now.dissipated() - W);
-      W = now.stored + now.dissipated();
-    }
-  }
-  made.created += point.energy().created;
-  made.energy += energy;
-  made.worst = std::min(made.worst, W / energy);
-  made.negative += W < 0 ? 1 : 0;
-}
-
-}  // namespace
-
-TEST_CASE("closed loops of the potential law never make energy", "[law][energy]") {
-  for (int f = 0; f < 4; ++f) no_energy_from_nothing(thesis_card(f), 100 + f, loop_count());
-}
-
-TEST_CASE("closed loops with the biaxial spring never make energy", "[law][energy]") {
-  for (int f = 0; f < 4; ++f) no_energy_from_nothing(with_biaxial(thesis_card(f)), 200 + f, loop_count());
-}
-
-TEST_CASE("closed loops with fading shear memory never make energy", "[law][energy]") {
-  for (int f = 0; f < 4; ++f) {
-    auto card = thesis_card(f);
-    woven(card).shear.memory = card::ShearMemory::fading;
-    no_energy_from_nothing(card, 300 + f, loop_count() / 4);
-  }
-}
-
-TEST_CASE("what the comparison laws make of closed loops", "[law][energy]") {
-  std::printf(
-      "law          transverse card     created/work done  loops with work < 0  lowest work of a loop\n");
-  for (const auto law : {card::LawKind::incremental, card::LawKind::thesis})
-    for (const auto transverse : {card::Transverse::elastic, card::Transverse::follow})
-      for (int f = 0; f < 4; ++f) {
-        Random random(400 + f);
-        Made made;
-        const int loops = loop_count() / 2;
-        const auto card = thesis_card(f, law, transverse);
-        for (int k = 0; k < loops; ++k) one_rate_loop(card, random, made);
-        std::printf("%-12s %-10s %-8s %16.3f %% %18.2f %% %19.1f %%\n",
-                    law == card::LawKind::thesis ? "thesis" : "incremental",
-                    transverse == card::Transverse::follow ? "follow" : "elastic", card.name.c_str(),
-                    100 * made.created / made.energy, 100.0 * made.negative / loops, 100 * made.worst);
-        CHECK(made.created > 0);  // that they do is why they are not the default
-      }
-}
+TEST_CASE("what the comparison laws make of closed loops", "[law][energy]") { comparison_loops(500); }
 
 namespace {
 
