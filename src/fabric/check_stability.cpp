@@ -168,7 +168,7 @@ void check_bending(const card::Card& card, const Law& law, CheckReport& report) 
                        number(B * 1e6) + " uN.m";
     if (!own && law.kind != Kind::elastic)
       text += " near zero strain and " + number(stiff * 1e6) + " on unloading";
-    text += "; real cloth has " + number(real_low * 1e6) + " to " + number(real_high * 1e6);
+    text += "; real cloth has " + number(real_low * 1e6) + " to " + number(real_high * 1e6) + " uN.m";
     const bool odd = B < low || B > high;
     if (odd && !own)
       text += ". Give the card a bending = {warp=, weft=, twist=} of its own where folds matter";

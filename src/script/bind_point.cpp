@@ -1,4 +1,8 @@
 // fabric.point: one material point.
+#include <cmath>
+#include <span>
+
+#include "fabric/check.hpp"
 #include "point/point.hpp"
 #include "script/bind.hpp"
 #include "script/words.hpp"
@@ -17,33 +21,93 @@ namespace {
 
 constexpr double radians_per_degree = 0.017453292519943295769;
 
-void push_sample(lua_State* L, const Sample& s, bool uniaxial) {
-  lua_createtable(L, 0, 16);
-  const std::pair<const char*, double> values[] = {{"S11", s.S11},
-                                                   {"S22", s.S22},
-                                                   {"S12", s.S12},
-                                                   {"E11", s.E11},
-                                                   {"E22", s.E22},
-                                                   {"E12", s.E12},
-                                                   {"stored", s.stored},
-                                                   {"dissipated", s.dissipated},
-                                                   {"dissipated_warp", s.dissipated_warp},
-                                                   {"dissipated_weft", s.dissipated_weft},
-                                                   {"dissipated_shear", s.dissipated_shear},
-                                                   {"created", s.created}};
-  for (const auto& [name, value] : values) set_number(L, name, value);
-  if (!uniaxial) return;
-  set_number(L, "S", s.S);
-  set_number(L, "E", s.E);
-  set_number(L, "E_lateral", s.E_lateral);
+struct Column {
+  const char* name;
+  double Sample::*value;
+};
+
+// The last three are those of uniaxial().
+constexpr Column columns[] = {{"S11", &Sample::S11},
+                              {"S22", &Sample::S22},
+                              {"S12", &Sample::S12},
+                              {"E11", &Sample::E11},
+                              {"E22", &Sample::E22},
+                              {"E12", &Sample::E12},
+                              {"stored", &Sample::stored},
+                              {"dissipated", &Sample::dissipated},
+                              {"dissipated_warp", &Sample::dissipated_warp},
+                              {"dissipated_weft", &Sample::dissipated_weft},
+                              {"dissipated_shear", &Sample::dissipated_shear},
+                              {"created", &Sample::created},
+                              {"S", &Sample::S},
+                              {"E", &Sample::E},
+                              {"E_lateral", &Sample::E_lateral}};
+
+std::span<const Column> columns_of(bool uniaxial) {
+  return std::span(columns).first(std::size(columns) - (uniaxial ? 0 : 3));
 }
 
-void push_samples(lua_State* L, const std::vector<Sample>& samples, bool uniaxial) {
+void push_sample(lua_State* L, const Sample& s, bool uniaxial) {
+  lua_createtable(L, 0, 16);
+  for (const Column& column : columns_of(uniaxial)) set_number(L, column.name, s.*column.value);
+}
+
+void push_rows(lua_State* L, const std::vector<Sample>& samples, bool uniaxial) {
   lua_createtable(L, static_cast<int>(samples.size()), 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     push_sample(L, samples[i], uniaxial);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
+}
+
+void set_column(lua_State* L, const std::vector<Sample>& samples, const Column& column) {
+  lua_createtable(L, static_cast<int>(samples.size()), 0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    lua_pushnumber(L, samples[i].*column.value);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  lua_setfield(L, -2, column.name);
+}
+
+const Column& column_named(const std::string& name, std::span<const Column> known) {
+  std::vector<std::string> names;
+  for (const Column& column : known) {
+    if (name == column.name) return column;
+    names.emplace_back(column.name);
+  }
+  throw Error("argument 'columns': " + unknown("column", name, names));
+}
+
+// Names in the table `columns`, in order.
+std::vector<Column> wanted(const Call& call, bool uniaxial) {
+  lua_State* L = call.L();
+  std::vector<Column> out;
+  call.push("columns");
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= n; ++i) {
+    if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
+      call.refuse("columns", "expected names of columns, got " + describe(L, -1));
+    out.push_back(column_named(lua_tostring(L, -1), columns_of(uniaxial)));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (out.empty()) call.refuse("columns", "expected at least one name, such as {\"S11\"}");
+  return out;
+}
+
+// A list of rows, or, where columns are asked for, one array for each.
+template <class Drive>
+int push_curve(const Call& call, bool uniaxial, Drive drive) {
+  lua_State* L = call.L();
+  if (!call.has("columns")) {
+    push_rows(L, drive(), uniaxial);
+    return 1;
+  }
+  const auto names = wanted(call, uniaxial);
+  const auto samples = drive();
+  lua_newtable(L);
+  for (const Column& column : names) set_column(L, samples, column);
+  return 1;
 }
 
 int make(Call& call) {
@@ -70,38 +134,96 @@ double angle_of(const Call& call) {
 int uniaxial(Call& call) {
   const auto p = call.self<PointDriver>();
   if (call.is("E", LUA_TTABLE))
-    push_samples(call.L(), p->uniaxial(angle_of(call), call.numbers("E")), true);
-  else
-    push_sample(call.L(), p->uniaxial(angle_of(call), call.number("E")), true);
+    return push_curve(call, true, [&] { return p->uniaxial(angle_of(call), call.numbers("E")); });
+  if (call.has("columns")) call.refuse("columns", "expected a list of strains E beside them, got a number");
+  push_sample(call.L(), p->uniaxial(angle_of(call), call.number("E")), true);
   return 1;
 }
 
-std::array<double, 3> strain_row(lua_State* L, lua_Integer i) {
+// The row i on top of the stack is no {E11, E22, E12} of finite numbers: says why.
+[[noreturn]] void refuse_row(lua_State* L, lua_Integer i) {
   const Argument row{std::to_string(i), numbers, "", everything, ""};
   check_value(L, -1, row, "strains.", true);
-  const auto e = read_numbers(L, -1);
-  if (e.size() != 3)
-    throw Error("argument 'strains." + row.name + "': expected {E11, E22, E12}, got " +
-                std::to_string(e.size()) + " numbers");
-  return {e[0], e[1], e[2]};
+  throw Error("argument 'strains." + row.name + "': expected {E11, E22, E12}, got " +
+              std::to_string(lua_rawlen(L, -1)) + " numbers");
 }
 
-int path(Call& call) {
-  lua_State* L = call.L();
-  std::vector<std::array<double, 3>> strains;
-  call.push("strains");
+std::array<double, 3> strain_row(lua_State* L, lua_Integer i) {
+  if (!lua_istable(L, -1) || lua_rawlen(L, -1) != 3) refuse_row(L, i);
+  std::array<double, 3> e;
+  for (int k = 0; k < 3; ++k) {
+    const bool is_number = lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER;
+    e[k] = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    if (!is_number || !std::isfinite(e[k])) refuse_row(L, i);
+  }
+  return e;
+}
+
+using Strains = std::vector<std::array<double, 3>>;
+
+// { {E11, E22, E12}, ... }
+Strains strain_rows(lua_State* L) {
+  Strains strains;
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  strains.reserve(static_cast<std::size_t>(n));
   for (lua_Integer i = 1; i <= n; ++i) {
     lua_rawgeti(L, -1, i);
     strains.push_back(strain_row(L, i));
     lua_pop(L, 1);
   }
-  push_samples(L, call.self<PointDriver>()->path(strains), false);
-  return 1;
+  return strains;
+}
+
+// { E11={...}, E22={...}, E12={...} }; a component that is not given stays where it is.
+Strains strain_columns(lua_State* L, const Sample& now) {
+  static const std::vector<Argument> rows = {
+      Argument{"E11", numbers, "", everything, "along the warp"}.optional(),
+      Argument{"E22", numbers, "", everything, "along the weft"}.optional(),
+      Argument{"E12", numbers, "", everything, "shear, tensor component"}.optional()};
+  const Fields given(L, -1, rows, "strains.");
+  const std::array<double, 3> stays{now.E11, now.E22, now.E12};
+  Strains strains;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto values = given.numbers(rows[k].name);
+    if (values.empty()) continue;
+    if (strains.empty()) strains.assign(values.size(), stays);
+    if (values.size() != strains.size())
+      given.refuse(rows[k].name, "expected as many strains as in the other components (" +
+                                     std::to_string(strains.size()) + "), got " +
+                                     std::to_string(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) strains[i][k] = values[i];
+  }
+  return strains;
+}
+
+int path(Call& call) {
+  lua_State* L = call.L();
+  const auto p = call.self<PointDriver>();
+  call.push("strains");
+  const auto strains = lua_rawlen(L, -1) > 0 ? strain_rows(L) : strain_columns(L, p->now());
+  lua_pop(L, 1);
+  return push_curve(call, false, [&] { return p->path(strains); });
 }
 
 int biaxial(Call& call) {
-  push_samples(call.L(), call.self<PointDriver>()->biaxial(call.number("ratio"), call.numbers("E")), false);
+  return push_curve(call, false, [&] {
+    return call.self<PointDriver>()->biaxial(call.number("ratio"), call.numbers("E"));
+  });
+}
+
+int state(Call& call) {
+  lua_State* L = call.L();
+  const auto p = call.self<PointDriver>();
+  const auto inside = p->internal();
+  push_sample(L, p->now(), false);
+  set_number(L, "residual1", inside.residual1);
+  set_number(L, "residual2", inside.residual2);
+  set_number(L, "slack1", inside.slack1);
+  set_number(L, "slack2", inside.slack2);
+  set_text(L, "warp", fabric::name(inside.warp));
+  set_text(L, "weft", fabric::name(inside.weft));
+  set_text(L, "shear", fabric::name(inside.shear));
   return 1;
 }
 
@@ -112,6 +234,10 @@ int reset(Call& call) {
 
 Argument strain_(const char* name, const char* sentence) {
   return number_(name, "", everything, sentence).usually(1e-12, 5, "strains are numbers, not per cent");
+}
+
+Argument columns_() {
+  return value_("columns", table, "names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}").optional();
 }
 
 std::vector<Entry> rows() {
@@ -142,23 +268,36 @@ std::vector<Entry> rows() {
          true,
          {},
          {"warp", "weft"}},
-        {"E", number | numbers, "", everything, "strain along it, or a list of strains"}},
+        {"E", number | numbers, "", everything, "strain along it, or a list of strains"},
+        columns_()},
        "Strain along a direction with the other stresses driven to zero. Returns the same and S, E, "
-       "E_lateral.",
+       "E_lateral; for a list of strains a list of such rows, or the columns named.",
        sample + "local r = p:uniaxial('warp', 0.1)\nassert(math.abs(r.E_lateral / r.E + 0.25) < 1e-9)",
        uniaxial},
       {"point:path",
        Style::positional,
-       {value_("strains", table, "{ {E11, E22, E12}, ... }")},
-       "Many straight increments in one call; a list of results.",
-       sample + "local r = p:path{ {0.1, 0, 0}, {0, 0, 0} }\nassert(r[2].dissipated > 0)",
+       {value_("strains", table, "{ {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }"),
+        columns_()},
+       "Many straight increments in one call: a list of rows, or the columns named. A component without a "
+       "column stays.",
+       sample + "local r = p:path{ {0.1, 0, 0}, {0, 0, 0} }\nassert(r[2].dissipated > 0)\n"
+                "local c = p:path({ E12={0.1, 0.2} }, {'S12', 'stored'})\nassert(c.S12[2] > c.S12[1])",
        path},
       {"point:biaxial",
        Style::positional,
-       {number_("ratio", "", everything, "E22 over E11"), {"E", numbers, "", everything, "values of E11"}},
-       "E11 = E and E22 = ratio E, for each E of a list.",
+       {number_("ratio", "", everything, "E22 over E11"),
+        {"E", numbers, "", everything, "values of E11"},
+        columns_()},
+       "E11 = E and E22 = ratio E, for each E of a list: a list of rows, or the columns named.",
        sample + "assert(#p:biaxial(1, {0.05, 0.1}) == 2)",
        biaxial},
+      {"point:state",
+       Style::positional,
+       {},
+       "Where the point is: the row of its last commit, residual strains and slack of both yarns, and the "
+       "branch (virgin, unloading, slack) of warp, weft and shear.",
+       sample + "p:uniaxial('warp', {0.1, 0.09})\nassert(p:state().warp == 'unloading')",
+       state},
       {"point:reset",
        Style::positional,
        {},

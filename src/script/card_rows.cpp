@@ -116,52 +116,53 @@ std::vector<Argument> linear_rows() {
 }
 
 // Measured points {{E, S}, ...} in the table on top of the stack.
-std::vector<std::pair<double, double>> read_points(const Fields& fields) {
+std::vector<std::pair<double, double>> read_points(const Fields& fields, const std::string& side) {
   lua_State* L = fields.L();
   std::vector<std::pair<double, double>> points;
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= n; ++i) {
     lua_rawgeti(L, -1, i);
-    const Argument pair{"point", numbers, "", everything, "strain and stress"};
-    const std::string place = "point " + std::to_string(i);
+    const std::string place = std::to_string(i);
+    const Argument pair{place + "]", numbers, "", everything, "strain and stress"};
     if (!lua_istable(L, -1) || lua_rawlen(L, -1) != 2)
-      fields.refuse("loading", "expected {strain, stress} at " + place + ", got " + describe(L, -1));
-    check_value(L, -1, pair, "loading " + std::to_string(i) + " ", false);
+      fields.refuse("loading", "expected {strain, stress} at point " + place + ", got " + describe(L, -1));
+    check_value(L, -1, pair, side + "loading[", false);
     const auto xy = read_numbers(L, -1);
     lua_pop(L, 1);
     if (points.empty() && (xy[0] != 0 || xy[1] != 0))
       fields.refuse("loading", "expected the first point to be {0, 0}");
     if (!points.empty() && (xy[0] <= points.back().first || xy[1] <= points.back().second))
-      fields.refuse("loading", "expected strain and stress to increase, at " + place + " they do not");
+      fields.refuse("loading", "expected strain and stress to increase, at point " + place + " they do not");
     points.emplace_back(xy[0], xy[1]);
   }
   if (points.size() < 2) fields.refuse("loading", "expected at least two points");
   return points;
 }
 
-Curve read_curve(const Fields& fields) {
+// side: "warp.", for messages.
+Curve read_curve(const Fields& fields, const std::string& side) {
   lua_State* L = fields.L();
   Curve curve;
   fields.push("loading");
   if (lua_rawgeti(L, -1, 1) == LUA_TTABLE) {
     lua_pop(L, 1);
-    curve.points = read_points(fields);
+    curve.points = read_points(fields, side);
   } else {
     lua_pop(L, 1);
     const Argument coefficients{"loading", numbers, "Pa", everything, ""};
-    check_value(L, -1, coefficients, "", false);
+    check_value(L, -1, coefficients, side, false);
     curve.coefficients = read_numbers(L, -1);
   }
   lua_pop(L, 1);
   return curve;
 }
 
-Yarn read_yarn(const Fields& fields) {
-  return {read_curve(fields), fields.number("unloading"), fields.number("poisson")};
+Yarn read_yarn(const Fields& fields, const std::string& side) {
+  return {read_curve(fields, side), fields.number("unloading"), fields.number("poisson")};
 }
 
 Shear read_shear(const Fields& fields) {
-  return {read_curve(fields), fields.number("unloading"),
+  return {read_curve(fields, "shear."), fields.number("unloading"),
           fields.text("measure") == "tensor" ? Measure::tensor : Measure::engineering,
           fields.text("memory") == "printed" ? ShearMemory::printed : ShearMemory::fading};
 }
@@ -173,8 +174,8 @@ LawKind read_law(const std::string& word) {
 
 Woven read_woven(const Fields& f) {
   Woven law;
-  law.warp = read_yarn(f.fields("warp"));
-  law.weft = read_yarn(f.fields("weft"));
+  law.warp = read_yarn(f.fields("warp"), "warp.");
+  law.weft = read_yarn(f.fields("weft"), "weft.");
   law.shear = read_shear(f.fields("shear"));
   if (f.has("tested")) {
     const Fields tested = f.fields("tested");

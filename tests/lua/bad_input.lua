@@ -55,7 +55,7 @@ local cases = {
   { "strip(fabric.card 'blend':with{ warp={poisson=3} })", "model: card 'blend': field 'warp.poisson': expected nu12 nu21 < 1, got 3 x 0.42 = 1.26",
     line = 4 },
   { "fabric.card 'blend':with{ warp={poisson=-0.1} }", "with: field 'warp.poisson': expected a number of at least 0, got -0.1" },
-  { "fabric.card 'blend':with{ warp={loading={}} }", "with: field 'loading': expected a table of numbers in Pa, got an empty table" },
+  { "fabric.card 'blend':with{ warp={loading={}} }", "with: field 'warp.loading': expected a table of numbers in Pa, got an empty table" },
   { "fabric.card 'blend':with{ shear={measure='tenser'} }",
     "with: field 'shear.measure': expected 'tensor' or 'engineering', got 'tenser'" },
   -- histories
