@@ -1,0 +1,5 @@
+-- scripts/verify/sze3_slit_annulus.lua on finer meshes.
+local sizes = { 1, 2, 3 }
+arg[0] = arg[0]:gsub("long/verify/", "verify/")
+for i, size in ipairs(sizes) do arg[i] = tostring(size) end
+dofile(arg[0])

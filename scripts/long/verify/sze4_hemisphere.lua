@@ -1,0 +1,5 @@
+-- scripts/verify/sze4_hemisphere.lua on finer meshes.
+local sizes = { 8, 16, 32, 64 }
+arg[0] = arg[0]:gsub("long/verify/", "verify/")
+for i, size in ipairs(sizes) do arg[i] = tostring(size) end
+dofile(arg[0])

@@ -1,0 +1,5 @@
+-- scripts/verify/sze7_semicylinder.lua on finer meshes.
+local sizes = { 16, 24, 32 }
+arg[0] = arg[0]:gsub("long/verify/", "verify/")
+for i, size in ipairs(sizes) do arg[i] = tostring(size) end
+dofile(arg[0])

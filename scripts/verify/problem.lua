@@ -1,0 +1,100 @@
+-- What the decks of this folder share: following a table of published values, counting the solver's work, comparing
+-- meshes. A deck says local problem = dofile(...) "problem.lua"; run by itself this file does nothing.
+--
+-- Tables of [sze2004]: K.Y. Sze, X.H. Liu, S.H. Lo, Popular benchmark problems for geometric nonlinear analysis of
+-- shells, Finite Elements in Analysis and Design 40 (2004) 1551-1569, doi:10.1016/j.finel.2003.11.001, as copied in
+-- MBDyn, tests/plates/sze2004/*_ref.dat (P. Masarati); the hemisphere's as copied in the test of Elmer's shell solver.
+local fabric = require "fabric"
+local problem = {}
+
+-- The card of an isotropic plate in the units of a paper; mass plays no part unless it is given.
+function problem.plate(young, poisson, thickness, more)
+  local fields = { name = "plate", young = young, poisson = poisson, density = 1000, thickness = thickness }
+  for key, value in pairs(more or {}) do fields[key] = value end
+  return fabric.svk(fields)
+end
+
+-- Mesh sizes from the command line, or the usual ones.
+function problem.sizes(usual)
+  if #arg == 0 then return usual end
+  local sizes = {}
+  for i, word in ipairs(arg) do sizes[i] = math.tointeger(tonumber(word)) or error("expected mesh sizes, got " .. word, 0) end
+  return sizes
+end
+
+-- Number of the node nearest to a point.
+function problem.node(mesh, x, y, z)
+  local best, found = math.huge, nil
+  for i = 1, #mesh.nodes do
+    local p = mesh.nodes[i]
+    local d = (p[1] - x) ^ 2 + (p[2] - y) ^ 2 + (p[3] - z) ^ 2
+    if d < best then best, found = d, i end
+  end
+  return found
+end
+
+-- A plane of symmetry through an edge of a curved mesh: no displacement along the plane's normal, no rotation about the
+-- edge. (model:symmetry holds two rotation axes; where the mesh's own normals lean out of the plane by half an element,
+-- as they do on a curved edge, that takes both of the director's rotations.)
+function problem.mirror(m, mesh, set, normal)
+  local nodes = mesh:set(set)
+  m:fix(set, normal)
+  for i, node in ipairs(nodes) do
+    local p, q = mesh.nodes[nodes[math.max(1, i - 1)]], mesh.nodes[nodes[math.min(#nodes, i + 1)]]
+    local along = { q[1] - p[1], q[2] - p[2], q[3] - p[3] }
+    mesh:set(("%s %d"):format(set, i), { node })
+    m:fix(("%s %d"):format(set, i), "rx", { frame = { along, normal == "x" and { 1, 0, 0 } or { 0, 1, 0 } } })
+  end
+end
+
+-- Steps, iterations (those of abandoned steps count) and cuts of a run.
+function problem.work(a)
+  local iterations, cuts = 0, 0
+  for _, step in ipairs(a.steps) do
+    iterations, cuts = iterations + step.iterations, cuts + step.cuts
+  end
+  return #a.steps, iterations, cuts
+end
+
+-- Runs `make(mesh size)`, which returns an analysis and a function that reads the numbers to compare, to the end;
+-- prints a row and returns the numbers. The time is that of the processor, all threads.
+function problem.solve(label, make, want, ...)
+  local started = os.clock()
+  local a, read = make(...)
+  a:solve()
+  local seconds, got, text = os.clock() - started, { read(a) }, ""
+  local worst = 0
+  for i, value in ipairs(got) do
+    local miss = value / want[i] - 1
+    worst = math.max(worst, math.abs(miss))
+    text = text .. (" %10.4f %+7.2f %%"):format(value, 100 * miss)
+  end
+  local steps, iterations, cuts = problem.work(a)
+  print(("  %-14s%s  %4d steps %4d iterations %3d cuts %7.2f s"):format(label, text, steps, iterations, cuts, seconds))
+  return { got = got, worst = worst, steps = steps, iterations = iterations, seconds = seconds, a = a }
+end
+
+-- Follows the rows { {load fraction, values...}, ... } of a published table; prints them beside ours; returns the
+-- largest difference, as a fraction of the largest tabulated value of its column.
+function problem.follow(a, read, rows, names)
+  local largest, worst = {}, 0
+  for _, row in ipairs(rows) do
+    for i = 2, #row do largest[i] = math.max(largest[i] or 0, math.abs(row[i])) end
+  end
+  local head = ("  %7s"):format "P/Pmax"
+  for _, name in ipairs(names) do head = head .. (" %9s %9s %7s"):format(name, "published", "diff %") end
+  print(head)
+  for _, row in ipairs(rows) do
+    a:advance(row[1] * a.duration)
+    local got, line = { read(a) }, ("  %7.3f"):format(row[1])
+    for i = 2, #row do
+      local miss = (got[i - 1] - row[i]) / largest[i]
+      worst = math.max(worst, math.abs(miss))
+      line = line .. (" %9.3f %9.3f %+7.2f"):format(got[i - 1], row[i], 100 * miss)
+    end
+    print(line)
+  end
+  return worst
+end
+
+return problem
