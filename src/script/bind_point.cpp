@@ -296,7 +296,7 @@ std::vector<Entry> rows() {
        {},
        "Where the point is: the row of its last commit, residual strains and slack of both yarns, and the "
        "branch (virgin, unloading, slack) of warp, weft and shear.",
-       sample + "p:uniaxial('warp', {0.1, 0.09})\nassert(p:state().warp == 'unloading')",
+       sample + "p:uniaxial('warp', {0.1, 0.098})\nassert(p:state().warp == 'unloading')",
        state},
       {"point:reset",
        Style::positional,
