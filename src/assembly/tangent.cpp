@@ -222,7 +222,7 @@ bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix*
   if (with_tangent) std::fill(K->value.begin(), K->value.end(), 0.0);
   std::fill(product.begin(), product.end(), 0.0);
   const auto& section = model_.section();
-  double* trial = state_->law().data();
+  double* trial = state_->evaluate_law().data();
   const double* committed = std::as_const(*state_).committed_law().data();
   Index failed = -1;
   for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
