@@ -110,7 +110,9 @@ std::vector<Argument> read_rows(lua_State* L, int index) {
 }
 
 void push_default(lua_State* L, const Argument& row) {
-  if (const double* x = std::get_if<double>(&row.fallback))
+  if (const double* x = std::get_if<double>(&row.fallback); x && (row.kinds & integer) != 0)
+    lua_pushinteger(L, static_cast<lua_Integer>(*x));
+  else if (x)
     lua_pushnumber(L, *x);
   else if (const std::string* word = std::get_if<std::string>(&row.fallback))
     lua_pushstring(L, word->c_str());

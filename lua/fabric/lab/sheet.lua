@@ -1,0 +1,94 @@
+-- What the virtual tests share: the path that is driven, the curve and its files, and stress in a direction.
+local sheet = {}
+
+-- {0.75, 0.7, 1} times an amplitude as a history of one second a leg, from 0 at time 0; and its end.
+function sheet.history(path, amplitude)
+  local points = { { 0, 0 } }
+  for i, part in ipairs(path) do points[i + 1] = { i, part * amplitude } end
+  return points, #path
+end
+
+-- Value at time t of such a list of points, which holds its end value.
+function sheet.value(points, t)
+  for i = 2, #points do
+    local a, b = points[i - 1], points[i]
+    if t <= b[1] then return a[2] + (b[2] - a[2]) * (t - a[1]) / (b[1] - a[1]) end
+  end
+  return points[#points][2]
+end
+
+-- Numbers of the elements whose middle is nearest to that of the mesh: one, two or four.
+function sheet.centre(mesh)
+  local middle, list, best = { 0, 0 }, {}, math.huge
+  local place = {}
+  for i = 1, #mesh.elements do
+    local p, nodes = { 0, 0 }, mesh.elements[i]
+    for _, n in ipairs(nodes) do
+      for k = 1, 2 do p[k] = p[k] + mesh.nodes[n][k] / #nodes end
+    end
+    place[i] = p
+    for k = 1, 2 do middle[k] = middle[k] + p[k] / #mesh.elements end
+  end
+  for i, p in ipairs(place) do
+    local r = math.sqrt((p[1] - middle[1]) ^ 2 + (p[2] - middle[2]) ^ 2)
+    if r < best * (1 - 1e-6) then best, list = r, {} end
+    if r <= best * (1 + 1e-6) then list[#list + 1] = i end
+  end
+  return list, place
+end
+
+-- Mean over some elements (all without a list) of the components 11, 22, 12 of "E" or "S", material axes.
+function sheet.mean(a, letter, elements)
+  local names, out = { "11", "22", "12" }, {}
+  for k, name in ipairs(names) do
+    if elements then
+      local values, sum = a:field(letter .. name), 0
+      for _, i in ipairs(elements) do sum = sum + values[i] end
+      out[k] = sum / #elements
+    else
+      out[k] = a:mean(letter .. name)
+    end
+  end
+  return out
+end
+
+-- Components of a symmetric tensor {11, 22, 12}, material axes, along the direction that stands `angle` degrees from the
+-- warp, and across it.
+function sheet.along(tensor, angle)
+  local c, s = math.cos(math.rad(angle)), math.sin(math.rad(angle))
+  if angle == 90 then c, s = 0, 1 end
+  local t11, t22, t12 = table.unpack(tensor)
+  return t11 * c * c + t22 * s * s + 2 * t12 * s * c, t11 * s * s + t22 * c * c - 2 * t12 * s * c
+end
+
+-- Keeps reading(a) of every step; with a folder, in curve.csv and a VTK series named `stem` too. Returns the curve.
+function sheet.observe(a, names, out, stem, reading)
+  local curve, latest = {}, nil
+  local function now()
+    if not latest or latest.time ~= a.time then
+      latest = reading(a)
+      latest.time = a.time
+    end
+    return latest
+  end
+  a:every("step", function() curve[#curve + 1] = now() end)
+  if not out then return curve end
+  local columns = {}
+  for _, name in ipairs(names) do
+    columns[name] = function() return now()[name] end
+  end
+  a:record(out .. "/curve.csv", { columns = columns, order = names })
+  a:vtk(out .. "/" .. stem)
+  return curve
+end
+
+-- The row of a curve in which a column is largest in size.
+function sheet.peak(curve, name)
+  local best = curve[1]
+  for _, row in ipairs(curve) do
+    if math.abs(row[name]) > math.abs(best[name]) then best = row end
+  end
+  return best
+end
+
+return sheet
