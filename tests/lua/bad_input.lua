@@ -83,7 +83,7 @@ local cases = {
   { "fabric.expect{ {'x', 1, 2, relative=1e-3} }", "expect: 1 of 1 missed: 'x'" },
   { "fabric.expect{ {'x', nil, 2, relative=1e-3} }", "expect: row 'x': expected two numbers (got, want), got nil and 2" },
   { "fabric.lab.uniaxial{ card=fabric.card 'blend', grips='glued' }",
-    "uniaxial: field 'grips': expected 'clamped' or 'free', got 'glued'" },
+    "uniaxial: field 'grips': expected a table or 'clamped' or 'free', got 'glued'" },
 }
 
 local missed = 0
