@@ -33,20 +33,6 @@ function problem.node(mesh, x, y, z)
   return found
 end
 
--- A plane of symmetry through an edge of a curved mesh: no displacement along the plane's normal, no rotation about the
--- edge. (model:symmetry holds two rotation axes; where the mesh's own normals lean out of the plane by half an element,
--- as they do on a curved edge, that takes both of the director's rotations.)
-function problem.mirror(m, mesh, set, normal)
-  local nodes = mesh:set(set)
-  m:fix(set, normal)
-  for i, node in ipairs(nodes) do
-    local p, q = mesh.nodes[nodes[math.max(1, i - 1)]], mesh.nodes[nodes[math.min(#nodes, i + 1)]]
-    local along = { q[1] - p[1], q[2] - p[2], q[3] - p[3] }
-    mesh:set(("%s %d"):format(set, i), { node })
-    m:fix(("%s %d"):format(set, i), "rx", { frame = { along, normal == "x" and { 1, 0, 0 } or { 0, 1, 0 } } })
-  end
-end
-
 -- Steps, iterations (those of abandoned steps count) and cuts of a run.
 function problem.work(a)
   local iterations, cuts = 0, 0

@@ -22,7 +22,7 @@ local function make(along, around, step)
   local R, half = 4.953, 10.35 / 2
   local mesh = fabric.mesh.cylinder { radius = R, length = half, around = around, along = along, angle = 90 }
   local m = fabric.model { mesh = mesh, card = problem.plate(10.5e6, 0.3125, 0.094), warp = { 0, 0, 1 } }
-  m:fix("start", "y rz"):fix("end", "x rz"):symmetry("bottom", "z")
+  m:symmetry("start", "y"):symmetry("end", "x"):symmetry("bottom", "z")
   local A, B, C = problem.node(mesh, 0, R, 0), problem.node(mesh, R, 0, 0), problem.node(mesh, R, 0, half)
   mesh:set("A", { A })
   m:force("A", { y = fabric.ramp(10000, 1) })
@@ -41,7 +41,8 @@ for _, k in ipairs(sizes) do last = problem.solve(8 * k .. " x " .. 12 * k, make
 fabric.expect {
   -- The side snaps near P/Pmax = 0.51, where the table has no row.
   { "largest difference in the table, of the final value", worst, 0, absolute = 0.02 },
-  { "A on the finest mesh", last.got[1], final[1], relative = 0.01 },
+  -- From below, as the square of the element: 1 % takes 32 x 48.
+  { "A on the finest mesh", last.got[1], final[1], relative = finest >= 4 and 0.01 or 0.015 },
   { "-B on the finest mesh", last.got[2], final[2], relative = 0.01 },
   { "-C on the finest mesh", last.got[3], final[3], relative = 0.01 },
 }

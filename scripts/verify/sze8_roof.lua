@@ -32,7 +32,7 @@ local function roof(n, h)
   local R = 2540
   local mesh = fabric.mesh.cylinder { radius = R, length = 254, around = n, along = n, angle = math.deg(0.1) }
   local m = fabric.model { mesh = mesh, card = problem.plate(3102.75, 0.3, h), warp = { 0, 0, 1 } }
-  m:fix("start", "y rz"):fix("end", "x y z"):symmetry("bottom", "z")
+  m:symmetry("start", "y"):fix("end", "x y z"):symmetry("bottom", "z")
   local centre = problem.node(mesh, R, 0, 0)
   mesh:set("centre", { centre })
   return m, centre

@@ -50,6 +50,7 @@ void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
 Assembly::Assembly(const model::Model& model) : model_(model), X_(model.mesh().nodes) {
   set_kinds();
   auto directors = reference_directors(model.mesh());
+  lay_into_planes(model, directors);
   freedoms_ = number_freedoms(model, directors);
   meet_directors(directors);
   colour_elements();

@@ -60,6 +60,9 @@ class Assembly {
   bool tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
                std::span<double> product);
   Index failed_element() const { return failed_element_; }
+  // The first element turned inside out or crushed past zero length, (a1 x a2).d <= 0 at one of its points;
+  // -1.
+  Index inverted_element() const;
   // Sets the time of the follower loads (pressure, moments), which forces() and tangent() count against the
   // internal ones.
   void aim(double time) { loads_->aim(time); }
@@ -108,12 +111,15 @@ class Assembly {
   void add_mass(const Batch& batch, int lane);
   void make_geometry(const std::vector<Vec3>& directors);
   void make_pattern();
+  void make_slots();
   void gather(const Batch& batch, double* x, double* d, double* b) const;
   bool run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix* K, std::span<const double> lead,
            std::span<double> product);
   void scatter_force(const Batch& batch, const double* f);
   void scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
                        std::span<const double> lead, std::span<double> product);
+  void scatter_with_care(const Batch& batch, int lane, const double* K, solver::SparseMatrix& out,
+                         std::span<const double> lead, std::span<double> product);
   void realign(Index node, std::span<double> d, std::span<double> b1) const;
   void add_load_stiffness(solver::SparseMatrix& K, std::span<const double> lead,
                           std::span<double> product) const;
@@ -146,7 +152,12 @@ class Assembly {
   std::vector<Place> place_;         // per element
   std::vector<double> geometry_;     // per batch, contiguous
   solver::SparseMatrix pattern_;
-  std::vector<Index> slots_;     // per batch, lane, row-major in 400: slot in K or -1
+  // Per batch and lane: slots of each column's first row of each node (4 x 20, the column first), -1: none;
+  // what is added to them for the node's five rows, -1: no unknown; what a scatter must mind besides.
+  enum class Care : char { none, driven, frames };
+  std::vector<Index> slots_;
+  std::vector<signed char> offsets_;
+  std::vector<Care> care_;
   std::vector<double> iterate_;  // kinematics
   std::vector<double> force_x_, force_d_, mass_,
       mass_moment_;  // mass kg, its first moment about the surface kg m
@@ -157,7 +168,7 @@ class Assembly {
   std::vector<bool> turns_;        // per unknown: is it a rotation
   std::vector<Index> tied_place_;  // per batch and lane: place in tied_elements_ or -1; empty without ties
   std::vector<Place> tied_elements_;
-  std::vector<double> tied_tangent_;                     // per tied element, row-major in 400
+  std::vector<double> tied_tangent_;                     // per tied element, 20 x 20
   std::vector<std::vector<std::pair<Index, int>>> led_;  // per node: followers it leads, and as which lead
   std::vector<double> lever_;  // per unknown: m that a rotation's moment is divided by; 1
   double length_ = 1;          // m, mean edge of the elements

@@ -81,6 +81,42 @@ Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d) {
   return best.norm() > kNoShadow ? Vec3(best.normalized()) : Vec3(Vec3::Zero());
 }
 
+namespace {
+
+// Which axis of its frame a support is a plane of symmetry normal to; -1: none.
+int plane_normal(const model::Freedoms& fixed) {
+  if (fixed.rotation) return -1;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (fixed.translation[i] && !fixed.translation[j] && !fixed.translation[k] && !fixed.axis[i] &&
+        fixed.axis[j] && fixed.axis[k])
+      return i;
+  }
+  return -1;
+}
+
+}  // namespace
+
+void lay_into_planes(const model::Model& model, std::vector<Vec3>& directors) {
+  constexpr double kAcross = 1e-6;  // a shorter shadow on the planes is no direction
+  std::vector<std::vector<Vec3>> normals(directors.size());
+  for (const auto& support : model.supports())
+    if (const int i = plane_normal(support.fixed); i >= 0)
+      for (const Index n : model.mesh().set(support.set))
+        normals[n].push_back(support.frame.row(i).transpose());
+  for (std::size_t n = 0; n < directors.size(); ++n) {
+    Vec3 d = directors[n];
+    std::vector<Vec3> crossed;  // orthonormal
+    for (Vec3 normal : normals[n]) {
+      for (const Vec3& e : crossed) normal -= normal.dot(e) * e;
+      if (normal.norm() < kAcross) continue;
+      crossed.push_back(normal.normalized());
+      d -= d.dot(crossed.back()) * crossed.back();
+    }
+    if (d.norm() > kAcross) directors[n] = d.normalized();
+  }
+}
+
 Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors) {
   const auto& mesh = model.mesh();
   Freedoms f;

@@ -66,6 +66,11 @@ struct Freedoms {
 // Numbers the unknowns node by node. The model must have been validated.
 Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors);
 
+// Lays the directors of nodes with symmetry supports (a displacement held and the two rotations that lead out
+// of the plane) into their planes: a mesh's normals lean out of a plane that cuts it by half an element, and
+// a part would not be the whole. A director along the plane's normal stays.
+void lay_into_planes(const model::Model& model, std::vector<Vec3>& directors);
+
 // The tangent direction that a director d may still take when some rotation axes are held: the projection of
 // the held axis with the longest shadow on the tangent plane, unit length. Zero if none casts a shadow.
 Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d);

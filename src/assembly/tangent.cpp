@@ -13,6 +13,7 @@ namespace {
 
 using element::shell4_dofs;
 constexpr int kEntries = shell4_dofs * shell4_dofs;
+constexpr int kBlocks = 4 * shell4_dofs;  // slots of an element
 
 std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std::array<Index, 4>& nodes) {
   std::array<Index, shell4_dofs> eq;
@@ -63,17 +64,38 @@ void Assembly::make_pattern() {
     std::vector<Index>().swap(column);
   }
   pattern_.value.assign(pattern_.row.size(), 0);
-  slots_.assign(batches_.size() * lanes * kEntries, -1);
+  make_slots();
+}
+
+// A node's unknowns are numbered one after the other, so that its rows in a column are neighbours: one slot
+// for each column of the element and node, and one offset for each row.
+void Assembly::make_slots() {
+  slots_.assign(batches_.size() * lanes * kBlocks, -1);
+  offsets_.assign(batches_.size() * lanes * shell4_dofs, -1);
+  care_.assign(batches_.size() * lanes, Care::none);
   for (std::size_t b = 0; b < batches_.size(); ++b)
     for (int l = 0; l < batches_[b].used; ++l) {
       const auto eq = equations_of(freedoms_, batches_[b].nodes[l]);
-      Index* slot = slots_.data() + (b * lanes + l) * kEntries;
-      for (int r = 0; r < shell4_dofs; ++r)
-        for (int c = 0; c < shell4_dofs; ++c) {
-          if (eq[r] < 0 || eq[c] < 0) continue;
-          const auto first = pattern_.row.begin() + pattern_.column[eq[c]];
-          const auto last = pattern_.row.begin() + pattern_.column[eq[c] + 1];
-          slot[r * shell4_dofs + c] = std::lower_bound(first, last, eq[r]) - pattern_.row.begin();
+      for (const Index e : eq)
+        if (e < held && e != tied) care_[b * lanes + l] = Care::driven;
+      for (const Index n : batches_[b].nodes[l])
+        if (n >= 0 && (freedoms_.nodes[n].oblique || freedoms_.ties(n))) care_[b * lanes + l] = Care::frames;
+      Index first[4];
+      for (int a = 0; a < 4; ++a) {
+        first[a] = -1;
+        for (int i = 5 * a; i < 5 * a + 5; ++i) {
+          if (eq[i] < 0) continue;
+          if (first[a] < 0) first[a] = eq[i];
+          offsets_[(b * lanes + l) * shell4_dofs + i] = static_cast<signed char>(eq[i] - first[a]);
+        }
+      }
+      Index* slot = slots_.data() + (b * lanes + l) * kBlocks;
+      for (int c = 0; c < shell4_dofs; ++c)
+        for (int a = 0; a < 4; ++a) {
+          if (first[a] < 0 || eq[c] < 0) continue;
+          const auto begin = pattern_.row.begin() + pattern_.column[eq[c]];
+          const auto end = pattern_.row.begin() + pattern_.column[eq[c] + 1];
+          slot[4 * c + a] = std::lower_bound(begin, end, first[a]) - pattern_.row.begin();
         }
     }
 }
@@ -114,7 +136,7 @@ void Assembly::scatter_force(const Batch& batch, const double* f) {
 
 namespace {
 
-using Dense = Eigen::Matrix<double, shell4_dofs, shell4_dofs, Eigen::RowMajor>;
+using Dense = Eigen::Matrix<double, shell4_dofs, shell4_dofs>;
 
 // Turns the translations of oblique nodes into their frames.
 void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, Dense& K) {
@@ -126,38 +148,66 @@ void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, De
   }
 }
 
+// The columns of an element tangent into their slots: entry (r, c) at k[(rows * c + r) * stride].
+void add_columns(const double* k, int stride, int corners, int rows, const Index* slot,
+                 const signed char* offset, double* value) {
+  bool whole[4];
+  for (int a = 0; a < corners; ++a) whole[a] = offset[5 * a] == 0 && offset[5 * a + 4] == 4;
+  for (int c = 0; c < 5 * corners; ++c, slot += 4) {
+    const double* column = k + static_cast<long>(rows) * c * stride;
+    for (int a = 0; a < corners; ++a) {
+      if (slot[a] < 0) continue;
+      double* to = value + slot[a];
+      const double* from = column + 5L * a * stride;
+      if (whole[a]) {
+        for (int i = 0; i < 5; ++i) to[i] += from[i * stride];
+        continue;
+      }
+      for (int i = 0; i < 5; ++i)
+        if (offset[5 * a + i] >= 0) to[offset[5 * a + i]] += from[i * stride];
+    }
+  }
+}
+
 }  // namespace
 
 void Assembly::scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
                                std::span<const double> lead, std::span<double> product) {
   const Index b = &batch - batches_.data();
+  const int corners = batch.kind->corners, dofs = batch.kind->dofs;
   for (int l = 0; l < batch.used; ++l) {
-    Dense k;
-    if (batch.kind->corners == 4) {
-      for (int i = 0; i < kEntries; ++i) k.data()[i] = K[i * lanes + l];
-    } else {
-      const int n = batch.kind->dofs;
-      for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) k(r, c) = K[(n * r + c) * lanes + l];
-      k.rightCols(shell4_dofs - n).setZero();
-      k.bottomRows(shell4_dofs - n).setZero();
-    }
-    into_frames(freedoms_, batch.nodes[l], k);
-    if (!tied_place_.empty() && tied_place_[b * lanes + l] >= 0) {
-      std::copy_n(k.data(), kEntries, tied_tangent_.data() + tied_place_[b * lanes + l] * kEntries);
-      continue;
-    }
-    const Index* slot = slots_.data() + (b * lanes + l) * kEntries;
-    for (int i = 0; i < kEntries; ++i)
-      if (slot[i] >= 0) out.value[slot[i]] += k.data()[i];
-    if (lead.empty()) continue;
-    const auto eq = equations_of(freedoms_, batch.nodes[l]);
-    for (int c = 0; c < shell4_dofs; ++c) {
-      if (eq[c] >= 0 || eq[c] == held) continue;
-      const double move = lead_of(motion_of(eq[c]), lead);
-      for (int r = 0; r < shell4_dofs; ++r)
-        if (eq[r] >= 0) product[eq[r]] += k(r, c) * move;
-    }
+    const Index element = b * lanes + l;
+    if (care_[element] == Care::frames || (care_[element] == Care::driven && !lead.empty()))
+      scatter_with_care(batch, l, K, out, lead, product);
+    else
+      add_columns(K + l, lanes, corners, dofs, slots_.data() + element * kBlocks,
+                  offsets_.data() + element * shell4_dofs, out.value.data());
+  }
+}
+
+// An element with oblique, tied or driven nodes, by way of its whole matrix; a triangle fills its first
+// fifteen rows and columns.
+void Assembly::scatter_with_care(const Batch& batch, int lane, const double* K, solver::SparseMatrix& out,
+                                 std::span<const double> lead, std::span<double> product) {
+  const Index element = (&batch - batches_.data()) * lanes + lane;
+  const int dofs = batch.kind->dofs;
+  Dense k = Dense::Zero();
+  for (int c = 0; c < dofs; ++c)
+    for (int r = 0; r < dofs; ++r) k(r, c) = K[(dofs * c + r) * lanes + lane];
+  into_frames(freedoms_, batch.nodes[lane], k);
+  if (!tied_place_.empty() && tied_place_[element] >= 0) {
+    std::copy_n(k.data(), kEntries, tied_tangent_.data() + tied_place_[element] * kEntries);
+    return;
+  }
+  add_columns(k.data(), 1, batch.kind->corners, shell4_dofs, slots_.data() + element * kBlocks,
+              offsets_.data() + element * shell4_dofs, out.value.data());
+  if (lead.empty()) return;
+  const auto eq = equations_of(freedoms_, batch.nodes[lane]);
+  for (int c = 0; c < dofs; ++c) {
+    if (eq[c] >= 0 || eq[c] == held) continue;
+    const double move = lead_of(motion_of(eq[c]), lead);
+    for (int r = 0; r < dofs; ++r)
+      if (eq[r] >= 0) product[eq[r]] += k(r, c) * move;
   }
 }
 
@@ -254,6 +304,19 @@ bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix*
   }
   failed_element_ = failed;
   return failed < 0;
+}
+
+Index Assembly::inverted_element() const {
+  Index first = -1;
+  for (const Batch& batch : batches_) {
+    alignas(64) double x[12 * lanes], d[12 * lanes];
+    gather(batch, x, d, nullptr);
+    const unsigned lost =
+        batch.kind->kernels.inverted({nullptr, x, d, nullptr, nullptr, nullptr}) & ((1u << batch.used) - 1);
+    for (int l = 0; l < batch.used; ++l)
+      if ((lost >> l & 1u) != 0 && (first < 0 || batch.element[l] < first)) first = batch.element[l];
+  }
+  return first;
 }
 
 bool Assembly::forces(fabric::AtSwitch at) { return run(at, false, nullptr, {}, {}); }

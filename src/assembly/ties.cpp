@@ -219,8 +219,8 @@ void Assembly::scatter_tied(solver::SparseMatrix& K, std::span<const double> lea
   for (std::size_t e = 0; e < tied_elements_.size(); ++e) {
     const Place place = tied_elements_[e];
     const auto& nodes = batches_[place.batch].nodes[place.lane];
-    const Eigen::Map<const Eigen::Matrix<double, shell4_dofs, shell4_dofs, Eigen::RowMajor>> k(
-        tied_tangent_.data() + e * shell4_dofs * shell4_dofs);
+    const Eigen::Map<const Eigen::Matrix<double, shell4_dofs, shell4_dofs>> k(tied_tangent_.data() +
+                                                                              e * shell4_dofs * shell4_dofs);
     const int corners = batches_[place.batch].kind->corners;
     for (int a = 0; a < corners; ++a) links(nodes[a], node[a]);
     for (int b = 0; b < corners; ++b)

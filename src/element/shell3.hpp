@@ -4,7 +4,7 @@
 //   r, s in the triangle, N = (1 - r - s, r, s): membrane and curvature strains are constant;
 //   g1 = g12 + c s,   g2 = g13 - c r,   c = g13 - g12 - g23,   g_ij = (t/4) (x_j - x_i).(d_i + d_j)
 //
-// which is the same for every numbering of the corners [lee2004, eq. 27].
+// which is the same for every numbering of the corners [lee2004].
 #pragma once
 #include "element/shell4.hpp"
 

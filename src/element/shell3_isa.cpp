@@ -1,6 +1,6 @@
 // The batch kernels of the three-node shell; the mathematics is in shell3.hpp's head.
 #include "element/shell3.hpp"
-#include "element/shell_isa.hpp"
+#include "element/shell_stiffness_isa.hpp"
 
 namespace fabricsh::element {
 inline namespace FABRICSH_ISA {
@@ -130,84 +130,93 @@ unsigned force(const section::Section& section, fabric::AtSwitch at, const Shell
   return failed;
 }
 
-inline void put(Pack* row, int a, V3 on_x, V3 on_d, const V3 (&b)[3][2]) {
-  row[5 * a] += on_x.x;
-  row[5 * a + 1] += on_x.y;
-  row[5 * a + 2] += on_x.z;
-  for (int q = 0; q < 2; ++q) row[5 * a + 3 + q] += dot(on_d, b[a][q]);
+constexpr int kX = 6, kD = 6;  // a1 a2; two rotations a node
+using Columns3 = Columns<kX, kD>;
+using Tangent3 = Tangent<kX, kD>;
+
+inline void put(Pack (&column)[kX][kReach], int vector, int place, V3 v) {
+  column[3 * vector][place] = v.x;
+  column[3 * vector + 1][place] = v.y;
+  column[3 * vector + 2][place] = v.z;
 }
 
-// Rows of the strain operator: eps, kappa, rho (0-8) for all points, and those of the edge shears.
-inline void fill(const Triangle& t, double thickness, const V3 (&b)[3][2], Pack (&B)[11][shell3_dofs],
-                 Pack (&edge)[3][shell3_dofs]) {
+// What of edge e lies along a1 and a2.
+constexpr double edge_share(int e, int vector) {
+  return e == 2 ? (vector == 0 ? -1 : 1) : e == vector ? 1 : 0;
+}
+
+// Columns of the strain operator that all points share; the shears come point by point.
+inline void fill(const Triangle& t, const V3 (&b)[3][2], Columns3& B) {
   const Pack zero(0.0);
   const V3 none{zero, zero, zero};
-  for (auto& row : B)
-    for (Pack& v : row) v = zero;
-  for (auto& row : edge)
-    for (Pack& v : row) v = zero;
+  const V3 on_a[2][6] = {{t.a1, none, t.a2, t.b1, none, t.b2}, {none, t.a2, t.a1, none, t.b2, t.b1}};
+  for (int v = 0; v < 2; ++v)
+    for (int i = 0; i < 6; ++i) put(B.x, v, i, on_a[v][i]);
   for (int a = 0; a < 3; ++a) {
     const Pack n1(kN1[a]), n2(kN2[a]);
-    const V3 a11 = n1 * t.a1, a22 = n2 * t.a2, a12 = n1 * t.a2 + n2 * t.a1;
-    const V3 b11 = n1 * t.b1, b22 = n2 * t.b2, b12 = n1 * t.b2 + n2 * t.b1;
-    const V3 on_x[9] = {a11, a22, a12, b11, b22, b12, none, none, none};
-    const V3 on_d[9] = {none, none, none, a11, a22, a12, b11, b22, b12};
-    for (int i = 0; i < 9; ++i) put(B[i], a, on_x[i], on_d[i], b);
-  }
-  const Pack h(thickness / 4), minus(-1.0);
-  for (int e = 0; e < 3; ++e) {
-    const int i = kEdge[e][0], j = kEdge[e][1];
-    const V3 director = h * (t.d[i] + t.d[j]), chord = h * (t.x[j] - t.x[i]);
-    put(edge[e], j, director, chord, b);
-    put(edge[e], i, minus * director, chord, b);
+    const V3 rows[6] = {n1 * t.a1, n2 * t.a2, n1 * t.a2 + n2 * t.a1,
+                        n1 * t.b1, n2 * t.b2, n1 * t.b2 + n2 * t.b1};
+    for (int q = 0; q < 2; ++q)
+      for (int i = 0; i < 6; ++i) B.d[2 * a + q][i] = dot(rows[i], b[a][q]);
   }
 }
 
-// Second variation at fixed resultants, node pair by node pair.
+inline void fill_shear(const Triangle& t, double thickness, int g, const V3 (&b)[3][2], Columns3& B) {
+  const Pack zero(0.0);
+  for (int s = 0; s < 2; ++s) {
+    V3 on_a[2] = {{zero, zero, zero}, {zero, zero, zero}}, on_d[3] = {on_a[0], on_a[0], on_a[0]};
+    for (int e = 0; e < 3; ++e) {
+      const int i = kEdge[e][0], j = kEdge[e][1];
+      const double w = (s == 0 ? tie1(g, e) : tie2(g, e)) * thickness / 4;
+      const V3 director = Pack(w) * (t.d[i] + t.d[j]), chord = Pack(w) * (t.x[j] - t.x[i]);
+      for (int v = 0; v < 2; ++v) on_a[v] += Pack(edge_share(e, v)) * director;
+      on_d[i] += chord;
+      on_d[j] += chord;
+    }
+    for (int v = 0; v < 2; ++v) put(B.x, v, kShear + s, on_a[v]);
+    for (int a = 0; a < 3; ++a)
+      for (int q = 0; q < 2; ++q) B.d[2 * a + q][kShear + s] = dot(on_d[a], b[a][q]);
+  }
+}
+
+// Second variation at fixed resultants.
 inline void add_geometric(const Totals& s, const Forces3& f, const Triangle& t, const V3 (&b)[3][2],
-                          Pack (&K)[shell3_dofs][shell3_dofs]) {
+                          Tangent3& K) {
   const Resultants& r = s.r;
-  Pack xd[3][3];
+  add_scalar(0, 0, r.N[0], K);
+  add_scalar(1, 1, r.N[1], K);
+  add_scalar(0, 1, r.N[2], K);
   for (int a = 0; a < 3; ++a)
-    for (int c = 0; c < 3; ++c) {
-      const Pack n11(kN1[a] * kN1[c]), n22(kN2[a] * kN2[c]), n12(kN1[a] * kN2[c] + kN2[a] * kN1[c]);
-      const Pack xx = n11 * r.N[0] + n22 * r.N[1] + n12 * r.N[2];
-      const Pack dd = n11 * r.K[0] + n22 * r.K[1] + n12 * r.K[2];
-      xd[a][c] = n11 * r.M[0] + n22 * r.M[1] + n12 * r.M[2];
-      for (int i = 0; i < 3; ++i) K[5 * a + i][5 * c + i] += xx;
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) K[5 * a + 3 + p][5 * c + 3 + q] += dd * dot(b[a][p], b[c][q]);
+    for (int q = 0; q < 2; ++q) {
+      const int at = 2 * a + q;
+      const Pack n1(kN1[a]), n2(kN2[a]);
+      add_vector(0, at, (n1 * r.M[0] + n2 * r.M[2]) * b[a][q], K);
+      add_vector(1, at, (n1 * r.M[2] + n2 * r.M[1]) * b[a][q], K);
+      for (int c = 0; c < 3; ++c) {
+        const Pack k = Pack(kN1[a] * kN1[c]) * r.K[0] + Pack(kN2[a] * kN2[c]) * r.K[1] +
+                       Pack(kN1[a] * kN2[c] + kN2[a] * kN1[c]) * r.K[2];
+        for (int p = 0; p < 2; ++p) K.dd[2 * c + p][at] += k * dot(b[c][p], b[a][q]);
+      }
+      K.dd[at][at] -= dot(f.d[a], t.d[a]);  // second variation of the director: delta2 d = -(q.q) d
     }
   for (int e = 0; e < 3; ++e)
-    for (const int m : kEdge[e]) {
-      xd[kEdge[e][1]][m] += s.edge[e];
-      xd[kEdge[e][0]][m] -= s.edge[e];
-    }
-  for (int a = 0; a < 3; ++a) {
-    for (int c = 0; c < 3; ++c)
-      for (int q = 0; q < 2; ++q) {
-        const V3 v = xd[a][c] * b[c][q];
-        const Pack parts[3] = {v.x, v.y, v.z};
-        for (int i = 0; i < 3; ++i) {
-          K[5 * a + i][5 * c + 3 + q] += parts[i];
-          K[5 * c + 3 + q][5 * a + i] += parts[i];
-        }
-      }
-    const Pack along = dot(f.d[a], t.d[a]);  // second variation of the director: delta2 d = -(q.q) d
-    for (int q = 3; q < 5; ++q) K[5 * a + q][5 * a + q] -= along;
-  }
+    for (const int a : kEdge[e])
+      for (int q = 0; q < 2; ++q)
+        for (int v = 0; v < 2; ++v)
+          add_vector(v, 2 * a + q, (Pack(edge_share(e, v)) * s.edge[e]) * b[a][q], K);
 }
 
-unsigned tangent(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f,
-                 double* out) {
+template <bool symmetric>
+unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f,
+                    double* out) {
   const Triangle t = load_triangle(section, batch);
   V3 b[3][2];
   for (int a = 0; a < 3; ++a)
     for (int q = 0; q < 2; ++q) b[a][q] = load3(batch.b, 6 * a + 3 * q);
-  Pack B[11][shell3_dofs], edge[3][shell3_dofs], K[shell3_dofs][shell3_dofs];
-  fill(t, section.thickness, b, B, edge);
-  for (auto& row : K)
-    for (Pack& v : row) v = Pack(0.0);
+  Columns3 B;
+  fill(t, b, B);
+  Tangent3 K;
+  clear(K);
   Totals s;
   clear(s);
   unsigned failed = 0;
@@ -216,21 +225,22 @@ unsigned tangent(const section::Section& section, fabric::AtSwitch at, const She
     Stiffness k;
     failed |= integrate(section, at, batch, columns_at(section, batch, g), strains_at(t, g), g, r, &k);
     add(r, section.thickness, g, s);
-    for (int c = 0; c < shell3_dofs; ++c) {
-      B[9][c] = B[10][c] = Pack(0.0);
-      for (int e = 0; e < 3; ++e) {
-        B[9][c] += Pack(tie1(g, e)) * edge[e][c];
-        B[10][c] += Pack(tie2(g, e)) * edge[e][c];
-      }
-    }
-    add_material(B, k, K);
+    fill_shear(t, section.thickness, g, b, B);
+    add_material<symmetric>(B, k, K);
   }
+  if (symmetric) mirror(K);
   const Forces3 forces = forces_of(t, s);
   add_geometric(s, forces, t, b, K);
   store_forces(forces, f);
-  for (int r = 0; r < shell3_dofs; ++r)
-    for (int c = 0; c < shell3_dofs; ++c) store(out + (shell3_dofs * r + c) * lanes, K[r][c]);
+  constexpr double share[2][3] = {{-1, 1, 0}, {-1, 0, 1}};
+  store_tangent(K, share, out);
   return failed;
+}
+
+unsigned tangent(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f,
+                 double* out) {
+  return section.symmetric ? tangent_of<true>(section, at, batch, f, out)
+                           : tangent_of<false>(section, at, batch, f, out);
 }
 
 void strain(const section::Section& section, const ShellBatch& batch, double* E) {
@@ -258,9 +268,19 @@ void curvature(const section::Section& section, const ShellBatch& batch, double*
   }
 }
 
+// Lanes turned inside out: the middle's director does not point to the side of the normal.
+unsigned inverted(const ShellBatch& batch) {
+  V3 x[3], d{Pack(0.0), Pack(0.0), Pack(0.0)};
+  for (int a = 0; a < 3; ++a) {
+    x[a] = load3(batch.x, 3 * a);
+    d += load3(batch.d, 3 * a);
+  }
+  return bits(dot(cross(x[1] - x[0], x[2] - x[0]), d) <= Pack(0.0));
+}
+
 }  // namespace
 
-Shell4Kernels shell3_kernels_of_isa() { return {&force, &tangent, &strain, &curvature}; }
+Shell4Kernels shell3_kernels_of_isa() { return {&force, &tangent, &strain, &curvature, &inverted}; }
 
 }  // namespace FABRICSH_ISA
 }  // namespace fabricsh::element

@@ -4,12 +4,14 @@
 //
 //   x(xi, eta, zeta) = sum_A N_A (x_A + z d_A),   z = (t/2)(zeta - zeta_bar)
 //
-// Generalised covariant strains at an in-plane point, with a_i = sum N_A,i x_A and b_i = sum N_A,i d_A:
+// Generalised covariant strains at an in-plane point, with a_i = sum N_A,i x_A and b_i the directors'
+// derivatives, from the edges' differences lengthened to the arc between their directors:
 //   c(z) = eps + z kappa + z^2 rho in the order (c11, c22, 2 c12);
 //   kappa ~ sym(a.b),  rho ~ b.b / 2;  shear g_i = 2 c_i3 from the four edge midpoints; eps from an assumed
 //   field: stretches on edge chords, tied so that a warped element does not lock (MITC4+ [ko2017]), and the
-//   middle's shear, so that in-plane bending makes no parasitic shear. share/doc/verification.md has what it
-//   was chosen by.
+//   four enhanced strains of [simo1990; andelfinger1993], which are not unknowns but a fixed multiple of the
+//   strains' deviation from a homogeneous state: their elimination with a constant tangent.
+//   share/doc/verification.md has what they were chosen by.
 #pragma once
 #include <array>
 #include <functional>
@@ -24,10 +26,13 @@ namespace fabricsh::element {
 inline constexpr int gauss_points = 4;  // in the plane, order (-,-) (+,-) (+,+) (-,+)
 inline constexpr int shell4_dofs = 20;  // per node: u1 u2 u3, q1 q2 with delta d = q1 b1 + q2 b2
 
+inline constexpr int kSamples = 8, kEnhanced = 4;  // of the membrane field
+
 // Reference geometry of one element as the kernels read it; entry i of lane l at [i * lanes + l].
-//   0..3    reference edge shears (t/8)(X_j - X_i).(D_i + D_j): edges 1-2, 4-3, 1-4, 2-3
-//   4..11   reference membrane samples: c11 at A, B, c22 at C, D; c11, c22, 2 c12 in the middle; q
-//   12, 13  distortion: components of X_d = sum xi eta X / 4 on the middle's base vectors
+//   edge shears (t/8)(X_j - X_i).(D_i + D_j): edges 4-3, 1-2, 2-3, 1-4
+//   membrane samples: c11 on the first two edges, c22 on the others; c11, c22, 2 c12 in the middle; q
+//   distortion: components of X_d = sum xi eta X / 4 on the middle's base vectors
+//   modes: the enhanced strains from the samples, 4 x 8, row-major
 //   then per in-plane point: kappa (3), rho (3) of the reference;
 //   then per in-plane point and thickness point: T11 T12 T21 T22 q1 q2 s w
 // where T_ij takes covariant to material components (T_ij = G^j . m_i), q_j = G^j . m_3, s = G^3 . m_3, w =
@@ -35,7 +40,8 @@ inline constexpr int shell4_dofs = 20;  // per node: u1 u2 u3, q1 q2 with delta 
 struct Shell4Layout {
   explicit Shell4Layout(int thickness_points) : points(thickness_points) {}
   int points;
-  static constexpr int head = 14, strains = 6, transform = 8;
+  static constexpr int samples = 4, distortion = samples + kSamples, modes = distortion + 2,
+                       head = modes + kEnhanced * kSamples, strains = 6, transform = 8;
   int reference(int g) const { return head + strains * g; }
   int point(int g, int k) const { return head + strains * gauss_points + transform * (points * g + k); }
   int size() const { return point(gauss_points, 0); }
@@ -63,19 +69,22 @@ using Shell4Batch = ShellBatch;
 
 // All return the mask of lanes whose law failed.
 // f   24 per lane: internal force on x (12, N) and on d (12, N m), the derivative of the internal energy.
-// K   20x20 per lane, row-major: tangent on (u, q) with the directors' second variation -(f_d . d) I2 of the
-// INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
+// K   20x20 per lane, column-major: tangent on (u, q) with the directors' second variation -(f_d . d) I2 of
+// the INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
 using Shell4Force = unsigned (*)(const section::Section&, fabric::AtSwitch, const Shell4Batch&, double* f);
 using Shell4Tangent = unsigned (*)(const section::Section&, fabric::AtSwitch, const Shell4Batch&, double* f,
                                    double* K);
 using Shell4Strain = void (*)(const section::Section&, const Shell4Batch&, double* E);
 // kappa  [gauss][3] material curvatures k11 k22 2k12 at the section's first thickness point, 1/m.
 using Shell4Curvature = Shell4Strain;
+// Lanes turned inside out: (a1 x a2).d is not positive at some in-plane point.
+using Shell4Inverted = unsigned (*)(const Shell4Batch&);
 struct Shell4Kernels {
   Shell4Force force;
   Shell4Tangent tangent;
   Shell4Strain strain;
   Shell4Curvature curvature;
+  Shell4Inverted inverted;
 };
 Shell4Kernels shell4_kernels(Isa isa);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -7,46 +8,54 @@ namespace fabricsh::element {
 
 namespace {
 
-struct Shape {
-  std::array<double, 4> N, N1, N2;  // values and derivatives along xi, eta
-};
-
-Shape shape_at(double xi, double eta) {
-  static constexpr double sx[4] = {-1, 1, 1, -1}, sy[4] = {-1, -1, 1, 1};
-  Shape s;
-  for (int a = 0; a < 4; ++a) {
-    s.N[a] = (1 + sx[a] * xi) * (1 + sy[a] * eta) / 4;
-    s.N1[a] = sx[a] * (1 + sy[a] * eta) / 4;
-    s.N2[a] = sy[a] * (1 + sx[a] * xi) / 4;
-  }
-  return s;
-}
-
-Vec3 sum(const std::array<double, 4>& weights, const std::array<Vec3, 4>& v) {
-  return weights[0] * v[0] + weights[1] * v[1] + weights[2] * v[2] + weights[3] * v[3];
-}
-
 // (v11, v22, 2 v12) of sym(u_i . w_j).
 std::array<double, 3> metric(const Vec3& u1, const Vec3& u2, const Vec3& w1, const Vec3& w2) {
   return {u1.dot(w1), u2.dot(w2), u1.dot(w2) + u2.dot(w1)};
 }
 
-// Reference samples of the assumed membrane field and the element's distortion.
-void put_membrane(const std::array<Vec3, 4>& X, const std::function<void(int, double)>& put) {
-  const Vec3 A = (X[2] - X[3]) / 2, B = (X[1] - X[0]) / 2, C = (X[2] - X[1]) / 2, D = (X[3] - X[0]) / 2;
-  const Vec3 mid1 = (A + B) / 2, mid2 = (C + D) / 2, distortion = (A - B) / 2;
-  const Vec3 n = mid1.cross(mid2), flat = distortion - distortion.dot(n) / n.squaredNorm() * n;
-  const double samples[8] = {A.dot(A) / 2,       B.dot(B) / 2,       C.dot(C) / 2,   D.dot(D) / 2,
-                             mid1.dot(mid1) / 2, mid2.dot(mid2) / 2, mid1.dot(mid2), flat.dot(flat) / 2};
-  for (int i = 0; i < 8; ++i) put(4 + i, samples[i]);
-  put(12, distortion.dot(mid2.cross(n)) / n.squaredNorm());
-  put(13, distortion.dot(n.cross(mid1)) / n.squaredNorm());
+// The reference as the kernels see it: half chords of the edges A B C D, the middle's base vectors, the
+// twist.
+struct Edges {
+  Vec3 chord[4], beta[4], mid1, mid2, twist;
+};
+
+constexpr int kEdge[4][2] = {{3, 2}, {0, 1}, {1, 2}, {0, 3}};
+
+Edges edges_of(const std::array<Vec3, 4>& X, const std::array<Vec3, 4>& D) {
+  Edges e;
+  for (int i = 0; i < 4; ++i) {
+    e.chord[i] = (X[kEdge[i][1]] - X[kEdge[i][0]]) / 2;
+    e.beta[i] = (D[kEdge[i][1]] - D[kEdge[i][0]]) / 2;
+    const double q = e.beta[i].squaredNorm();
+    e.beta[i] *= 1 + q * (1.0 / 6 + 3.0 / 40 * q);  // as lengthen() in the kernels
+  }
+  e.mid1 = (e.chord[0] + e.chord[1]) / 2;
+  e.mid2 = (e.chord[2] + e.chord[3]) / 2;
+  e.twist = (e.chord[0] - e.chord[1]) / 2;
+  return e;
 }
 
 // An in-plane point of the reference: position, director, base vectors and the director's derivatives.
 struct PointFrame {
   Vec3 X, D, A1, A2, B1, B2;
 };
+
+PointFrame frame_at(const Edges& e, const std::array<Vec3, 4>& X, const std::array<Vec3, 4>& D, double xi,
+                    double eta) {
+  const double N[4] = {(1 - xi) * (1 - eta) / 4, (1 + xi) * (1 - eta) / 4, (1 + xi) * (1 + eta) / 4,
+                       (1 - xi) * (1 + eta) / 4};
+  PointFrame p{Vec3::Zero(),
+               Vec3::Zero(),
+               e.mid1 + eta * e.twist,
+               e.mid2 + xi * e.twist,
+               (1 + eta) / 2 * e.beta[0] + (1 - eta) / 2 * e.beta[1],
+               (1 + xi) / 2 * e.beta[2] + (1 - xi) / 2 * e.beta[3]};
+  for (int a = 0; a < 4; ++a) {
+    p.X += N[a] * X[a];
+    p.D += N[a] * D[a];
+  }
+  return p;
+}
 
 // T11 T12 T21 T22 q1 q2 s w of one thickness point (see Shell4Layout).
 std::array<double, 8> point_column(const section::Section& section, std::size_t k, const PointFrame& p,
@@ -69,35 +78,109 @@ std::array<double, 8> point_column(const section::Section& section, std::size_t 
           C1.dot(m3), C2.dot(m3), C3.dot(m3), weight * section.points[k].weight * J};
 }
 
+using Samples = Eigen::Matrix<double, 3, kSamples>;
+using Modes = Eigen::Matrix<double, kEnhanced, kSamples>;
+
+// Components of the twist on the middle's base vectors: w, and with w the part of it in their plane.
+std::pair<Eigen::Vector2d, Vec3> distortion_of(const Edges& e) {
+  const Vec3 n = e.mid1.cross(e.mid2);
+  const double area2 = n.squaredNorm();
+  return {{e.twist.dot(e.mid2.cross(n)) / area2, e.twist.dot(n.cross(e.mid1)) / area2},
+          e.twist - e.twist.dot(n) / area2 * n};
+}
+
+// Tangent that weighs the enhanced strains, in the middle's covariant components (11, 22, 2 12): the law's
+// where it is constant. Where it isn't no one tangent is right for long: cloth that stiffens a hundredfold
+// along one yarn would be held by the contraction of its rest state. The unit tangent then, without coupling.
+Mat3 weighing_tangent(const section::Section& section, const PointFrame& middle, const WarpAt& warp) {
+  Mat3 sum = Mat3::Zero();
+  constexpr int in_plane[3] = {0, 1, 4};
+  const bool linear = std::all_of(section.points.begin(), section.points.end(),
+                                  [](const auto& point) { return fabric::linear(*point.law); });
+  for (std::size_t k = 0; k < section.points.size(); ++k) {
+    Mat3 C3 = Vec3(1, 1, 0.5).asDiagonal();
+    if (linear) {
+      double E[5] = {}, S[5], C[25];
+      fabric::evaluate(*section.points[k].law, fabric::AtSwitch::loading, E, nullptr, nullptr, S, C);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) C3(i, j) = C[5 * in_plane[i] + in_plane[j]];
+    }
+    const auto t = point_column(section, k, middle, 1.0, warp);
+    Mat3 L;
+    L << t[0] * t[0], t[1] * t[1], t[0] * t[1],  //
+        t[2] * t[2], t[3] * t[3], t[2] * t[3],   //
+        2 * t[0] * t[2], 2 * t[1] * t[3], t[0] * t[3] + t[1] * t[2];
+    sum += t[7] * L.transpose() * C3 * L;
+  }
+  return sum;
+}
+
+// alpha = A samples that makes the energy of a tangent C least: with the bilinear strain c (3 x 8 in
+// the samples) and the enhanced ones E alpha j0/j, both in the middle's axes,
+//   sum_g (E^T C E j0/j) alpha = -sum_g E^T C c.
+// A homogeneous strain leaves alpha zero, since E has no mean [simo1990, section 3].
+Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
+  Eigen::Matrix4d own = Eigen::Matrix4d::Zero();
+  Modes coupling = Modes::Zero();
+  for (const double r : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)})
+    for (const double s : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
+      Samples c;
+      c << (1 + s) / 2, (1 - s) / 2, 0, 0, 0, 0, 0, s * s - 1,  //
+          0, 0, (1 + r) / 2, (1 - r) / 2, 0, 0, 0, r * r - 1,   //
+          r / 2, -r / 2, s / 2, -s / 2, 0, 0, 1, 2 * r * s;
+      const double F11 = 1 + s * w[0], F12 = s * w[1], F21 = r * w[0], F22 = 1 + r * w[1];
+      Mat3 carry;  // from the middle's axes to the point's
+      carry << F11 * F11, F12 * F12, F11 * F12, F21 * F21, F22 * F22, F21 * F22, 2 * F11 * F21, 2 * F12 * F22,
+          F11 * F22 + F12 * F21;
+      Eigen::Matrix<double, 3, kEnhanced> E;
+      E << r, 0, 0, 0, 0, s, 0, 0, 0, 0, r, s;
+      own += E.transpose() * C * E / (F11 * F22 - F12 * F21);
+      coupling += E.transpose() * C * carry.inverse() * c;
+    }
+  return -own.ldlt().solve(coupling);
+}
+
+// Samples, distortion and enhanced modes of the assumed membrane field.
+void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, double)>& put) {
+  const auto [w, flat] = distortion_of(e);
+  const double middle[4] = {e.mid1.squaredNorm() / 2, e.mid2.squaredNorm() / 2, e.mid1.dot(e.mid2),
+                            flat.squaredNorm() / 2};
+  for (int i = 0; i < 4; ++i) {
+    put(Shell4Layout::samples + i, e.chord[i].squaredNorm() / 2);
+    put(Shell4Layout::samples + 4 + i, middle[i]);
+  }
+  for (int i = 0; i < 2; ++i) put(Shell4Layout::distortion + i, w[i]);
+  const Modes modes = enhanced_modes(C, w);
+  for (int i = 0; i < kEnhanced; ++i)
+    for (int k = 0; k < kSamples; ++k) put(Shell4Layout::modes + kSamples * i + k, modes(i, k));
+}
+
 }  // namespace
 
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
                      const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
                      int stride) {
   const Shell4Layout at(static_cast<int>(section.points.size()));
-  auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
-  static constexpr int edge[4][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
-  for (int e = 0; e < 4; ++e) {
-    const auto [i, j] = std::pair(edge[e][0], edge[e][1]);
-    put(e, section.thickness / 8 * (X[j] - X[i]).dot(D[i] + D[j]));
-  }
-  put_membrane(X, put);
+  const auto put = [&](int i, double v) { geometry[i * stride + lane] = v; };
+  const Edges edges = edges_of(X, D);
+  for (int e = 0; e < 4; ++e)
+    put(e, section.thickness / 4 * edges.chord[e].dot(D[kEdge[e][0]] + D[kEdge[e][1]]));
   static const double g = 1 / std::sqrt(3.0);
   const double px[4] = {-g, g, g, -g}, py[4] = {-g, -g, g, g};
   for (int p = 0; p < gauss_points; ++p) {
-    const Shape s = shape_at(px[p], py[p]);
-    const Vec3 A1 = sum(s.N1, X), A2 = sum(s.N2, X), B1 = sum(s.N1, D), B2 = sum(s.N2, D);
-    const auto kappa = metric(A1, A2, B1, B2), rho = metric(B1, B2, B1, B2);
+    const PointFrame frame = frame_at(edges, X, D, px[p], py[p]);
+    const auto kappa = metric(frame.A1, frame.A2, frame.B1, frame.B2),
+               rho = metric(frame.B1, frame.B2, frame.B1, frame.B2);
     for (int i = 0; i < 3; ++i) {
       put(at.reference(p) + i, kappa[i]);
       put(at.reference(p) + 3 + i, rho[i] / 2);
     }
-    const PointFrame frame{sum(s.N, X), sum(s.N, D), A1, A2, B1, B2};
     for (std::size_t k = 0; k < section.points.size(); ++k) {
       const auto column = point_column(section, k, frame, 1.0, warp);
       for (int i = 0; i < 8; ++i) put(at.point(p, static_cast<int>(k)) + i, column[i]);
     }
   }
+  put_membrane(edges, weighing_tangent(section, frame_at(edges, X, D, 0, 0), warp), put);
 }
 
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,

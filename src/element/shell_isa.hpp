@@ -20,6 +20,7 @@ struct V3 {
   V3& operator-=(V3 b) { return *this = *this - b; }
 };
 inline Pack dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline V3 cross(V3 a, V3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline V3 load3(const double* p, int i) {
   return {load(p + i * lanes), load(p + (i + 1) * lanes), load(p + (i + 2) * lanes)};
 }
@@ -193,36 +194,6 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
                 r, k);
   }
   return failed;
-}
-
-// The 11x11 tangent of the resultants, row i column j.
-inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
-  if (i / 3 == 1 && j / 3 == 1) return k.Z[2][i - 3][j - 3] + k.bending[i - 3][j - 3];
-  if (i < 9 && j < 9) return k.Z[i / 3 + j / 3][i % 3][j % 3];
-  if (i < 9) return k.in_g[i / 3][i % 3][j - 9];
-  if (j < 9) return k.g_in[j / 3][i - 9][j % 3];
-  return k.g_g[i - 9][j - 9];
-}
-
-// K += B^T D B. Rows 6..8 act on rotations alone and rows 0..2 on displacements alone; the zeros cost little.
-template <int dofs>
-inline void add_material(const Pack (&B)[11][dofs], const Stiffness& k, Pack (&K)[dofs][dofs]) {
-  Pack D[11][11];
-  for (int i = 0; i < 11; ++i)
-    for (int j = 0; j < 11; ++j) D[i][j] = stiffness_entry(k, i, j);
-  for (int c = 0; c < dofs; ++c) {
-    Pack DB[11];
-    for (int i = 0; i < 11; ++i) {
-      Pack v(0.0);
-      for (int j = 0; j < 11; ++j) v += D[i][j] * B[j][c];
-      DB[i] = v;
-    }
-    for (int r = 0; r < dofs; ++r) {
-      Pack v = K[r][c];
-      for (int i = 0; i < 11; ++i) v += B[i][r] * DB[i];
-      K[r][c] = v;
-    }
-  }
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ BatchFunction batch_for(const Law& law);
 
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
+bool linear(const Law& law) { return law.kind == Kind::elastic; }
 
 BatchFunction batch_function(const Law& law, Isa isa) {
   switch (isa) {

@@ -23,6 +23,7 @@ std::shared_ptr<const Law> compile(const card::Card& card);
 
 int state_size(const Law& law);
 bool symmetric(const Law& law);  // is the consistent tangent symmetric in every state
+bool linear(const Law& law);     // is it one constant tangent
 
 // Which tangent holds where loading and unloading meet (E = m exactly): the virgin one, or the unloading one
 // for the first iteration after a reversal.

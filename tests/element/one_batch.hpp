@@ -119,7 +119,7 @@ struct RandomBatch {
     if (force_out != nullptr) *force_out = project(f);
     Eigen::MatrixXd K(dofs, dofs);
     for (int i = 0; i < dofs; ++i)
-      for (int j = 0; j < dofs; ++j) K(i, j) = k[(dofs * i + j) * lanes + lane];
+      for (int j = 0; j < dofs; ++j) K(i, j) = k[(dofs * j + i) * lanes + lane];
     return K;
   }
   Eigen::MatrixXd project(const double* f) const {

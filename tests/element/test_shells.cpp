@@ -85,9 +85,10 @@ TEMPLATE_TEST_CASE("the tangent is the derivative of the force: error falls with
       }
       INFO(card.name << " offset " << offset << ": " << errors[0] << " " << errors[1] << " " << errors[2]);
       // A law with kinks is smooth only where no point switches between the two differences: by 1e-5 none
-      // does.
-      CHECK(errors[2] < 3e-7);
-      CHECK(std::log10(errors[1] / errors[2]) > 1.9);
+      // does. What is left is h^2 times the force's third derivative; the random triangles are the more
+      // strained.
+      CHECK(errors[2] < (TestType::corners == 4 ? 5e-8 : 2.5e-7));
+      CHECK(std::log10(errors[1] / errors[2]) > 1.99);
     }
   }
 }
@@ -163,6 +164,23 @@ TEMPLATE_TEST_CASE("separate bending: moment B kappa on a rolled strip, none fro
                           want = (up.col(l) - down.col(l)) / (2 * h);
     CHECK(largest(got - want) < 1e-7 * largest(got));
   }
+}
+
+TEMPLATE_TEST_CASE("an element turned inside out or crushed past zero length is seen", "", Quadrilateral,
+                   Triangle) {
+  RandomBatch<TestType> shells(svk(), 3);
+  shells.deform(0.05);
+  const auto lost = [&] {
+    const auto r = shells.arrays();
+    return shells.kernels.inverted({shells.geometry.data(), r.x, r.d, nullptr, nullptr, nullptr});
+  };
+  CHECK(lost() == 0);
+  for (Vec3& d : shells.d[2]) d = -d;  // the director on the other side
+  CHECK(lost() == 0b100u);
+  const auto x = shells.x[5];  // mirrored in its own plane, past a line
+  const Vec3 across = (x[1] - x[0]).normalized();
+  for (Vec3& p : shells.x[5]) p -= 2.0 * (p - x[0]).dot(across) * across;
+  CHECK(lost() == 0b100100u);
 }
 
 TEST_CASE("a triangle has no first corner: energy and forces are the same from each of the three") {

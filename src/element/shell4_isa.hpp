@@ -1,0 +1,285 @@
+// Kinematics of the four-node shell in packs: edges, samples of the assumed fields, strains at the in-plane
+// points, and the forces that stress resultants make. Included by shell4_isa.cpp only; the mathematics is in
+// shell4.hpp's head.
+#pragma once
+#include "element/shell_isa.hpp"
+
+namespace fabricsh::element {
+inline namespace FABRICSH_ISA {
+namespace {
+
+constexpr double kGauss = 0.57735026918962576451;  // 1 / sqrt(3)
+constexpr double kXi[4] = {-kGauss, kGauss, kGauss, -kGauss};
+constexpr double kEta[4] = {-kGauss, -kGauss, kGauss, kGauss};
+// x = centre + xi mid1 + eta mid2 + xi eta twist: four times the nodes' shares in mid1, mid2, twist.
+constexpr double kShare[3][4] = {{-1, 1, 1, -1}, {-1, -1, 1, 1}, {1, -1, 1, -1}};
+// Edges from their first to their second node: A (eta = 1) and B (eta = -1) along xi, C (xi = 1) and D (xi =
+// -1) along eta.
+constexpr int kEdge[4][2] = {{3, 2}, {0, 1}, {1, 2}, {0, 3}};
+// How much of the twist is in half an edge: A = mid1 + twist, B = mid1 - twist, C and D from mid2.
+constexpr double kTwist[4] = {1, -1, 1, -1};
+
+// Weight of an edge's value at in-plane point g: edges A, B interpolate along eta, C, D along xi.
+constexpr double tie(int g, int e) { return (1 + kTwist[e] * (e < 2 ? kEta[g] : kXi[g])) / 2; }
+
+// Half an edge: its chord, the directors' half sum, and beta, their half difference lengthened to the arc
+// between them.
+struct Edge {
+  V3 chord, mean, delta, beta;
+  Pack f, slope, bend;  // beta = f(q) delta with q = delta.delta; f' and f''
+};
+
+struct Kinematics {
+  Edge edge[4];
+  V3 mid1, mid2, twist;
+  V3 d[4];
+};
+
+// A director turned by the angle a over an edge differs by 2 sin(a / 2): f = asin(s) / s with s = |delta|, to
+// its third term (5e-8 at 20 degrees an edge). Without it an element resists bending by sin(a) / a.
+inline void lengthen(Edge& e) {
+  const Pack q = dot(e.delta, e.delta), c1(1.0 / 6), c2(3.0 / 40), two(2.0);
+  e.f = Pack(1.0) + q * (c1 + q * c2);
+  e.slope = c1 + two * c2 * q;
+  e.bend = two * c2;
+  e.beta = e.f * e.delta;
+}
+
+inline Kinematics kinematics(const Shell4Batch& batch) {
+  Kinematics k;
+  V3 x[4];
+  for (int a = 0; a < 4; ++a) {
+    x[a] = load3(batch.x, 3 * a);
+    k.d[a] = load3(batch.d, 3 * a);
+  }
+  const Pack half(0.5);
+  for (int e = 0; e < 4; ++e) {
+    const int i = kEdge[e][0], j = kEdge[e][1];
+    Edge& edge = k.edge[e];
+    edge.chord = half * (x[j] - x[i]);
+    edge.mean = half * (k.d[i] + k.d[j]);
+    edge.delta = half * (k.d[j] - k.d[i]);
+    lengthen(edge);
+  }
+  k.mid1 = half * (k.edge[0].chord + k.edge[1].chord);
+  k.mid2 = half * (k.edge[2].chord + k.edge[3].chord);
+  k.twist = half * (k.edge[0].chord - k.edge[1].chord);
+  return k;
+}
+
+// The assumed membrane field: stretches sampled on edge chords and in the middle. Samples, in this order: c11
+// on A and B, c22 on C and D; c11, c22, 2 c12 in the middle; and q = |in-plane part of the twist|^2 / 2. Then
+//   c11 = (1 + eta)/2 A + (1 - eta)/2 B + (eta^2 - 1) q
+// is the bilinear field, less the out-of-plane part of the twist, which makes a warped element lock [ko2017];
+// c22 likewise; 2 c12 = middle + xi (A - B)/2 + eta (C - D)/2 + 2 xi eta q.
+// To it comes an enhanced strain of zero mean [simo1990; andelfinger1993] in the middle's axes, times j0 / j:
+//   c11 += xi alpha1,  c22 += eta alpha2,  2 c12 += xi alpha3 + eta alpha4,  alpha = A samples,
+// with the element's constant matrix A (see shell4_geometry).
+struct Membrane {
+  Pack strain[kSamples];
+  Pack alpha[kEnhanced];
+  Pack slope[7];       // dq / d(other samples)
+  Pack w1, w2;         // the twist's in-plane components: w = G^-1 v, v = twist.(mid1, mid2), G the metric
+  Pack G11, G12, G22;  // inverse of G
+  Pack c1, c2;         // w in the reference
+};
+
+// q = v.G^-1 v / 2 from the other samples, which carry v and G; its slopes there.
+inline Pack in_plane_twist(const Pack s[7], Membrane& m) {
+  const Pack half(0.5), two(2.0), one(1.0);
+  const Pack v1 = half * (s[0] - s[1]), v2 = half * (s[2] - s[3]);
+  const Pack g11 = two * s[4], g22 = two * s[5], g12 = s[6], over = one / (g11 * g22 - g12 * g12);
+  m.G11 = g22 * over;
+  m.G22 = g11 * over;
+  m.G12 = -g12 * over;
+  m.w1 = m.G11 * v1 + m.G12 * v2;
+  m.w2 = m.G12 * v1 + m.G22 * v2;
+  m.slope[0] = half * m.w1;
+  m.slope[1] = -m.slope[0];
+  m.slope[2] = half * m.w2;
+  m.slope[3] = -m.slope[2];
+  m.slope[4] = -m.w1 * m.w1;
+  m.slope[5] = -m.w2 * m.w2;
+  m.slope[6] = -m.w1 * m.w2;
+  return half * (v1 * m.w1 + v2 * m.w2);
+}
+
+// Entry (i, k) of the enhanced modes' matrix A.
+inline Pack mode(const double* geometry, int i, int k) {
+  return load(geometry + (Shell4Layout::modes + kSamples * i + k) * lanes);
+}
+
+inline Membrane membrane(const Kinematics& k, const double* geometry) {
+  Membrane m;
+  const Pack half(0.5);
+  for (int e = 0; e < 4; ++e) m.strain[e] = half * dot(k.edge[e].chord, k.edge[e].chord);
+  m.strain[4] = half * dot(k.mid1, k.mid1);
+  m.strain[5] = half * dot(k.mid2, k.mid2);
+  m.strain[6] = dot(k.mid1, k.mid2);
+  m.strain[7] = in_plane_twist(m.strain, m);
+  for (int i = 0; i < kSamples; ++i) m.strain[i] -= load(geometry + (Shell4Layout::samples + i) * lanes);
+  for (int i = 0; i < kEnhanced; ++i) {
+    m.alpha[i] = mode(geometry, i, 0) * m.strain[0];
+    for (int j = 1; j < kSamples; ++j) m.alpha[i] += mode(geometry, i, j) * m.strain[j];
+  }
+  m.c1 = load(geometry + Shell4Layout::distortion * lanes);
+  m.c2 = load(geometry + (Shell4Layout::distortion + 1) * lanes);
+  return m;
+}
+
+// Enhanced strains in the middle's axes, carried to point g: base vectors there are F times those in the
+// middle, j / j0 = det F.
+struct Carry {
+  Pack c[3][3];
+};
+
+inline Carry carry(const Membrane& m, int g) {
+  const Pack r(kXi[g]), s(kEta[g]), one(1.0), two(2.0);
+  const Pack F11 = one + s * m.c1, F12 = s * m.c2, F21 = r * m.c1, F22 = one + r * m.c2;
+  const Pack over = one / (one + s * m.c1 + r * m.c2);
+  return {{{over * F11 * F11, over * F12 * F12, over * F11 * F12},
+           {over * F21 * F21, over * F22 * F22, over * F21 * F22},
+           {two * over * F11 * F21, two * over * F12 * F22, over * (F11 * F22 + F12 * F21)}}};
+}
+
+// (c11, c22, 2 c12) at point g from samples v and modes alpha: strains, or columns of their operator.
+inline void membrane_at(const Carry& to, int g, const Pack v[kSamples], const Pack alpha[kEnhanced],
+                        Pack out[3]) {
+  const double r = kXi[g], s = kEta[g];
+  const Pack e[3] = {Pack(r) * alpha[0], Pack(s) * alpha[1], Pack(r) * alpha[2] + Pack(s) * alpha[3]};
+  out[0] = Pack((1 + s) / 2) * v[0] + Pack((1 - s) / 2) * v[1] + Pack(s * s - 1) * v[7];
+  out[1] = Pack((1 + r) / 2) * v[2] + Pack((1 - r) / 2) * v[3] + Pack(r * r - 1) * v[7];
+  out[2] = v[6] + Pack(r / 2) * (v[0] - v[1]) + Pack(s / 2) * (v[2] - v[3]) + Pack(2 * r * s) * v[7];
+  for (int i = 0; i < 3; ++i) out[i] += to.c[i][0] * e[0] + to.c[i][1] * e[1] + to.c[i][2] * e[2];
+}
+
+// Everything at one in-plane point that does not depend on the thickness coordinate.
+struct InPlane : Strains {
+  V3 a1, a2, b1, b2;
+  Carry carry;
+};
+
+// Shears 2 c_i3 at the edges' midpoints.
+inline void edge_shears(const Kinematics& k, const double* geometry, double thickness, Pack gamma[4]) {
+  for (int e = 0; e < 4; ++e)
+    gamma[e] = Pack(thickness / 2) * dot(k.edge[e].chord, k.edge[e].mean) - load(geometry + e * lanes);
+}
+
+inline InPlane in_plane(const Kinematics& k, const double* reference, const Membrane& m, const Pack gamma[4],
+                        int g) {
+  InPlane p;
+  const Edge* e = k.edge;
+  p.a1 = k.mid1 + Pack(kEta[g]) * k.twist;
+  p.a2 = k.mid2 + Pack(kXi[g]) * k.twist;
+  p.b1 = Pack(tie(g, 0)) * e[0].beta + Pack(tie(g, 1)) * e[1].beta;
+  p.b2 = Pack(tie(g, 2)) * e[2].beta + Pack(tie(g, 3)) * e[3].beta;
+  p.carry = carry(m, g);
+  membrane_at(p.carry, g, m.strain, m.alpha, p.eps);
+  const Pack half(0.5);
+  const auto ref = [&](int i) { return load(reference + i * lanes); };
+  p.kappa[0] = dot(p.a1, p.b1) - ref(0);
+  p.kappa[1] = dot(p.a2, p.b2) - ref(1);
+  p.kappa[2] = dot(p.a1, p.b2) + dot(p.a2, p.b1) - ref(2);
+  p.rho[0] = half * dot(p.b1, p.b1) - ref(3);
+  p.rho[1] = half * dot(p.b2, p.b2) - ref(4);
+  p.rho[2] = dot(p.b1, p.b2) - ref(5);
+  p.g1 = Pack(tie(g, 0)) * gamma[0] + Pack(tie(g, 1)) * gamma[1];
+  p.g2 = Pack(tie(g, 2)) * gamma[2] + Pack(tie(g, 3)) * gamma[3];
+  return p;
+}
+
+// What the resultants of all points add up to: work-conjugate to the samples and enhanced modes, to mid1 mid2
+// twist (without the membrane's part), to the edges' beta, and to the edges' shears (times t / 2).
+struct Forces {
+  Pack sample[kSamples], mode[kEnhanced];
+  V3 x[3], beta[4];
+  Pack shear[4];
+};
+
+inline void clear(Forces& f) {
+  const Pack zero(0.0);
+  for (Pack& n : f.sample) n = zero;
+  for (Pack& n : f.mode) n = zero;
+  for (V3& v : f.x) v = {zero, zero, zero};
+  for (int e = 0; e < 4; ++e) f.beta[e] = {zero, zero, zero}, f.shear[e] = zero;
+}
+
+// The transpose of membrane_at.
+inline void add_membrane(const InPlane& p, const Resultants& q, int g, Forces& f) {
+  const double r = kXi[g], s = kEta[g];
+  const Pack* N = q.N;
+  f.sample[0] += Pack((1 + s) / 2) * N[0] + Pack(r / 2) * N[2];
+  f.sample[1] += Pack((1 - s) / 2) * N[0] - Pack(r / 2) * N[2];
+  f.sample[2] += Pack((1 + r) / 2) * N[1] + Pack(s / 2) * N[2];
+  f.sample[3] += Pack((1 - r) / 2) * N[1] - Pack(s / 2) * N[2];
+  f.sample[6] += N[2];
+  f.sample[7] += Pack(s * s - 1) * N[0] + Pack(r * r - 1) * N[1] + Pack(2 * r * s) * N[2];
+  Pack e[3];
+  for (int j = 0; j < 3; ++j) e[j] = p.carry.c[0][j] * N[0] + p.carry.c[1][j] * N[1] + p.carry.c[2][j] * N[2];
+  f.mode[0] += Pack(r) * e[0];
+  f.mode[1] += Pack(s) * e[1];
+  f.mode[2] += Pack(r) * e[2];
+  f.mode[3] += Pack(s) * e[2];
+}
+
+inline void add_force(const InPlane& p, const Resultants& r, double thickness, int g, Forces& f) {
+  add_membrane(p, r, g, f);
+  const V3 on_a1 = r.M[0] * p.b1 + r.M[2] * p.b2, on_a2 = r.M[2] * p.b1 + r.M[1] * p.b2;
+  f.x[0] += on_a1;
+  f.x[1] += on_a2;
+  f.x[2] += Pack(kEta[g]) * on_a1 + Pack(kXi[g]) * on_a2;
+  const V3 on_b1 = r.M[0] * p.a1 + r.M[2] * p.a2 + r.K[0] * p.b1 + r.K[2] * p.b2;
+  const V3 on_b2 = r.M[2] * p.a1 + r.M[1] * p.a2 + r.K[2] * p.b1 + r.K[1] * p.b2;
+  for (int e = 0; e < 4; ++e) {
+    f.beta[e] += Pack(tie(g, e)) * (e < 2 ? on_b1 : on_b2);
+    f.shear[e] += Pack(tie(g, e) * thickness / 2) * r.Q[e / 2];
+  }
+}
+
+// After all points: the modes work through the samples, q through the others.
+inline void close(const Membrane& m, const double* geometry, Forces& f) {
+  for (int i = 0; i < kEnhanced; ++i)
+    for (int k = 0; k < kSamples; ++k) f.sample[k] += mode(geometry, i, k) * f.mode[i];
+  for (int k = 0; k < 7; ++k) f.sample[k] += f.sample[7] * m.slope[k];
+}
+
+// What a force on beta does on delta: J^T F with d beta = J d delta, symmetric.
+inline V3 through_arc(const Edge& e, V3 F) {
+  return e.f * F + (Pack(2.0) * e.slope * dot(e.delta, F)) * e.delta;
+}
+
+struct NodeForces {
+  V3 x[4], d[4];
+};
+
+inline NodeForces on_nodes(const Kinematics& k, const Forces& f) {
+  V3 x[3] = {f.x[0] + f.sample[4] * k.mid1 + f.sample[6] * k.mid2,
+             f.x[1] + f.sample[5] * k.mid2 + f.sample[6] * k.mid1, f.x[2]};
+  NodeForces n;
+  const Pack zero(0.0), half(0.5), quarter(0.25);
+  for (V3& v : n.d) v = {zero, zero, zero};
+  for (int e = 0; e < 4; ++e) {
+    const Edge& edge = k.edge[e];
+    const V3 on_chord = f.sample[e] * edge.chord + f.shear[e] * edge.mean;
+    x[e / 2] += on_chord;
+    x[2] += Pack(kTwist[e]) * on_chord;
+    const V3 on_delta = half * through_arc(edge, f.beta[e]), on_mean = half * (f.shear[e] * edge.chord);
+    n.d[kEdge[e][0]] += on_mean - on_delta;
+    n.d[kEdge[e][1]] += on_mean + on_delta;
+  }
+  for (V3& v : x) v = quarter * v;
+  for (int a = 0; a < 4; ++a)
+    n.x[a] = Pack(kShare[0][a]) * x[0] + Pack(kShare[1][a]) * x[1] + Pack(kShare[2][a]) * x[2];
+  return n;
+}
+
+inline void store_forces(const NodeForces& f, double* out) {
+  for (int a = 0; a < 4; ++a) {
+    store3(out, 3 * a, f.x[a]);
+    store3(out, 12 + 3 * a, f.d[a]);
+  }
+}
+
+}  // namespace
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::element

@@ -1,0 +1,145 @@
+// The element tangent in the unknowns that strains hang on: vectors of the position (a triangle's two, a
+// quadrilateral's three) and the nodes' two rotations. Rows of the strain operator that a kind of unknown
+// does not reach are left out, and a symmetric law's tangent is worked out by halves. Included by the
+// *_isa.cpp of this room only.
+#pragma once
+#include "element/shell_isa.hpp"
+
+namespace fabricsh::element {
+inline namespace FABRICSH_ISA {
+namespace {
+
+constexpr int kReach = 8;                                // strains that an unknown reaches
+constexpr int kOfX[kReach] = {0, 1, 2, 3, 4, 5, 9, 10};  // position: eps kappa g
+constexpr int kOfD[kReach] = {3, 4, 5, 6, 7, 8, 9, 10};  // director: kappa rho g
+constexpr int kEps = 0, kKappa = 3, kShear = 6;          // places in a column of x
+constexpr int kKappaOfD = 0, kRhoOfD = 3;                // and of d
+
+// Columns of the strain operator: nx of the position (three for each vector), nd of rotations.
+template <int nx, int nd>
+struct Columns {
+  Pack x[nx][kReach], d[nd][kReach];
+};
+
+template <int nx, int nd>
+struct Tangent {
+  Pack xx[nx][nx], xd[nx][nd], dx[nd][nx], dd[nd][nd];
+};
+
+template <int nx, int nd>
+inline void clear(Tangent<nx, nd>& K) {
+  Pack* p = &K.xx[0][0];
+  for (unsigned i = 0; i < sizeof(K) / sizeof(Pack); ++i) p[i] = Pack(0.0);
+}
+
+inline Pack dot8(const Pack* a, const Pack* b) {
+  Pack v = a[0] * b[0];
+  for (int j = 1; j < kReach; ++j) v += a[j] * b[j];
+  return v;
+}
+
+// The 11x11 tangent of the resultants, row i column j.
+inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
+  if (i / 3 == 1 && j / 3 == 1) return k.Z[2][i - 3][j - 3] + k.bending[i - 3][j - 3];
+  if (i < 9 && j < 9) return k.Z[i / 3 + j / 3][i % 3][j % 3];
+  if (i < 9) return k.in_g[i / 3][i % 3][j - 9];
+  if (j < 9) return k.g_in[j / 3][i - 9][j % 3];
+  return k.g_g[i - 9][j - 9];
+}
+
+// Rows `rows` of D times a column of the operator that reaches `reach`.
+template <int n>
+inline void times(const Pack (&D)[11][11], const int (&rows)[n], const int (&reach)[kReach],
+                  const Pack (&b)[kReach], Pack (&out)[n]) {
+  for (int i = 0; i < n; ++i) {
+    Pack v = D[rows[i]][reach[0]] * b[0];
+    for (int j = 1; j < kReach; ++j) v += D[rows[i]][reach[j]] * b[j];
+    out[i] = v;
+  }
+}
+
+// K += B^T D B; a symmetric D: the upper half of xx and dd, and xd.
+template <bool symmetric, int nx, int nd>
+inline void add_material(const Columns<nx, nd>& B, const Stiffness& k, Tangent<nx, nd>& K) {
+  Pack D[11][11], on_x[kReach], on_d[kReach];
+  for (int i = 0; i < 11; ++i)
+    for (int j = 0; j < 11; ++j) D[i][j] = stiffness_entry(k, i, j);
+  for (int c = 0; c < nx; ++c) {
+    times(D, kOfX, kOfX, B.x[c], on_x);
+    for (int r = 0; r < (symmetric ? c + 1 : nx); ++r) K.xx[r][c] += dot8(B.x[r], on_x);
+    if (symmetric) continue;
+    times(D, kOfD, kOfX, B.x[c], on_d);
+    for (int r = 0; r < nd; ++r) K.dx[r][c] += dot8(B.d[r], on_d);
+  }
+  for (int c = 0; c < nd; ++c) {
+    times(D, kOfX, kOfD, B.d[c], on_x);
+    times(D, kOfD, kOfD, B.d[c], on_d);
+    for (int r = 0; r < nx; ++r) K.xd[r][c] += dot8(B.x[r], on_x);
+    for (int r = 0; r < (symmetric ? c + 1 : nd); ++r) K.dd[r][c] += dot8(B.d[r], on_d);
+  }
+}
+
+template <int nx, int nd>
+inline void mirror(Tangent<nx, nd>& K) {
+  for (int c = 0; c < nx; ++c) {
+    for (int r = c + 1; r < nx; ++r) K.xx[r][c] = K.xx[c][r];
+    for (int r = 0; r < nd; ++r) K.dx[r][c] = K.xd[c][r];
+  }
+  for (int c = 0; c < nd; ++c)
+    for (int r = c + 1; r < nd; ++r) K.dd[r][c] = K.dd[c][r];
+}
+
+// A scalar times the unit matrix between two position vectors, and a vector between one and a rotation; of
+// symmetric terms, added after mirror().
+template <int nx, int nd>
+inline void add_scalar(int p, int q, Pack s, Tangent<nx, nd>& K) {
+  for (int i = 0; i < 3; ++i) {
+    K.xx[3 * p + i][3 * q + i] += s;
+    if (p != q) K.xx[3 * q + i][3 * p + i] += s;
+  }
+}
+template <int nx, int nd>
+inline void add_vector(int p, int column, V3 v, Tangent<nx, nd>& K) {
+  const Pack parts[3] = {v.x, v.y, v.z};
+  for (int i = 0; i < 3; ++i) {
+    K.xd[3 * p + i][column] += parts[i];
+    K.dx[column][3 * p + i] += parts[i];
+  }
+}
+
+// To nodes and out, COLUMN-major on (u, q) of each node: node a has share[p][a] in position vector p.
+template <int vectors, int corners>
+inline void store_tangent(const Tangent<3 * vectors, 2 * corners>& K, const double (&share)[vectors][corners],
+                          double* out) {
+  constexpr int nx = 3 * vectors, nd = 2 * corners, dofs = 5 * corners;
+  const auto at = [&](int r, int c) { return out + (dofs * c + r) * lanes; };
+  for (int a = 0; a < corners; ++a)
+    for (int i = 0; i < 3; ++i) {
+      Pack row[nx];  // of node a, component i
+      for (int c = 0; c < nx; ++c) {
+        row[c] = Pack(share[0][a]) * K.xx[i][c];
+        for (int p = 1; p < vectors; ++p) row[c] += Pack(share[p][a]) * K.xx[3 * p + i][c];
+      }
+      for (int b = 0; b < corners; ++b)
+        for (int j = 0; j < 3; ++j) {
+          Pack v = Pack(share[0][b]) * row[j];
+          for (int p = 1; p < vectors; ++p) v += Pack(share[p][b]) * row[3 * p + j];
+          store(at(5 * a + i, 5 * b + j), v);
+        }
+      for (int c = 0; c < nd; ++c) {
+        Pack right = Pack(share[0][a]) * K.xd[i][c], left = Pack(share[0][a]) * K.dx[c][i];
+        for (int p = 1; p < vectors; ++p) {
+          right += Pack(share[p][a]) * K.xd[3 * p + i][c];
+          left += Pack(share[p][a]) * K.dx[c][3 * p + i];
+        }
+        store(at(5 * a + i, 5 * (c / 2) + 3 + c % 2), right);
+        store(at(5 * (c / 2) + 3 + c % 2, 5 * a + i), left);
+      }
+    }
+  for (int r = 0; r < nd; ++r)
+    for (int c = 0; c < nd; ++c) store(at(5 * (r / 2) + 3 + r % 2, 5 * (c / 2) + 3 + c % 2), K.dd[r][c]);
+}
+
+}  // namespace
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::element
