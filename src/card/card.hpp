@@ -51,6 +51,16 @@ struct Bending {  // rigidities, N.m (N.m^2 per metre of width); used instead of
   std::optional<BendingFriction> friction_warp, friction_weft;
 };
 
+// Confidence bands of measured parameters, in the order loading coefficients, unloading, poisson (shear has
+// no poisson). covariance is of the same parameters, row by row. Empty: not known.
+struct Band {
+  std::vector<double> low, high, covariance;
+};
+struct Bands {
+  double level = 0.95;  // probability that a parameter lies in its band
+  Band warp, weft, shear;
+};
+
 enum class LawKind { potential, incremental, thesis };
 enum class Transverse { elastic, follow };
 
@@ -62,6 +72,7 @@ struct Woven {
   Transverse transverse = Transverse::elastic;  // comparison laws only
   bool shear_hysteresis = true;                 // comparison laws only
   std::optional<Biaxial> biaxial;
+  std::optional<Bands> bands;  // polynomial loading curves only
 };
 
 struct Svk {  // St. Venant-Kirchhoff, PHYSICS section 4; shear is the engineering modulus, S12 = 2 G E12

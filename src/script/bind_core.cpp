@@ -164,6 +164,9 @@ void bind_all(Session& session) {
   bind_analysis(session);
   bind_outputs(session);
   bind_check(session);
+  bind_table(session);
+  bind_lab(session);
+  bind_sample(session);
 }
 
 }  // namespace fabricsh::script

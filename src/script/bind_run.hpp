@@ -58,5 +58,8 @@ void bind_files(Session& session);
 void bind_analysis(Session& session);
 void bind_outputs(Session& session);
 void bind_check(Session& session);
+void bind_table(Session& session);
+void bind_lab(Session& session);
+void bind_sample(Session& session);
 
 }  // namespace fabricsh::script

@@ -48,6 +48,19 @@ std::vector<Argument> biaxial_rows() {
           modulus("unloading", positive, "unloading modulus")};
 }
 
+std::vector<Argument> band_rows() {
+  return {{"low", numbers, "", everything, "of loading coefficients, unloading, poisson"},
+          {"high", numbers, "", everything, "of the same parameters"},
+          {"covariance", numbers, "", everything, "of the same parameters, row by row"}};
+}
+
+std::vector<Argument> bands_rows() {
+  return {number_("level", "", Range{0, 1, true, true}, "of confidence").or_else(0.95),
+          fields_("warp", band_rows(), "of the warp's parameters").optional(),
+          fields_("weft", band_rows(), "of the weft's parameters").optional(),
+          fields_("shear", band_rows(), "of the shear's parameters").optional()};
+}
+
 std::vector<Argument> friction_rows() {
   return {number_("moment", "N", positive, "friction moment per width"),
           number_("curvature", "1/m", positive, "curvature over which it builds up")};
@@ -89,6 +102,7 @@ std::vector<Argument> woven_rows() {
   rows.push_back(value_("shear_hysteresis", boolean, "of the comparison laws").or_else(true));
   rows.push_back(fields_("biaxial", biaxial_rows(), "a fourth spring that acts when both yarns are stretched")
                      .optional());
+  rows.push_back(fields_("bands", bands_rows(), "confidence bands of the measured parameters").optional());
   return rows;
 }
 
@@ -167,6 +181,26 @@ Shear read_shear(const Fields& fields) {
           fields.text("memory") == "printed" ? ShearMemory::printed : ShearMemory::fading};
 }
 
+Band read_band(const Fields& bands, const char* part, std::size_t parameters) {
+  if (!bands.has(part)) return {};
+  const Fields f = bands.fields(part);
+  const Band band{f.numbers("low"), f.numbers("high"), f.numbers("covariance")};
+  const auto check = [&](const char* name, std::size_t got, std::size_t want) {
+    if (got != want)
+      f.refuse(name, "expected " + std::to_string(want) + " numbers, got " + std::to_string(got));
+  };
+  check("low", band.low.size(), parameters);
+  check("high", band.high.size(), parameters);
+  check("covariance", band.covariance.size(), parameters * parameters);
+  return band;
+}
+
+Bands read_bands(const Fields& bands, const Woven& law) {
+  return {bands.number("level"), read_band(bands, "warp", law.warp.loading.coefficients.size() + 2),
+          read_band(bands, "weft", law.weft.loading.coefficients.size() + 2),
+          read_band(bands, "shear", law.shear.loading.coefficients.size() + 1)};
+}
+
 LawKind read_law(const std::string& word) {
   if (word == "potential") return LawKind::potential;
   return word == "incremental" ? LawKind::incremental : LawKind::thesis;
@@ -188,6 +222,7 @@ Woven read_woven(const Fields& f) {
     const Fields b = f.fields("biaxial");
     law.biaxial = Biaxial{b.number("alpha"), b.number("offset"), b.number("loading"), b.number("unloading")};
   }
+  if (f.has("bands")) law.bands = read_bands(f.fields("bands"), law);
   return law;
 }
 

@@ -50,6 +50,26 @@ const char* law_word(LawKind law) {
   return law == LawKind::incremental ? "incremental" : "thesis";
 }
 
+void set_band(lua_State* L, const char* part, const Band& band) {
+  if (band.low.empty()) return;
+  lua_newtable(L);
+  for (const auto& [name, values] :
+       {std::pair{"low", &band.low}, {"high", &band.high}, {"covariance", &band.covariance}}) {
+    push_numbers(L, *values);
+    lua_setfield(L, -2, name);
+  }
+  lua_setfield(L, -2, part);
+}
+
+void set_bands(lua_State* L, const Bands& bands) {
+  lua_newtable(L);
+  set_number(L, "level", bands.level);
+  set_band(L, "warp", bands.warp);
+  set_band(L, "weft", bands.weft);
+  set_band(L, "shear", bands.shear);
+  lua_setfield(L, -2, "bands");
+}
+
 void set_law(lua_State* L, const Woven& law) {
   set_yarn(L, "warp", law.warp);
   set_yarn(L, "weft", law.weft);
@@ -66,6 +86,7 @@ void set_law(lua_State* L, const Woven& law) {
                 {"offset", law.biaxial->offset},
                 {"loading", law.biaxial->loading},
                 {"unloading", law.biaxial->unloading}});
+  if (law.bands) set_bands(L, *law.bands);
 }
 
 template <class Moduli>
@@ -138,6 +159,18 @@ std::string yarn_text(const char* name, const Yarn& yarn) {
          " },\n";
 }
 
+std::string band_text(const char* part, const Band& band) {
+  if (band.low.empty()) return "";
+  return std::string("    ") + part + " = { low = " + list_text(band.low) +
+         ", high = " + list_text(band.high) + ",\n      covariance = " + list_text(band.covariance) + " },\n";
+}
+
+// Of loading coefficients, unloading, poisson.
+std::string bands_text(const Bands& bands) {
+  return "  bands = { level = " + number_text(bands.level) + ",\n" + band_text("warp", bands.warp) +
+         band_text("weft", bands.weft) + band_text("shear", bands.shear) + "  },\n";
+}
+
 std::string law_text(const Woven& law) {
   std::string out = yarn_text("warp", law.warp) + yarn_text("weft", law.weft);
   out += "  shear = { " + curve_text(law.shear.loading) +
@@ -154,6 +187,7 @@ std::string law_text(const Woven& law) {
            ", offset = " + number_text(law.biaxial->offset) +
            ", loading = " + number_text(law.biaxial->loading) +
            ", unloading = " + number_text(law.biaxial->unloading) + " },\n";
+  if (law.bands) out += bands_text(*law.bands);
   return out;
 }
 

@@ -1,6 +1,13 @@
--- fabric.lab: virtual tests.
+-- fabric.lab: virtual tests, and the laboratory: from measurement to card.
 require "fabric.lab.mesh_error"
 require "fabric.lab.uniaxial"
 require "fabric.lab.bias"
 require "fabric.lab.shear"
 require "fabric.lab.biaxial"
+require "fabric.lab.read"
+require "fabric.lab.tensile"
+require "fabric.lab.fit"
+require "fabric.lab.markers"
+require "fabric.lab.kilby"
+require "fabric.lab.card"
+require "fabric.lab.synthetic"

@@ -1,0 +1,133 @@
+-- fabric.lab.tracks, poisson, shear_from_bias: what marker grids on the cloth say.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local fail = define.fail
+
+local nan = 0 / 0
+
+local function column_named(file, path, name)
+  for _, column in ipairs(file) do
+    if column.name:lower() == name then return column.values end
+  end
+  fail(("tracks: %s:1: expected columns frame, marker, x, y; there is no '%s'"):format(path, name))
+end
+
+local function tracks(t)
+  local file = fabric.table { file = t.file }
+  local frame, marker = column_named(file, t.file, "frame"), column_named(file, t.file, "marker")
+  local x, y = column_named(file, t.file, "x"), column_named(file, t.file, "y")
+  local place, frames, markers = {}, 0, t.rows * t.columns
+  local out = { rows = t.rows, columns = t.columns, x = {}, y = {}, file = t.file }
+  for i = 1, #frame do
+    if not place[frame[i]] then
+      place[frame[i]] = frames
+      for k = 1, markers do out.x[frames * markers + k], out.y[frames * markers + k] = nan, nan end
+      frames = frames + 1
+    end
+    if marker[i] < 1 or marker[i] > markers or marker[i] % 1 ~= 0 then
+      fail(("tracks: %s: expected markers 1 to %d, got %g"):format(t.file, markers, marker[i]))
+    end
+    local at = place[frame[i]] * markers + marker[i]
+    out.x[at // 1 | 0], out.y[at // 1 | 0] = x[i], y[i]
+  end
+  out.frames = frames
+  return out
+end
+
+define {
+  name = "fabric.lab.tracks",
+  arguments = {
+    { name = "file", kind = "text", sentence = "a table with columns frame, marker (from 1, row by row), x, y" },
+    { name = "rows", kind = "integer", low = 2, sentence = "of markers, following each other along the pull" },
+    { name = "columns", kind = "integer", low = 2, sentence = "of markers, across the pull" },
+  },
+  sentence = "Positions of a marker grid in a series of photographs: rows, columns, frames, x, y; a marker without a row is lost (nan).",
+  example = "local path = os.tmpname()\nlocal f = io.open(path, 'w') f:write 'frame,marker,x,y\\n1,1,0,0\\n1,2,1,0\\n1,3,0,1\\n1,4,1,1\\n2,1,0,0\\n' f:close()\n"
+    .. "local t = require 'fabric'.lab.tracks{ file=path, rows=2, columns=2 }\nos.remove(path)\n"
+    .. "assert(t.frames == 2 and t.x[2] == 1 and t.x[6] ~= t.x[6])",
+  run = tracks,
+}
+
+define {
+  name = "fabric.lab.poisson",
+  arguments = {
+    { name = "specimens", kind = "table", sentence = "marker grids: { {rows=, columns=, x=, y=}, ... } as of fabric.lab.tracks" },
+    { name = "noise", kind = "number", low = 0, optional = true, sentence = "of a coordinate; default: from the scatter of each specimen" },
+    { name = "least", kind = "number", low = 0, default = 0.01, sentence = "mean strain along the pull from which on frames count" },
+    { name = "level", kind = "number", above = 0, high = 1, default = 0.95, sentence = "of confidence" },
+    { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of the bootstrap" },
+    { name = "common", kind = "number", low = 0, default = 0, sentence = "relative standard uncertainty that all share" },
+  },
+  sentence = "The contraction ratio (eq. 3.3): one line through the origin per specimen with its boxes pooled, then the mean: value, "
+    .. "low, high, variance, specimens { {value, plain, noise, uncertainty}, ... }.",
+  example = "local s = { rows=2, columns=2, x={0,1,0,1, 0,0.95,0,0.95}, y={0,0,1,1, 0,0,1.2,1.2} }\n"
+    .. "local p = require 'fabric'.lab.poisson{ specimens={s}, noise=0 }\nassert(math.abs(p.value - 0.04875/0.22) < 1e-12)",
+  run = function(t)
+    local out, values = { specimens = {} }, {}
+    for i, s in ipairs(t.specimens) do
+      out.specimens[i] = fabric.lab.ratio { rows = s.rows, columns = s.columns, x = s.x, y = s.y, noise = t.noise, least = t.least }
+      values[i] = { out.specimens[i].value }
+    end
+    local band = fabric.lab.band { specimens = values, level = t.level, seed = t.seed, common = { t.common } }
+    out.value = band.value[1]
+    if band.low then out.low, out.high, out.variance = band.low[1], band.high[1], band.covariance[1] end
+    return out
+  end,
+}
+
+-- Mean of a quantity over the boxes of zone 3, per frame.
+local function zone_mean(boxes, name)
+  local out = {}
+  for f = 0, boxes.frames - 1 do
+    local sum, n = 0, 0
+    for b = 1, boxes.boxes do
+      local value = boxes[name][f * boxes.boxes + b]
+      if boxes.zones[b] == 3 and value == value then sum, n = sum + value, n + 1 end
+    end
+    out[f + 1] = n > 0 and sum / n or nan
+  end
+  return out
+end
+
+local function shear_from_bias(t)
+  local grid = t.markers
+  local boxes = fabric.lab.boxes { rows = grid.rows, columns = grid.columns, x = grid.x, y = grid.y, warp = t.warp }
+  if #t.force ~= boxes.frames or #t.displacement ~= boxes.frames then
+    fail(("shear_from_bias: field 'force': expected a force and a displacement for each of %d frames, got %d and %d"):format(
+      boxes.frames, #t.force, #t.displacement))
+  end
+  local pull = fabric.lab.reduce {
+    displacement = t.displacement, force = t.force, gauge_length = t.gauge_length, width = t.width, thickness = t.thickness,
+    plies = t.plies, compliance = t.compliance, slip = t.slip,
+  }
+  local out = { E = zone_mean(boxes, "E12"), S = {}, zones = boxes.zones, pull = pull,
+                warp_stretch = zone_mean(boxes, "warp_stretch"), weft_stretch = zone_mean(boxes, "weft_stretch") }
+  for i = 1, boxes.frames do
+    out.E[i], out.S[i] = math.abs(out.E[i]), pull.S[i] / 2
+  end
+  local reach = math.max(table.unpack(t.displacement))
+  out.branches = fabric.lab.branches { displacement = t.displacement, tolerance = 0.01 * reach }
+  return out
+end
+
+define {
+  name = "fabric.lab.shear_from_bias",
+  arguments = {
+    { name = "markers", kind = "table", sentence = "a marker grid, as of fabric.lab.tracks" },
+    { name = "warp", kind = "number", unit = "degrees", default = 45, sentence = "from the x of the markers to the warp" },
+    { name = "force", kind = "numbers", unit = "N", sentence = "at each frame" },
+    { name = "displacement", kind = "numbers", unit = "m", sentence = "of the crosshead at each frame" },
+    { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
+    { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
+    { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of one ply" },
+    { name = "plies", kind = "integer", low = 1, sentence = "layers that carry" },
+    { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of the frame" },
+    { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips" },
+  },
+  sentence = "Shear from a bias pull: E (tensor E12 = lambda1 lambda2 cos(phi)/2 over the boxes of zone 3, eq. 3.16) and S (S12 = P/(2 "
+    .. "A0 lambda), eq. 3.15) per frame, zones of the boxes, warp_stretch, weft_stretch, branches: a test for fabric.lab.fit.",
+  example = "local t = require 'fabric'.lab.shear_from_bias{ markers={ rows=2, columns=2, x={0,1,0,1, 0,0.9,0,0.9}, y={0,0,1,1, 0,0,1.1,1.1} },\n"
+    .. "  force={0, 1}, displacement={0, 0.01}, gauge_length=0.1, width=0.02, thickness=5e-4, plies=1 }\n"
+    .. "assert(math.abs(t.E[2] - (1.21 - 0.81)/4) < 1e-12 and t.zones[1] == 3)",
+  run = shear_from_bias,
+}

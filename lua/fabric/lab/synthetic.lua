@@ -1,0 +1,156 @@
+-- fabric.lab.synthetic: what a laboratory would have measured on a card's cloth: scatter between specimens, slack, slip,
+-- compliance, noise of the load cell, the displacement and the marker positions. For trying the reduction on a known truth.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local random = require "fabric.lab.random"
+
+local angles = { warp = 0, weft = 90, bias = 45 }
+
+-- The specimen's own card: each curve and each ratio off by its own factor of mean one.
+local function scattered(t, draw)
+  local function factor() return 1 + t.scatter * draw.normal() end
+  local function part(p)
+    local f, out = factor(), { loading = {}, unloading = p.unloading * factor() }
+    for i, d in ipairs(p.loading) do out.loading[i] = d * f end
+    out.poisson = p.poisson and p.poisson * factor()
+    return out
+  end
+  local card = t.card
+  return card:with { warp = part(card.warp), weft = part(card.weft), shear = part(card.shear) }
+end
+
+-- Strains along the pull: up to the tested one in equal steps of stretch and down again, the pull ending at no force.
+local function history(t, reach)
+  local E = {}
+  local top = math.sqrt(1 + 2 * reach) - 1
+  local function add(e) E[#E + 1] = e + e * e / 2 end
+  for i = 1, t.rows do add(top * i / t.rows) end
+  for i = 1, t.rows do add(top * (1 - i / t.rows)) end
+  return E
+end
+
+-- E along a bias pull at which the shear has come to what was tested.
+local function bias_reach(t)
+  local point, E = fabric.point(t.card), 0
+  repeat
+    E = E + 0.01
+    local s = point:uniaxial(45, E)
+  until s.E12 >= t.card.tested.shear
+  return E
+end
+
+local function response(t, card, reach)
+  local columns = { "E11", "E22", "E12", "S", "E" }
+  local r = fabric.point(card):uniaxial(t.direction == "bias" and 45 or t.direction, history(t, reach), columns)
+  local rows = #r.S
+  for i = t.rows + 1, #r.S do
+    if r.S[i] <= 0 then
+      rows = i - 1
+      break
+    end
+  end
+  return r, rows
+end
+
+-- Crosshead displacement and force of every row, the slack first; and the true row that each stands for (0: not yet taut).
+local function frame_record(t, r, rows, calibration, draw)
+  local slack, slip = t.slack * draw.uniform(), t.slip
+  local length, area = t.gauge_length + slack, t.width * t.thickness * t.plies
+  local record, largest = { displacement = {}, force = {}, row = {} }, 0
+  local function add(u, P, row)
+    local n = #record.force + 1
+    record.displacement[n] = u + t.displacement_noise * draw.normal()
+    record.force[n] = P * calibration + t.force_noise * draw.normal()
+    record.row[n] = row
+  end
+  local step = length * (math.sqrt(1 + 2 * r.E[1]) - 1)
+  for i = 0, slack // step do add(i * step, 0, 0) end
+  for i = 1, rows do
+    local stretch = math.sqrt(1 + 2 * r.E[i])
+    local P = r.S[i] * area * stretch
+    largest = math.max(largest, P)
+    add(slack + length * (stretch - 1) + t.compliance * P + slip * largest, P, i)
+  end
+  record.slack = slack
+  return record
+end
+
+-- The stretch of the cloth, a symmetric tensor in the photograph's axes (pull along y): the root of C = 1 + 2E.
+local function stretch_of(t, r, row)
+  local c11, c22, c12 = 1, 1, 0
+  if row > 0 then c11, c22, c12 = 1 + 2 * r.E11[row], 1 + 2 * r.E22[row], 2 * r.E12[row] end
+  local det = math.sqrt(c11 * c22 - c12 * c12)
+  local trace = math.sqrt(c11 + c22 + 2 * det)
+  local u11, u22, u12 = (c11 + det) / trace, (c22 + det) / trace, c12 / trace
+  local w = math.rad(90 - angles[t.direction]) -- of the warp, from x
+  local c, s = math.cos(w), math.sin(w)
+  return c * c * u11 + s * s * u22 - 2 * c * s * u12, s * s * u11 + c * c * u22 + 2 * c * s * u12,
+    c * s * (u11 - u22) + (c * c - s * s) * u12
+end
+
+-- Photographs at equal intervals of the record, the first of the cloth at rest; and what the frame showed then.
+local function photographs(t, r, record, draw)
+  local grid = { rows = t.markers[1], columns = t.markers[2], x = {}, y = {} }
+  local photo = { markers = grid, displacement = {}, force = {}, warp = 90 - angles[t.direction] }
+  local pictures = {}
+  for k = 0, t.photographs - 1 do pictures[#pictures + 1] = 1 + (k * (#record.row - 1)) // (t.photographs - 1) end
+  for _, at in ipairs(pictures) do
+    local xx, yy, xy = stretch_of(t, r, record.row[at])
+    photo.displacement[#photo.displacement + 1], photo.force[#photo.force + 1] = record.displacement[at], record.force[at]
+    for m = 0, grid.rows * grid.columns - 1 do
+      local X, Y = (m % grid.columns) * t.pitch, (m // grid.columns) * t.pitch
+      grid.x[#grid.x + 1] = xx * X + xy * Y + t.position_noise * draw.normal()
+      grid.y[#grid.y + 1] = xy * X + yy * Y + t.position_noise * draw.normal()
+    end
+  end
+  grid.frames = t.photographs
+  return photo
+end
+
+local function synthetic(t)
+  t.thickness = t.thickness or t.card.thickness
+  t.markers = t.markers or { 5, 4 }
+  local draw, out = random(t.seed), {}
+  local calibration = 1 + t.calibration * draw.normal() -- one load cell for all
+  local reach = t.reach or (t.direction == "bias" and bias_reach(t) or t.card.tested[t.direction])
+  for i = 1, t.specimens do
+    local r, rows = response(t, scattered(t, draw), reach)
+    local record = frame_record(t, r, rows, calibration, draw)
+    out[i] = { record = record, photographs = photographs(t, r, record, draw) }
+  end
+  return out
+end
+
+define {
+  name = "fabric.lab.synthetic",
+  arguments = {
+    { name = "card", of = "card", sentence = "the truth" },
+    { name = "direction", kind = "text", choices = { "warp", "weft", "bias" }, default = "warp", sentence = "of the pull" },
+    { name = "specimens", kind = "integer", low = 1, default = 5, sentence = "replicates" },
+    { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of all that is random" },
+    { name = "rows", kind = "integer", low = 10, default = 300, sentence = "of the record on the way up" },
+    { name = "reach", kind = "number", above = 0, optional = true, sentence = "largest strain; default: as tested" },
+    { name = "scatter", kind = "number", low = 0, high = 0.2, default = 0.03, sentence = "of the moduli between specimens, relative" },
+    { name = "slack", kind = "number", unit = "m", low = 0, default = 0.5e-3, sentence = "largest displacement before first contact" },
+    { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips" },
+    { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of the frame" },
+    { name = "force_noise", kind = "number", unit = "N", low = 0, default = 0.02, sentence = "standard deviation" },
+    { name = "calibration", kind = "number", low = 0, high = 0.1, default = 0.003,
+      sentence = "relative error of the load cell, one for all specimens: standard deviation" },
+    { name = "displacement_noise", kind = "number", unit = "m", low = 0, default = 2e-6, sentence = "standard deviation" },
+    { name = "position_noise", kind = "number", unit = "m", low = 0, default = 1e-5, sentence = "of a marker coordinate" },
+    { name = "markers", kind = "numbers", low = 2, optional = true, sentence = "{rows, columns}; default {5, 4}" },
+    { name = "pitch", kind = "number", unit = "m", above = 0, default = 5e-3, sentence = "between markers" },
+    { name = "photographs", kind = "integer", low = 2, default = 60, sentence = "over the whole test" },
+    { name = "gauge_length", kind = "number", unit = "m", above = 0, default = 76.2e-3, sentence = "between the grips" },
+    { name = "width", kind = "number", unit = "m", above = 0, default = 25.4e-3, sentence = "of the specimen" },
+    { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: the card's" },
+    { name = "plies", kind = "integer", low = 1, default = 2, sentence = "layers that carry" },
+  },
+  sentence = "Pulls of a card's cloth as a laboratory would have recorded them: a list of specimens {record={displacement, force}, "
+    .. "photographs={markers, force, displacement, warp}}.",
+  example = "local fabric = require 'fabric'\n"
+    .. "local s = fabric.lab.synthetic{ card=fabric.card 'blend', specimens=1, rows=20 }\n"
+    .. "assert(#s[1].record.force > 20 and s[1].photographs.markers.frames == 60)",
+  run = synthetic,
+}

@@ -1,0 +1,101 @@
+-- fabric.lab.tensile: a pull from the file to stress and strain, its branches and marks.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local fail = define.fail
+
+local function largest(values)
+  local place = 1
+  for i = 2, #values do
+    if values[i] > values[place] then place = i end
+  end
+  return place
+end
+
+local function slice(values, first, last) return table.move(values, first, last, 1, {}) end
+
+local function record_of(t)
+  if t.file and t.record then fail "tensile: expected either file or record, got both" end
+  if t.record then return t.record end
+  if not t.file then fail "tensile: field 'file': expected a file (or record: a table of displacement and force), got nil" end
+  return fabric.lab.read { file = t.file, columns = t.columns, units = t.units }
+end
+
+-- Yield and failure are looked for on the first loading branch, and only matter when it ends in failure.
+local function mark(test, t)
+  local first = test.branches[1]
+  test.loading = { first = first.first, last = first.last }
+  local marks = fabric.lab.marks {
+    E = slice(test.E, first.first, first.last), S = slice(test.S, first.first, first.last),
+    kept = t.kept, softening = t.softening,
+  }
+  test.failure = marks.failure and marks.failure + first.first - 1
+  test.yield = marks.yield and marks.yield + first.first - 1
+end
+
+local function tensile(t)
+  local record = record_of(t)
+  local peak = record.force[largest(record.force)]
+  local test = fabric.lab.reduce {
+    displacement = record.displacement, force = record.force, gauge_length = t.gauge_length, width = t.width,
+    thickness = t.thickness, plies = t.plies, compliance = t.compliance, slip = t.slip,
+    slack = type(t.slack) == "number" and t.slack or nil,
+    contact = t.slack == "contact" and (t.contact or 0.01 * peak) or nil,
+  }
+  test.force, test.time, test.file = record.force, record.time, record.file
+  local reach = record.displacement[largest(record.displacement)]
+  test.branches = fabric.lab.branches { displacement = record.displacement, tolerance = t.tolerance or 0.01 * math.abs(reach) }
+  mark(test, t)
+  if record.strain then test.measured_strain = record.strain end
+  return test
+end
+
+define {
+  name = "fabric.lab.tensile",
+  arguments = {
+    { name = "file", kind = "text", optional = true, sentence = "of the load frame" },
+    { name = "record", kind = "table", optional = true, sentence = "{displacement=, force=} in SI, instead of a file" },
+    { name = "columns", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
+    { name = "units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
+    { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
+    { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
+    { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of one ply" },
+    { name = "plies", kind = "integer", low = 1, sentence = "layers that carry: 1, or 2 for a sewn loop on two pins" },
+    { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of frame and load cell" },
+    { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips, over the largest force so far" },
+    { name = "slack", kind = "number|text", unit = "m", choices = { "none", "contact" }, default = "none",
+      sentence = "displacement at first contact, or 'contact': found where the force rises above `contact`" },
+    { name = "contact", kind = "number", unit = "N", above = 0, optional = true, sentence = "default 1 % of the largest force" },
+    { name = "tolerance", kind = "number", unit = "m", above = 0, optional = true,
+      sentence = "smallest way back that is a reversal; default 1 % of the largest displacement" },
+    { name = "kept", kind = "number", above = 0, high = 1, default = 0.8, sentence = "failed below this part of the peak" },
+    { name = "softening", kind = "number", above = 0, high = 1, default = 0.5,
+      sentence = "yielded below this part of the largest tangent" },
+  },
+  sentence = "A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading "
+    .. "(rows of the first branch), yield and failure (rows or nil), slack, area.",
+  example = "local t = require 'fabric'.lab.tensile{ record={ displacement={0, 1e-3, 2e-3, 1e-3, 0}, force={0, 2, 5, 1, 0} },\n"
+    .. "  gauge_length=0.0762, width=0.0254, thickness=0.38e-3, plies=2 }\n"
+    .. "assert(t.branches[2].kind == 'unloading' and t.loading.last == 3 and not t.failure)",
+  run = tensile,
+}
+
+define {
+  name = "fabric.lab.density",
+  arguments = {
+    { name = "mass", kind = "numbers", unit = "kg", above = 0, sentence = "of each weighed piece" },
+    { name = "area", kind = "number", unit = "m^2", above = 0, sentence = "of a piece" },
+    { name = "thickness", kind = "numbers", unit = "m", above = 0, sentence = "measured" },
+  },
+  sentence = "Mass per area, thickness (means) and density = mass per area over thickness [williams2010, section 3.3.1].",
+  example = "local d = require 'fabric'.lab.density{ mass={2.3e-3}, area=0.01, thickness={0.38e-3} }\n"
+    .. "assert(math.abs(d.density - 605.26) < 0.01 and math.abs(d.mass_per_area - 0.23) < 1e-12)",
+  run = function(t)
+    local function mean(list)
+      local sum = 0
+      for _, x in ipairs(list) do sum = sum + x end
+      return sum / #list
+    end
+    local per_area, thickness = mean(t.mass) / t.area, mean(t.thickness)
+    return { mass_per_area = per_area, thickness = thickness, density = per_area / thickness }
+  end,
+}

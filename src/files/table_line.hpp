@@ -1,0 +1,20 @@
+// One line of a table taken apart.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/table.hpp"
+
+namespace fabricsh::files {
+
+std::string_view trimmed(std::string_view words);
+bool is_comment(std::string_view line);
+// The cells of a line without blanks and quotes around them; a separator at the end closes the last cell.
+void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells);
+// The whole of a cell as a finite number with this decimal sign.
+bool parse_cell(std::string_view cell, char decimal, double& value);
+// Name and unit of a heading: "Load [N]", "load (N)", "load / N".
+TableColumn heading(std::string_view cell);
+
+}  // namespace fabricsh::files

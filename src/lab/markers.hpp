@@ -1,0 +1,51 @@
+// Strains from marker grids on the cloth: lateral contraction and shear [williams2010,
+// sections 3.3.3, 3.3.4].
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace fabricsh::lab {
+
+// Positions of rows x columns markers in every frame, m (or pixels: strains do not mind). The marker of row r
+// and column c is r * columns + c; rows follow each other along the pull. A lost marker is not a number.
+struct Tracks {
+  std::size_t rows = 0, columns = 0, frames = 0;
+  std::vector<double> x, y;  // frames x markers
+  std::size_t markers() const { return rows * columns; }
+  std::size_t boxes() const { return (rows - 1) * (columns - 1); }
+};
+
+// Deformation gradient of a box (four neighbours) from the first frame to another, the least-squares affine
+// map of its corners: F[i][J] as {F11, F12, F21, F22}. Not a number where a corner is lost.
+std::array<double, 4> box_gradient(const Tracks& tracks, std::size_t box, std::size_t frame);
+
+struct BoxStrains {
+  std::vector<double> along, across;  // frames x boxes: E of the mean length of the two opposite sides
+};
+// E of eq. 3.2 from the sides of every box; rows follow each other along the pull.
+BoxStrains box_strains(const Tracks& tracks);
+
+struct Ratio {
+  double value = 0;        // - slope of across over along, line through the origin, boxes pooled
+  double plain = 0;        // the same without the correction for noise
+  double noise = 0;        // standard deviation of one coordinate, in the unit of the tracks
+  double uncertainty = 0;  // standard deviation of value by leaving out a box at a time
+};
+// [williams2010, eq. 3.3], with errors in both strains: a coordinate carries independent noise (also in the
+// first frame), so the mean square of `along` is too large by what the noise adds, and the plain slope too
+// small. noise < 0: found from the scatter about the line. Frames count from the mean strain
+// along of `least` on.
+Ratio contraction_ratio(const Tracks& tracks, double noise, double least);
+
+// In-plane shear of a box: yarns at right angles to begin with, the warp `angle` radians from x.
+struct YarnShear {
+  double E12 = 0;  // lambda1 lambda2 cos(phi) / 2 (eq. 3.16), tensor component
+  double warp_stretch = 1, weft_stretch = 1;
+};
+YarnShear yarn_shear(const std::array<double, 4>& F, double angle);
+
+// Zones of a bias specimen by the box's shear beside the largest: 1 not deformed, 2 mixed (half), 3 sheared.
+std::vector<int> bias_zones(const std::vector<double>& E12);
+
+}  // namespace fabricsh::lab

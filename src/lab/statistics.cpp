@@ -1,0 +1,104 @@
+#include "lab/statistics.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <unsupported/Eigen/SpecialFunctions>
+
+#include "base/error.hpp"
+
+namespace fabricsh::lab {
+
+namespace {
+
+// P(t <= x) by the incomplete beta function [abramowitz1964, 26.5.27].
+double student(double x, double freedom) {
+  const double half = Eigen::numext::betainc(0.5, freedom / 2, x * x / (freedom + x * x)) / 2;
+  return x > 0 ? 0.5 + half : 0.5 - half;
+}
+
+}  // namespace
+
+double student_quantile(double p, double freedom) {
+  double low = -1, high = 1;
+  while (student(low, freedom) > p) low *= 2;
+  while (student(high, freedom) < p) high *= 2;
+  for (int i = 0; i < 200 && high - low > 1e-15 * (1 + std::abs(low)); ++i)
+    (student((low + high) / 2, freedom) < p ? low : high) = (low + high) / 2;
+  return (low + high) / 2;
+}
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+// A number below n, the same on every machine (std::uniform_int_distribution is not).
+std::size_t below(std::mt19937_64& random, std::size_t n) { return random() % n; }
+
+// Columns: means of n specimens drawn with replacement.
+Matrix drawn_means(const Matrix& data, int draws, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto n = static_cast<std::size_t>(data.cols());
+  Matrix means = Matrix::Zero(data.rows(), draws);
+  for (int k = 0; k < draws; ++k) {
+    for (std::size_t i = 0; i < n; ++i) means.col(k) += data.col(static_cast<Eigen::Index>(below(random, n)));
+    means.col(k) /= static_cast<double>(n);
+  }
+  return means;
+}
+
+Matrix as_matrix(const std::vector<std::vector<double>>& specimens) {
+  const auto rows = static_cast<Eigen::Index>(specimens.at(0).size());
+  Matrix data(rows, static_cast<Eigen::Index>(specimens.size()));
+  for (std::size_t j = 0; j < specimens.size(); ++j) {
+    if (specimens[j].size() != specimens[0].size())
+      throw Error("band: expected as many parameters from every specimen");
+    data.col(static_cast<Eigen::Index>(j)) = Eigen::Map<const Vector>(specimens[j].data(), rows);
+  }
+  return data;
+}
+
+std::vector<double> as_list(const Vector& v) { return {v.data(), v.data() + v.size()}; }
+
+}  // namespace
+
+Estimate band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options) {
+  const Matrix data = as_matrix(specimens);
+  const Vector mean = data.rowwise().mean();
+  Estimate out{as_list(mean), {}, {}, {}};
+  const auto n = static_cast<double>(data.cols());
+  if (n < 2) return out;
+  Matrix means = drawn_means(data, options.draws, options.seed);
+  means.colwise() -= Vector(means.rowwise().mean());
+  Matrix covariance = means * means.transpose() / (options.draws - 1) * (n / (n - 1));
+  if (!options.common.empty()) {
+    const Vector shared = Eigen::Map<const Vector>(options.common.data(), mean.size()).cwiseProduct(mean);
+    covariance += shared * shared.transpose();
+  }
+  const double t = student_quantile((1 + options.level) / 2, n - 1);
+  const Vector half = t * covariance.diagonal().cwiseSqrt();
+  out.low = as_list(mean - half);
+  out.high = as_list(mean + half);
+  out.covariance = as_list(covariance.reshaped());
+  return out;
+}
+
+std::vector<double> draw_around(const std::vector<double>& value, const std::vector<double>& half,
+                                const std::vector<double>& covariance, double level,
+                                std::mt19937_64& random) {
+  const auto n = static_cast<Eigen::Index>(value.size());
+  const Matrix C = Eigen::Map<const Matrix>(covariance.data(), n, n);
+  const Vector deviation = C.diagonal().cwiseSqrt();
+  const Vector scale = deviation.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
+  // The root by eigenvalues bears a covariance of lower rank: few specimens, many parameters.
+  const Eigen::SelfAdjointEigenSolver<Matrix> modes(scale.asDiagonal() * C * scale.asDiagonal());
+  std::normal_distribution<double> normal;
+  Vector z = Vector::NullaryExpr(n, [&] { return normal(random); });
+  z = modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).cwiseSqrt().cwiseProduct(z);
+  const double quantile = student_quantile((1 + level) / 2, 1e9);  // of the normal distribution
+  std::vector<double> out(value);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] += z(static_cast<Eigen::Index>(i)) * half[i] / quantile;
+  return out;
+}
+
+}  // namespace fabricsh::lab

@@ -1,0 +1,38 @@
+// Bands from few specimens.
+#pragma once
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace fabricsh::lab {
+
+// Quantile of Student's t: P(t <= x) = p, p in (0, 1), degrees of freedom > 0.
+double student_quantile(double p, double freedom);
+
+struct Estimate {
+  std::vector<double> value;       // mean over the specimens
+  std::vector<double> low, high;   // the band; empty for one specimen
+  std::vector<double> covariance;  // of value, n x n, row by row; empty for one specimen
+};
+
+struct BandOptions {
+  double level = 0.95;
+  int draws = 2000;
+  std::uint64_t seed = 1;
+  // Standard uncertainties that all specimens share, relative to the value: load cell, thickness, width.
+  std::vector<double> common;
+};
+
+// Mean of one parameter vector per specimen, and its band by the bootstrap over specimens. n specimens drawn
+// with replacement have a mean whose variance is (n-1)/n too small, and with few specimens the normal
+// quantile is too narrow: the covariance of the draws is widened by n/(n-1), common^2 value^2 is added, and
+// the band is t(level, n-1) standard deviations wide on each side [hesterberg2015, section 4.3; gum2008,
+// section 5].
+Estimate band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options);
+
+// A draw of parameters that are jointly normal about value, correlated as in `covariance` (n x n), and within
+// `half` of it with the probability `level` each.
+std::vector<double> draw_around(const std::vector<double>& value, const std::vector<double>& half,
+                                const std::vector<double>& covariance, double level, std::mt19937_64& random);
+
+}  // namespace fabricsh::lab

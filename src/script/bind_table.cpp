@@ -1,0 +1,95 @@
+// fabric.table and fabric.folder: what lies in a file of numbers, and which files there are.
+#include <algorithm>
+#include <filesystem>
+
+#include "files/table.hpp"
+#include "script/bind.hpp"
+#include "script/bind_run.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+char separator_of(const std::string& word) {
+  return word == "tab" ? '\t' : word == "blank" ? ' ' : word == "auto" ? char{0} : word[0];
+}
+
+int table_of(Call& call) {
+  lua_State* L = call.L();
+  const std::string decimal = call.text("decimal");
+  const files::Table table = files::read_table(
+      call.text("file"), {separator_of(call.text("separator")), decimal == "auto" ? char{0} : decimal[0]});
+  lua_createtable(L, static_cast<int>(table.columns.size()), 3);
+  set_text(L, "file", call.text("file"));
+  lua_pushboolean(L, table.header);
+  lua_setfield(L, -2, "header");
+  lua_Integer place = 0;
+  for (const files::TableColumn& column : table.columns) {
+    lua_createtable(L, 0, 3);
+    set_text(L, "name", column.name);
+    set_text(L, "unit", column.unit);
+    push_numbers(L, column.values);
+    lua_setfield(L, -2, "values");
+    lua_rawseti(L, -2, ++place);
+  }
+  lua_createtable(L, static_cast<int>(table.preamble.size()), 0);
+  place = 0;
+  for (const std::string& line : table.preamble) {
+    lua_pushlstring(L, line.data(), line.size());
+    lua_rawseti(L, -2, ++place);
+  }
+  lua_setfield(L, -2, "preamble");
+  return 1;
+}
+
+int folder(Call& call) {
+  lua_State* L = call.L();
+  std::error_code trouble;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(call.text("path"), trouble))
+    names.push_back(entry.path().filename().string());
+  if (trouble) throw Error("cannot read the folder '" + call.text("path") + "': " + trouble.message());
+  std::sort(names.begin(), names.end());
+  lua_createtable(L, static_cast<int>(names.size()), 0);
+  lua_Integer place = 0;
+  for (const std::string& name : names) {
+    lua_pushlstring(L, name.data(), name.size());
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+std::vector<Entry> rows() {
+  return {
+      {"fabric.table",
+       Style::fields,
+       {value_("file", text, "of numbers in columns"),
+        value_("separator", text, "between cells; auto: found from the file")
+            .one_of({"auto", ",", ";", "tab", "blank"})
+            .or_else("auto"),
+        value_("decimal", text, "decimal sign; auto: found from the file")
+            .one_of({"auto", ".", ","})
+            .or_else("auto")},
+       "Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list "
+       "of columns {name, unit, "
+       "values} with file, header (whether there is one) and preamble (lines above the numbers).",
+       "local path = os.tmpname()\nlocal f = io.open(path, 'w') f:write 'u (mm);P (N)\\n0;0\\n0,5;1,25\\n' "
+       "f:close()\n"
+       "local t = require 'fabric'.table{ file=path }\nos.remove(path)\n"
+       "assert(#t == 2 and t[2].unit == 'N' and t[2].values[2] == 1.25)",
+       table_of},
+      {"fabric.folder",
+       Style::positional,
+       {value_("path", text, "of a folder")},
+       "Names in a folder, sorted.",
+       "assert(#require 'fabric'.folder '.' >= 0)",
+       folder},
+  };
+}
+
+}  // namespace
+
+void bind_table(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script
