@@ -58,6 +58,10 @@ local function count(key, truth, low, high)
 end
 
 local function compare(key, fit, part)
+  if not fit.degree then -- no polynomial with a positive tangent: every parameter is missed
+    for i, d in ipairs(part.loading) do count(("%s d%d"):format(key, i - 1), d, d + 1, d - 1) end
+    return count(key .. " unloading", 0, 1, -1)
+  end
   for i = 1, math.max(fit.degree, #part.loading) do
     local low, high = fit.band.low[i], fit.band.high[i]
     if i > fit.degree then low, high = 0, 0 end

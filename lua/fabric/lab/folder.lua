@@ -1,0 +1,80 @@
+-- A folder of measurements as fits and a card. Beside the files lies laboratory.lua, which returns
+--
+--   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, degree=, rule= }
+--
+-- and the names of the files say the rest, K being the specimen:
+--   warp-K.csv, weft-K.csv   a load frame's record                 warp-K-markers.csv   frame, marker, x, y
+--   bias-K-frames.csv        displacement and force at each photograph, with bias-K-markers.csv
+local fabric = require "fabric"
+local lab = fabric.lab
+
+local folder = {}
+
+local function specimens(path, pattern)
+  local found = {}
+  for _, name in ipairs(fabric.folder(path)) do
+    local key = name:match(pattern)
+    if key then found[#found + 1] = { key = key, file = path .. "/" .. name, stem = path .. "/" .. name:match "^(%a+%-%w+)" } end
+  end
+  return found
+end
+
+local function exists(path)
+  local f = io.open(path)
+  if f then f:close() end
+  return f ~= nil
+end
+
+local function options(about, more)
+  local out = { gauge_length = about.gauge_length, width = about.width, thickness = about.thickness, plies = about.plies,
+                compliance = about.compliance, slip = about.slip }
+  for k, v in pairs(more) do out[k] = v end
+  return out
+end
+
+local function grid_of(about, path)
+  return lab.tracks { file = path, rows = about.markers[1], columns = about.markers[2] }
+end
+
+local function along(about, path, direction)
+  local tests, grids = {}, {}
+  for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)%.%a+$")) do
+    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units }))
+    local markers = s.stem .. "-markers.csv"
+    if exists(markers) then grids[#grids + 1] = grid_of(about, markers) end
+  end
+  if #tests == 0 then error(path .. ": expected files named " .. direction .. "-1.csv, there is none", 0) end
+  local fit = lab.fit { tests = tests, find_slack = true, common = about.shared, degree = about.degree, rule = about.rule }
+  local ratio = #grids > 0 and lab.poisson { specimens = grids, common = about.shared } or about.poisson and about.poisson[direction]
+  if not ratio then error(path .. ": expected " .. direction .. "-1-markers.csv, or poisson={" .. direction .. "=} in laboratory.lua", 0) end
+  return { tests = tests, fit = fit, ratio = ratio }
+end
+
+local function in_shear(about, path)
+  local tests = {}
+  for i, s in ipairs(specimens(path, "^bias%-(%w+)%-frames%.%a+$")) do
+    local frames = lab.read { file = s.file, columns = about.columns, units = about.units }
+    tests[i] = lab.shear_from_bias(options(about, { markers = grid_of(about, s.stem .. "-markers.csv"), force = frames.force,
+      displacement = frames.displacement, warp = about.warp }))
+    tests[i].file = s.file
+  end
+  if #tests == 0 then error(path .. ": expected files named bias-1-frames.csv and bias-1-markers.csv, there is none", 0) end
+  return { tests = tests, fit = lab.fit { tests = tests, common = about.shared, rule = "robust" } }
+end
+
+-- warp, weft, shear: {tests, fit, ratio}; card; about.
+function folder.reduce(path)
+  path = path:gsub("/$", "")
+  local about = assert(loadfile(path .. "/laboratory.lua", "t"))()
+  local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"), shear = in_shear(about, path) }
+  out.card = lab.card {
+    name = about.name, source = about.source, thickness = about.thickness,
+    density = about.density or about.mass_per_area / about.thickness,
+    warp = out.warp.fit, weft = out.weft.fit, shear = out.shear.fit,
+    poisson = { warp = out.warp.ratio, weft = out.weft.ratio }, bending = about.bending,
+  }
+  return out
+end
+
+return folder

@@ -1,0 +1,137 @@
+-- The report of a characterisation: overlays of what was measured and what the card gives in simulation, residuals, table, HTML.
+local fabric = require "fabric"
+local lab, u = fabric.lab, fabric.units
+
+local report = {}
+
+-- y at x on the line through the points of a curve (x rising); nil outside.
+local function interpolate(xs, ys, x)
+  local low, high = 1, #xs
+  if x < xs[1] or x > xs[high] then return end
+  while high - low > 1 do
+    local middle = (low + high) // 2
+    if xs[middle] <= x then low = middle else high = middle end
+  end
+  return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
+end
+
+-- The same test again with the card, in simulation, over the measured range.
+local function simulate(result, part, direction)
+  local about = result.about
+  if direction == "shear" then
+    local strains = {}
+    for i = 1, 60 do strains[i] = part.fit.tested * i / 60 end
+    local c = fabric.point(result.card):path({ E12 = strains }, { "E12", "S12" })
+    return c.E12, c.S12
+  end
+  local stretch = math.sqrt(1 + 2 * part.fit.tested) - 1
+  local test = lab.uniaxial { card = result.card, direction = direction, grips = "free", width = about.width,
+    length = about.gauge_length, displacement = about.gauge_length * stretch, steps = 60, unload = false }
+  local E, S = {}, {}
+  for i, row in ipairs(test.curve) do E[i], S[i] = row.E, row.S end
+  return E, S
+end
+
+-- Loading points of a test as seen from first contact, thinned to a few hundred.
+local function measured(part, i)
+  local test = part.tests[i]
+  local slack = part.fit.specimens and part.fit.specimens[i].slack or 0
+  local E, S, last = {}, {}, test.branches[1].last
+  for k = 1, last, math.max(1, last // 300) do
+    E[#E + 1] = ((1 + 2 * test.E[k]) / (1 + slack) ^ 2 - 1) / 2
+    S[#S + 1] = test.S[k] * (1 + slack)
+  end
+  return E, S
+end
+
+-- Root of the mean squared difference of measured and simulated stress over the largest measured one.
+local function residual(part, E, S)
+  local sum, n, largest = 0, 0, 0
+  for i = 1, #part.tests do
+    local e, s = measured(part, i)
+    for k = 1, #e do
+      largest = math.max(largest, s[k])
+      local model = interpolate(E, S, e[k])
+      if model then sum, n = sum + (s[k] - model) ^ 2, n + 1 end
+    end
+  end
+  return math.sqrt(sum / n) / largest
+end
+
+local function scaled(values, factor)
+  local out = {}
+  for i, v in ipairs(values) do out[i] = v * factor end
+  return out
+end
+
+local function overlay(result, name, out)
+  local part = result[name]
+  local E, S = simulate(result, part, name)
+  local curves = {}
+  for i = 1, #part.tests do
+    local e, s = measured(part, i)
+    curves[i] = { x = e, y = scaled(s, 1 / u.MPa), label = "specimen " .. i, style = "points" }
+  end
+  curves[#curves + 1] = { x = E, y = scaled(S, 1 / u.MPa), label = "card, simulated" }
+  local file = out .. "/" .. name .. ".svg"
+  fabric.plot { file = file, title = result.about.name .. ", " .. name, curves = curves,
+    xlabel = name == "shear" and "E12" or "Green-Lagrange strain E", ylabel = "second Piola-Kirchhoff stress, MPa" }
+  return { file = file, residual = residual(part, E, S) }
+end
+
+local function parameters(result)
+  local rows = {}
+  local function add(what, unit, value, low, high)
+    rows[#rows + 1] = { what, ("%.4g"):format(value), low and ("%.4g to %.4g"):format(low, high) or "", unit }
+  end
+  for _, name in ipairs { "warp", "weft", "shear" } do
+    local fit, ratio = result[name].fit, result[name].ratio
+    local band = fit.band or { low = {}, high = {} }
+    for i, d in ipairs(fit.degree and fit.loading or {}) do
+      add(("%s d%d"):format(name, i - 1), "MPa", d / u.MPa, band.low and band.low[i] / u.MPa, band.low and band.high[i] / u.MPa)
+    end
+    local k = fit.degree and fit.degree + 1
+    local known = k and band.low and band.low[k]
+    add(name .. " unloading", "MPa", fit.unloading / u.MPa, known and known / u.MPa, known and band.high[k] / u.MPa)
+    if type(ratio) == "table" then add(name .. " ratio", "", ratio.value, ratio.low, ratio.high) end
+    add(name .. " tested to", "", fit.tested)
+  end
+  return rows
+end
+
+local function escaped(text) return (text:gsub("&", "&amp;"):gsub("<", "&lt;")) end
+
+local function content(path)
+  local f <close> = assert(io.open(path))
+  return f:read "a"
+end
+
+local function html(result, figures, rows, out)
+  local parts = {
+    "<!doctype html><meta charset=\"utf-8\"><title>" .. escaped(result.about.name) .. "</title>",
+    "<style>body{font-family:sans-serif;max-width:60em;margin:2em auto}td,th{padding:.1em .8em;text-align:left}</style>",
+    "<h1>" .. escaped(result.about.name) .. "</h1><p>" .. escaped(result.card.source) .. "</p>",
+    "<table><tr><th>parameter<th>value<th>95 % band<th>unit</tr>",
+  }
+  for _, row in ipairs(rows) do parts[#parts + 1] = "<tr><td>" .. table.concat(row, "<td>") .. "</tr>" end
+  parts[#parts + 1] = "</table>"
+  for _, name in ipairs { "warp", "weft", "shear" } do
+    parts[#parts + 1] = ("<h2>%s</h2><p>Residual of the simulated curve: %.2f %% of the peak.</p><pre>%s</pre>"):format(
+      name, 100 * figures[name].residual, escaped(result[name].fit.text or ""))
+    parts[#parts + 1] = (content(figures[name].file):gsub("^.-<svg", "<svg"))
+  end
+  parts[#parts + 1] = "<h2>Card check</h2><pre>" .. escaped(tostring(result.card:check())) .. "</pre>"
+  local f <close> = assert(io.open(out .. "/report.html", "w"))
+  f:write(table.concat(parts, "\n"))
+end
+
+-- Writes card.lua, the figures and report.html into the folder `out`; returns the residuals by part and the table's rows.
+function report.write(result, out)
+  result.card:write(out .. "/card.lua")
+  local figures, rows = {}, parameters(result)
+  for _, name in ipairs { "warp", "weft", "shear" } do figures[name] = overlay(result, name, out) end
+  html(result, figures, rows, out)
+  return figures, rows
+end
+
+return report

@@ -1,0 +1,25 @@
+-- From a folder of raw files to a card and a report.
+--
+--   fabricsh scripts/lab/characterise.lua [folder] [out]
+--
+-- The folder (default: the synthetic sample data) holds laboratory.lua and the files that lua/fabric/lab/folder.lua describes.
+-- Writes into out (default out/characterise): card.lua, warp.svg, weft.svg, shear.svg, report.html.
+local fabric = require "fabric"
+local folder, report = require "fabric.lab.folder", require "fabric.lab.report"
+
+local place = debug.getinfo(1, "S").source:match "^@(.*)scripts/" or ""
+local from = arg[1] or place .. "share/data/synthetic-blend"
+local out = arg[2] or "out/characterise"
+if fabric.checking() then return end
+
+local result = folder.reduce(from)
+local figures, rows = report.write(result, out)
+for _, row in ipairs(rows) do print(("%-18s %12s  %-24s %s"):format(table.unpack(row))) end
+local expected = {}
+for _, name in ipairs { "warp", "weft", "shear" } do
+  print(("%s: residual of the simulated curve %.2f %% of the peak"):format(name, 100 * figures[name].residual))
+  -- a card that misses its own measurement by a tenth is none
+  expected[#expected + 1] = { name .. ": residual over the peak", figures[name].residual, 0, absolute = 0.1 }
+end
+print("written: " .. out .. "/report.html, " .. out .. "/card.lua")
+fabric.expect(expected)

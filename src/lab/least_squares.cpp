@@ -1,0 +1,165 @@
+#include "lab/least_squares.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "base/error.hpp"
+
+namespace fabricsh::lab {
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+// x = low + (high - low) (1 + sin q) / 2
+struct Problem {
+  using Scalar = double;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+  using InputType = Vector;
+  using ValueType = Vector;
+  using JacobianType = Matrix;
+
+  const std::vector<Bounds>& bounds;
+  const std::function<Points(const Points&)>& evaluate;
+  double difference;
+  int rows = 0;
+
+  int inputs() const { return static_cast<int>(bounds.size()); }
+  int values() const { return rows; }
+
+  std::vector<double> inside(const Vector& q) const {
+    std::vector<double> x;
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+      x.push_back(bounds[i].low +
+                  (bounds[i].high - bounds[i].low) * (1 + std::sin(q(static_cast<Eigen::Index>(i)))) / 2);
+    return x;
+  }
+  Vector outside(const std::vector<double>& x) const {
+    Vector q(inputs());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      // On a bound the sine is flat and the parameter would never leave it again.
+      const double part = (x[i] - bounds[i].low) / (bounds[i].high - bounds[i].low);
+      q(static_cast<Eigen::Index>(i)) = std::asin(2 * std::min(1 - 1e-4, std::max(1e-4, part)) - 1);
+    }
+    return q;
+  }
+  int operator()(const Vector& q, Vector& residuals) const {
+    const auto values = evaluate({inside(q)}).at(0);
+    residuals = Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+    return 0;
+  }
+  // d residual / d x by differences away from the nearer bound; all points in one call, x itself the first.
+  Matrix by_x(const std::vector<double>& x) const {
+    Points points{x};
+    std::vector<double> steps;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double width = bounds[i].high - bounds[i].low;
+      steps.push_back(width * difference * (x[i] - bounds[i].low > width / 2 ? -1 : 1));
+      points.push_back(x);
+      points.back()[i] += steps[i];
+    }
+    const Points r = evaluate(points);
+    Matrix J(rows, inputs());
+    for (Eigen::Index i = 0; i < J.cols(); ++i)
+      for (Eigen::Index k = 0; k < J.rows(); ++k)
+        J(k, i) = (r[static_cast<std::size_t>(i) + 1][static_cast<std::size_t>(k)] -
+                   r[0][static_cast<std::size_t>(k)]) /
+                  steps[static_cast<std::size_t>(i)];
+    return J;
+  }
+  int df(const Vector& q, Matrix& J) const {
+    J = by_x(inside(q));
+    for (Eigen::Index i = 0; i < J.cols(); ++i) {
+      const Bounds& b = bounds[static_cast<std::size_t>(i)];
+      J.col(i) *= (b.high - b.low) / 2 * std::cos(q(i));
+    }
+    return 0;
+  }
+};
+
+std::string words(Eigen::LevenbergMarquardtSpace::Status status) {
+  using namespace Eigen::LevenbergMarquardtSpace;
+  switch (status) {
+    case RelativeReductionTooSmall:
+      return "the sum of squares no longer falls";
+    case RelativeErrorTooSmall:
+      return "the parameters no longer move";
+    case RelativeErrorAndReductionTooSmall:
+      return "sum of squares and parameters have come to rest";
+    case CosinusTooSmall:
+      return "the residuals are at right angles to what the parameters can do";
+    case FtolTooSmall:
+    case XtolTooSmall:
+    case GtolTooSmall:
+      return "at the limit of the arithmetic";
+    default:
+      return "too many iterations";
+  }
+}
+
+void check(const std::vector<double>& start, const std::vector<Bounds>& bounds) {
+  for (std::size_t i = 0; i < start.size(); ++i)
+    if (!(bounds[i].low < bounds[i].high) || start[i] < bounds[i].low || start[i] > bounds[i].high)
+      throw Error("least squares: parameter " + std::to_string(i + 1) +
+                  ": expected low < high and the start between them");
+}
+
+}  // namespace
+
+LeastSquares least_squares(std::vector<double> start, const std::vector<Bounds>& bounds,
+                           const std::function<Points(const Points&)>& evaluate,
+                           const LeastSquaresOptions& options) {
+  check(start, bounds);
+  Problem problem{bounds, evaluate, options.difference};
+  problem.rows = static_cast<int>(evaluate({start}).at(0).size());
+  if (problem.rows < problem.inputs())
+    throw Error("least squares: expected at least as many residuals as parameters (" +
+                std::to_string(problem.inputs()) + "), got " + std::to_string(problem.rows));
+  Vector q = problem.outside(start);
+  Eigen::LevenbergMarquardt<Problem> solver(problem);
+  solver.parameters.ftol = solver.parameters.xtol = options.tolerance;
+  solver.parameters.maxfev = 100 * options.iterations;
+  auto status = solver.minimizeInit(q);
+  while (status == Eigen::LevenbergMarquardtSpace::NotStarted ||
+         status == Eigen::LevenbergMarquardtSpace::Running) {
+    status = solver.minimizeOneStep(q);
+    if (solver.iter > options.iterations) break;
+  }
+  LeastSquares out;
+  out.x = problem.inside(q);
+  out.residuals.assign(solver.fvec.data(), solver.fvec.data() + solver.fvec.size());
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> J = problem.by_x(out.x);
+  out.jacobian.assign(J.data(), J.data() + J.size());
+  out.iterations = static_cast<int>(solver.iter) - 1;
+  out.reason = words(status);
+  out.converged = status > 0 && status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation;
+  return out;
+}
+
+Identifiability identifiability(const std::vector<double>& jacobian, const std::vector<double>& scale) {
+  const auto n = static_cast<Eigen::Index>(scale.size());
+  const auto m = static_cast<Eigen::Index>(jacobian.size()) / n;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Vector size = Eigen::Map<const Vector>(scale.data(), n);
+  const Matrix J = Eigen::Map<const Rows>(jacobian.data(), m, n) * size.asDiagonal();
+  const Eigen::JacobiSVD<Matrix> svd(J, Eigen::ComputeThinV);
+  const double none =
+      std::numeric_limits<double>::epsilon() * svd.singularValues()(0) * static_cast<double>(m);
+  const Vector inverse =
+      svd.singularValues().unaryExpr([none](double s) { return 1 / std::max(s, std::max(none, 1e-300)); });
+  const Matrix half = svd.matrixV() * inverse.asDiagonal();
+  const Matrix C = half * half.transpose();
+  Identifiability out;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    out.deviation.push_back(std::sqrt(C(i, i)) * size(i));
+    for (Eigen::Index j = 0; j < n; ++j) out.correlation.push_back(C(i, j) / std::sqrt(C(i, i) * C(j, j)));
+    out.weakest.push_back(svd.matrixV()(i, n - 1));
+  }
+  out.weakest_deviation = inverse(n - 1);
+  return out;
+}
+
+}  // namespace fabricsh::lab

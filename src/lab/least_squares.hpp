@@ -1,0 +1,47 @@
+// Bounded nonlinear least squares: Levenberg-Marquardt (MINPACK as Eigen ports it), the bounds by MINUIT's
+// sine [more1978, james1975]. One call evaluates a whole list of points, so that the caller may share them
+// out.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fabricsh::lab {
+
+using Points = std::vector<std::vector<double>>;
+
+struct Bounds {
+  double low, high;  // low < high
+};
+
+struct LeastSquaresOptions {
+  int iterations = 50;
+  double tolerance = 1e-8;   // relative, of the sum of squares and of the parameters
+  double difference = 1e-4;  // of the forward differences, over high - low
+};
+
+struct LeastSquares {
+  std::vector<double> x;          // within the bounds
+  std::vector<double> residuals;  // at x
+  std::vector<double> jacobian;   // d residual / d x, residuals x parameters, row by row
+  int iterations = 0;
+  bool converged = false;
+  std::string reason;
+};
+
+// evaluate: one list of residuals per point, all of one length, at least as many as parameters.
+LeastSquares least_squares(std::vector<double> start, const std::vector<Bounds>& bounds,
+                           const std::function<Points(const Points&)>& evaluate,
+                           const LeastSquaresOptions& options = {});
+
+// What the data say about each parameter, from the Jacobian of residuals in units of their deviation.
+struct Identifiability {
+  std::vector<double> deviation;    // standard, of each parameter
+  std::vector<double> correlation;  // parameters x parameters
+  std::vector<double> weakest;   // the combination that the data fix least, of length one in units of `scale`
+  double weakest_deviation = 0;  // of that combination, in the same units
+};
+// scale: a size of each parameter (high - low); jacobian: as above.
+Identifiability identifiability(const std::vector<double>& jacobian, const std::vector<double>& scale);
+
+}  // namespace fabricsh::lab

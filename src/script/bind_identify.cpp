@@ -1,0 +1,175 @@
+// fabric.lab: least squares and parallel work for the identification through simulation.
+#include "lab/least_squares.hpp"
+#include "lab/parallel.hpp"
+#include "script/bind.hpp"
+#include "script/bind_run.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// The numbers of the table on top of the stack, which is popped.
+std::vector<double> pop_numbers(lua_State* L, const std::string& what) {
+  const Argument row{"", numbers, "", everything, ""};
+  if (!lua_istable(L, -1)) throw Error(what + ": expected a list of numbers, got " + describe(L, -1));
+  check_value(L, -1, row, what, false);
+  auto values = read_numbers(L, -1);
+  lua_pop(L, 1);
+  return values;
+}
+
+// Calls the function with one value on the stack above it; a Lua error becomes an Error of its words.
+void call_one(lua_State* L) {
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK) return;
+  const std::string message = luaL_tolstring(L, -1, nullptr);
+  lua_pop(L, 2);
+  throw Error(message);
+}
+
+std::vector<double> work_on(const Function& work, std::size_t i) {
+  lua_State* L = work.push();
+  lua_pushinteger(L, static_cast<lua_Integer>(i + 1));
+  call_one(L);
+  return pop_numbers(L, "work");
+}
+
+int parallel(Call& call) {
+  lua_State* L = call.L();
+  const Function work = call.function("work"), done = call.function("done");
+  const bool tell = call.has("done");
+  const auto answers = lab::in_processes(
+      static_cast<std::size_t>(call.integer("count")), static_cast<int>(call.integer("processes")),
+      [&](std::size_t i) { return work_on(work, i); },
+      [&](std::size_t i) {
+        if (!tell) return;
+        lua_State* on = done.push();
+        lua_pushinteger(on, static_cast<lua_Integer>(i + 1));
+        call_one(on);
+        lua_pop(on, 1);
+      });
+  lua_createtable(L, static_cast<int>(answers.size()), 0);
+  lua_Integer place = 0;
+  for (const lab::Answer& answer : answers) {
+    push_numbers(L, answer.values);
+    if (!answer.trouble.empty()) set_text(L, "trouble", answer.trouble);
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+void push_points(lua_State* L, const lab::Points& points) {
+  lua_createtable(L, static_cast<int>(points.size()), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    push_numbers(L, points[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+lab::Points evaluated(const Function& evaluate, const lab::Points& points) {
+  lua_State* L = evaluate.push();
+  push_points(L, points);
+  call_one(L);
+  lab::Points out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(i + 1));
+    out.push_back(pop_numbers(L, "evaluate"));
+    if (out.back().size() != out.front().size())
+      throw Error("evaluate: expected as many residuals at every point");
+  }
+  lua_pop(L, 1);
+  return out;
+}
+
+void set_list(lua_State* L, const char* name, const std::vector<double>& values) {
+  push_numbers(L, values);
+  lua_setfield(L, -2, name);
+}
+
+int least_squares(Call& call) {
+  lua_State* L = call.L();
+  const auto start = call.numbers("start"), low = call.numbers("low"), high = call.numbers("high");
+  if (low.size() != start.size() || high.size() != start.size())
+    call.refuse("low", "expected low and high for each of " + std::to_string(start.size()) + " parameters");
+  std::vector<lab::Bounds> bounds;
+  for (std::size_t i = 0; i < low.size(); ++i) bounds.push_back({low[i], high[i]});
+  const Function evaluate = call.function("evaluate");
+  const auto found = lab::least_squares(
+      start, bounds, [&](const lab::Points& points) { return evaluated(evaluate, points); },
+      {static_cast<int>(call.integer("iterations")), call.number("tolerance"), call.number("difference")});
+  lua_newtable(L);
+  set_list(L, "x", found.x);
+  set_list(L, "residuals", found.residuals);
+  set_list(L, "jacobian", found.jacobian);
+  set_number(L, "iterations", found.iterations);
+  set_text(L, "reason", found.reason);
+  lua_pushboolean(L, found.converged);
+  lua_setfield(L, -2, "converged");
+  return 1;
+}
+
+int identifiability(Call& call) {
+  lua_State* L = call.L();
+  const auto scale = call.numbers("scale"), jacobian = call.numbers("jacobian");
+  if (jacobian.size() % scale.size() != 0 || jacobian.size() < scale.size() * scale.size())
+    call.refuse("jacobian", "expected at least " + std::to_string(scale.size()) + " rows of " +
+                                std::to_string(scale.size()));
+  const auto found = lab::identifiability(jacobian, scale);
+  lua_newtable(L);
+  set_list(L, "deviation", found.deviation);
+  set_list(L, "correlation", found.correlation);
+  set_list(L, "weakest", found.weakest);
+  set_number(L, "weakest_deviation", found.weakest_deviation);
+  return 1;
+}
+
+Argument list(const char* name, const char* sentence) { return {name, numbers, "", everything, sentence}; }
+
+std::vector<Entry> rows() {
+  return {
+      {"fabric.lab.parallel",
+       Style::fields,
+       {integer_("count", from_one, "of items"),
+        value_("work", function, "work(i) returns a list of numbers"),
+        integer_("processes", from_one, "at a time, each a copy of this one with one thread").or_else(2.0),
+        value_("done", function, "done(i) is called here as each is finished").optional()},
+       "Work for items 1 to count in processes side by side: the lists in order; one whose work failed is "
+       "empty and has trouble, the "
+       "message.",
+       "local r = require 'fabric'.lab.parallel{ count=3, work=function(i) return { i, i*i } end "
+       "}\nassert(r[3][2] == 9)",
+       parallel},
+      {"fabric.lab.least_squares",
+       Style::fields,
+       {list("start", "parameters to begin with"), list("low", "bounds"), list("high", "bounds"),
+        value_("evaluate", function, "evaluate(points) returns one list of residuals per point"),
+        integer_("iterations", from_one, "at most").or_else(50.0),
+        number_("tolerance", "", positive, "relative, of the sum of squares and of the parameters")
+            .or_else(1e-8),
+        number_("difference", "", positive, "step of the differences, over high - low").or_else(1e-4)},
+       "Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, "
+       "converged, reason.",
+       "local f = require 'fabric'.lab.least_squares{ start={0.5}, low={0}, high={3}, "
+       "evaluate=function(points)\n"
+       "  local out = {}\n  for i, p in ipairs(points) do out[i] = { p[1]^2 - 2, 0 } end\n  return out\nend "
+       "}\n"
+       "assert(math.abs(f.x[1] - 2^0.5) < 1e-6)",
+       least_squares},
+      {"fabric.lab.identifiability",
+       Style::fields,
+       {list("jacobian", "of residuals in units of their deviation, by rows"),
+        list("scale", "a size of each parameter")},
+       "What data fix: deviation of each parameter, correlation (by rows), weakest (the combination fixed "
+       "least, of length one in units of "
+       "scale) and weakest_deviation.",
+       "local i = require 'fabric'.lab.identifiability{ jacobian={2, 0, 0, 4}, scale={1, 1} }\n"
+       "assert(math.abs(i.deviation[1] - 0.5) < 1e-12 and math.abs(i.weakest[1]) > 0.99)",
+       identifiability},
+  };
+}
+
+}  // namespace
+
+void bind_identify(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script
