@@ -16,4 +16,5 @@ add_library(fabricsh_dep_suitesparse INTERFACE)
 target_include_directories(fabricsh_dep_suitesparse SYSTEM INTERFACE ${UMFPACK_INCLUDE_DIR})
 target_link_libraries(fabricsh_dep_suitesparse INTERFACE ${UMFPACK_LIBRARY} ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY})
 
-find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel IOCore IOLegacy IOXML)
+find_package(VTK 9 REQUIRED COMPONENTS CommonCore CommonDataModel IOCore IOImage IOLegacy IOXML
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)

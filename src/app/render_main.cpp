@@ -1,0 +1,18 @@
+// fabricsh-render: reads what is to be drawn from its input, writes a PNG. Started by fabric.render.
+#include <iostream>
+
+#include "render/display.hpp"
+#include "render/draw.hpp"
+
+int main() {
+  using namespace fabricsh;
+  try {
+    const files::Picture picture = files::read_picture(std::cin);
+    const render::Display display;
+    render::draw(picture);
+    return 0;
+  } catch (const std::exception& trouble) {
+    std::cerr << trouble.what() << std::endl;
+    return 1;
+  }
+}

@@ -1,0 +1,74 @@
+#include "render/display.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "base/error.hpp"
+
+extern char** environ;
+
+namespace fabricsh::render {
+
+namespace {
+
+constexpr int kPatience = 30'000;  // ms that the server may take to come up
+
+// Number of the display that the server writes to the pipe, or empty.
+std::string answer(int pipe) {
+  std::string text;
+  pollfd wait{pipe, POLLIN, 0};
+  char c = 0;
+  while (poll(&wait, 1, kPatience) > 0 && read(pipe, &c, 1) == 1 && c != '\n') text += c;
+  return text;
+}
+
+// Starts Xvfb, which picks a free number and writes it to the pipe. 0: not installed.
+pid_t start(int pipe) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::string words[] = {"Xvfb", "-displayfd",   std::to_string(pipe), "-screen",
+                         "0",    "1280x1024x24", "-nolisten",          "tcp"};
+  char* arguments[9] = {};
+  for (int i = 0; i < 8; ++i) arguments[i] = words[i].data();
+  pid_t child = 0;
+  const int reason = posix_spawnp(&child, "Xvfb", &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return reason == 0 ? child : 0;
+}
+
+}  // namespace
+
+Display::Display() {
+  int ends[2];
+  if (pipe(ends) != 0) throw Error("render: no pipe to Xvfb");
+  fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+  server_ = start(ends[1]);
+  close(ends[1]);
+  const std::string number = server_ > 0 ? answer(ends[0]) : "";
+  close(ends[0]);
+  if (!number.empty()) {
+    setenv("DISPLAY", (":" + number).c_str(), 1);
+    return;
+  }
+  if (server_ > 0) throw Error("render: the virtual display Xvfb is installed and does not come up");
+  const char* given = std::getenv("DISPLAY");
+  if (given == nullptr || *given == '\0')
+    throw Error("render: no display to draw on: install Xvfb (apt-get install xvfb), or set DISPLAY");
+}
+
+Display::~Display() {
+  if (server_ <= 0) return;
+  kill(server_, SIGTERM);
+  waitpid(server_, nullptr, 0);
+}
+
+}  // namespace fabricsh::render

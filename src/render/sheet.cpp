@@ -1,0 +1,100 @@
+#include "render/sheet.hpp"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "base/error.hpp"
+
+namespace fabricsh::render {
+
+namespace {
+
+std::string names(vtkFieldData* data) {
+  std::string list;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    list += std::string(" ") + array->GetName();
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      if (const char* word = array->GetComponentName(c)) list += std::string(c == 0 ? "(" : " ") + word;
+    if (array->GetComponentName(0) != nullptr) list += ")";
+  }
+  return list;
+}
+
+// -1: the magnitude; -2: no such component.
+int component_of(vtkDataArray* array, const std::string& name) {
+  if (name.empty()) return array->GetNumberOfComponents() > 1 ? -1 : 0;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    if (const char* word = array->GetComponentName(c); word != nullptr && name == word) return c;
+  if (name.size() == 1 && array->GetNumberOfComponents() == 3 && name >= "x" && name <= "z")
+    return name[0] - 'x';
+  return -2;
+}
+
+double value(vtkDataArray* array, vtkIdType i, int component) {
+  if (component >= 0) return array->GetComponent(i, component);
+  double sum = 0;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    sum += array->GetComponent(i, c) * array->GetComponent(i, c);
+  return std::sqrt(sum);
+}
+
+// Adds the array of numbers; false: this data doesn't hold the field.
+bool show(vtkDataSetAttributes* data, const files::Picture& picture, Sheet& sheet) {
+  vtkDataArray* array = data->GetArray(picture.array.c_str());
+  const int component = array != nullptr ? component_of(array, picture.component) : -2;
+  if (component == -2) return false;
+  const auto shown = vtkSmartPointer<vtkDoubleArray>::New();
+  shown->SetName(kShown);
+  sheet.low = std::numeric_limits<double>::infinity(), sheet.high = -sheet.low;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
+    const double v = picture.factor * value(array, i, component);
+    shown->InsertNextValue(v);
+    if (std::isfinite(v)) sheet.low = std::min(sheet.low, v), sheet.high = std::max(sheet.high, v);
+  }
+  // What is rounding beside the rest is zero, or the bar would begin at -3e-36.
+  if (std::abs(sheet.low) < 1e-9 * sheet.high) sheet.low = 0;
+  data->AddArray(shown);
+  data->SetActiveScalars(kShown);
+  return true;
+}
+
+}  // namespace
+
+Sheet read_sheet(const std::string& path, const files::Picture& picture) {
+  std::error_code trouble;
+  if (!std::filesystem::is_regular_file(path, trouble)) throw Error("render: no file '" + path + "'");
+  const auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  Sheet sheet;
+  sheet.grid = reader->GetOutput();
+  if (sheet.grid == nullptr || sheet.grid->GetNumberOfCells() == 0)
+    throw Error("render: '" + path + "' holds no sheet");
+  if (picture.array.empty()) return sheet;
+  sheet.of_cells = show(sheet.grid->GetCellData(), picture, sheet);
+  sheet.of_points = !sheet.of_cells && show(sheet.grid->GetPointData(), picture, sheet);
+  if (!sheet.of_cells && !sheet.of_points)
+    throw Error("render: '" + path + "' has no field '" + picture.array + "' " + picture.component +
+                "; cells:" + names(sheet.grid->GetCellData()) +
+                "; points:" + names(sheet.grid->GetPointData()));
+  return sheet;
+}
+
+void scale(const Sheet& sheet, double factor) {
+  vtkPoints* points = sheet.grid->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
+  }
+  points->Modified();
+}
+
+}  // namespace fabricsh::render

@@ -1,0 +1,23 @@
+// What is drawn: the sheet of one file, in the length unit of the picture, with one number per cell or point.
+#pragma once
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include "files/picture.hpp"
+
+namespace fabricsh::render {
+
+inline constexpr const char* kShown = "shown";  // name of the array of numbers
+
+struct Sheet {
+  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  bool of_cells = false, of_points = false;  // where the numbers are; neither: no field
+  double low = 0, high = 0;                  // of the finite numbers
+};
+
+// Error: no such file, no such field (with those that there are).
+Sheet read_sheet(const std::string& path, const files::Picture& picture);
+// Scales the points, all sheets alike.
+void scale(const Sheet& sheet, double factor);
+
+}  // namespace fabricsh::render

@@ -1,0 +1,198 @@
+// fabric.render: pictures of sheets, from .vtu files or from a run as it stands.
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "base/paths.hpp"
+#include "files/atomic.hpp"
+#include "files/picture.hpp"
+#include "files/vtu.hpp"
+#include "script/bind_run.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// Where a field stands in the files that a:vtk writes, and how it is shown.
+struct Shown {
+  std::string array, component;
+  double factor = 1;
+  std::string bar;
+};
+
+Shown shown_of(const std::string& field) {
+  const std::string letter = field.substr(0, 1), rest = field.substr(std::min<std::size_t>(1, field.size()));
+  if (field == "none") return {};
+  if (field == "displacement") return {"displacement", "", 1e3, "|u|, mm"};
+  if (letter == "u") return {"displacement", rest, 1e3, field + ", mm"};
+  if (letter == "S") return {"S", field, 1e-6, field + ", MPa"};
+  if (letter == "E") return {"E", field, 1, field};
+  if (field == "stored" || field == "dissipated") return {"energy", field, 1e-6, field + ", MJ/m3"};
+  const std::string axis = field.back() == '1' ? "warp" : "weft";
+  return {field.substr(0, field.size() - 1), axis, 1, field};
+}
+
+std::vector<std::string> field_words() {
+  std::vector<std::string> words = {"none", "displacement", "ux", "uy", "uz"};
+  for (const std::string& name : analysis::element_value_names()) words.push_back(name);
+  return words;
+}
+
+std::vector<std::string> word_list(const Call& call, const char* name) {
+  std::vector<std::string> words;
+  lua_State* L = call.L();
+  const int type = call.push(name);
+  if (type == LUA_TSTRING) words.emplace_back(lua_tostring(L, -1));
+  for (lua_Integer i = 1; type == LUA_TTABLE && lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
+    if (lua_type(L, -1) != LUA_TSTRING) call.refuse(name, "expected a list of texts, got " + describe(L, -1));
+    words.emplace_back(lua_tostring(L, -1));
+    lua_pop(L, 1);
+  }
+  lua_settop(L, lua_gettop(L) - (type == LUA_TTABLE ? 2 : 1));
+  return words;
+}
+
+void read_view(const Call& call, files::Picture& picture) {
+  if (call.is("view", LUA_TTABLE)) {
+    const std::vector<double> angles = call.numbers("view");
+    if (angles.size() != 2 || std::abs(angles[1]) > 90)
+      call.refuse("view", "expected {azimuth, elevation} in degrees, the elevation from -90 to 90");
+    picture.azimuth = angles[0], picture.elevation = angles[1];
+    return;
+  }
+  const std::string word = call.text("view");
+  picture.azimuth = word == "side" ? 90 : word == "oblique" ? 30 : 0;
+  picture.elevation = word == "above" ? 90 : word == "oblique" ? 25 : 0;
+}
+
+void read_range(const Call& call, files::Picture& picture) {
+  if (!call.has("range")) return;
+  const std::vector<double> ends = call.numbers("range");
+  if (ends.size() != 2 || !(ends[0] < ends[1]))
+    call.refuse("range", "expected {low, high} of the colour bar, low below high");
+  picture.fixed_range = true;
+  picture.low = ends[0], picture.high = ends[1];
+}
+
+files::Picture read_picture(const Call& call) {
+  files::Picture p;
+  p.png = call.text("file");
+  if (std::filesystem::path(p.png).extension() != ".png")
+    call.refuse("file", "expected a name that ends in .png");
+  p.title = call.text("title");
+  const Shown shown = shown_of(call.text("field"));
+  p.array = shown.array, p.component = shown.component, p.bar = shown.bar;
+  p.factor = call.has("factor") ? call.number("factor") : shown.factor;
+  if (call.has("bar")) p.bar = call.text("bar");
+  read_range(call, p);
+  read_view(call, p);
+  if (call.has("columns")) p.columns = static_cast<int>(call.integer("columns"));
+  p.width = static_cast<int>(call.integer("width"));
+  p.height = static_cast<int>(call.integer("height"));
+  p.edges = call.flag("edges"), p.axes = call.flag("axes");
+  return p;
+}
+
+// The state of a run as a file, gone with the object.
+class Frame {
+ public:
+  Frame(const Run& run, const files::Picture& picture, const std::string& field)
+      : path_(std::filesystem::temp_directory_path() /
+              ("fabricsh-" + std::to_string(getpid()) + "-frame.vtu")) {
+    const auto& a = *run.analysis;
+    const auto& mesh = a.model().mesh();
+    std::vector<Vec3> points;
+    files::Array displacement{"displacement", 3, {}};
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+      const auto node = a.node(static_cast<mesh::Index>(i));
+      points.push_back(node.x);
+      displacement.values.insert(displacement.values.end(), {node.u.x(), node.u.y(), node.u.z()});
+    }
+    files::Grid grid{points, mesh.elements};
+    grid.point_data.push_back(std::move(displacement));
+    if (!picture.array.empty() && picture.array != "displacement")
+      grid.cell_data.push_back({picture.array, 1, a.field(field), {picture.component}});
+    files::write_vtu(path_.string(), grid, files::Sync::no);
+  }
+  ~Frame() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void add_panels(const Call& call, files::Picture& picture) {
+  const std::vector<std::string> paths = word_list(call, "vtu"), labels = word_list(call, "labels");
+  if (labels.size() > paths.size()) call.refuse("labels", "expected no more labels than files");
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    picture.panels.push_back({paths[i], i < labels.size() ? labels[i] : ""});
+}
+
+int render(Call& call) {
+  if (call.has("vtu") == call.has("run")) call.refuse("vtu", "expected either it or 'run'");
+  files::Picture picture = read_picture(call);
+  std::optional<Frame> frame;
+  add_panels(call, picture);
+  if (call.session().options().check) return 0;
+  if (call.has("run")) {
+    frame.emplace(*call.object<Run>("run"), picture, call.text("field"));
+    picture.panels = {{frame->path(), {}}};
+  }
+  files::make_folder_for(picture.png);
+  files::render(picture, (std::filesystem::path(program_path()).parent_path() / "fabricsh-render").string());
+  return 0;
+}
+
+Argument many(std::string name, unsigned kinds, std::string sentence) {
+  return value_(std::move(name), kinds, std::move(sentence)).optional();
+}
+
+std::vector<Argument> arguments() {
+  const Range pixels{100, 8000};
+  return {
+      value_("file", text, "to write; ends in .png"),
+      many("vtu", text | table, "file of a:vtk, or a list of them: panels of one scale"),
+      object_("run", "analysis", "in place of files: the run as it stands").optional(),
+      value_("field", text, "what the colours show").or_else("none").one_of(field_words()),
+      value_("title", text, "on top").or_else(""),
+      many("labels", text | table, "above the panels"),
+      many("bar", text, "title of the colour bar; default: the field with its unit (MPa, mm)"),
+      number_("factor", "", everything, "the bar shows that much times the SI value; default: to the unit")
+          .optional(),
+      many("range", numbers, "{low, high} of the bar; default: those of all panels"),
+      many("view", text | numbers,
+           "above (from +z, y up), front (along +y), side (along -x), oblique, or {azimuth, elevation} in "
+           "degrees")
+          .or_else("above")
+          .one_of({"above", "front", "side", "oblique"}),
+      integer_("columns", from_one, "of panels").optional(),
+      integer_("width", pixels, "pixels").or_else(1200),
+      integer_("height", pixels, "pixels").or_else(900),
+      value_("edges", boolean, "of the elements").or_else(true),
+      value_("axes", boolean, "with a scale, in mm (m from 1.5 m on)").or_else(true),
+  };
+}
+
+}  // namespace
+
+void bind_render(Session& session) {
+  install(
+      session,
+      {{"fabric.render", Style::fields, arguments(),
+        "Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual "
+        "display Xvfb, or where "
+        "that is not installed on the display of DISPLAY.",
+        "local fabric = require 'fabric'\nlocal name = os.tmpname()\n"
+        "local test = fabric.lab.bias{ card=fabric.card 'blend', grips='clamped', unload=false, steps=4 }\n"
+        "pcall(fabric.render, { file=name..'.png', run=test.analysis, field='E12', title='bias, 20 mm' })\n"
+        "os.remove(name..'.png') os.remove(name)",
+        render}});
+}
+
+}  // namespace fabricsh::script

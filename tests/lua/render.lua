@@ -1,0 +1,54 @@
+-- Pictures of sheets. Without a display and without Xvfb this test says so and checks the messages alone.
+local fabric = require "fabric"
+local folder = "out"
+local test = fabric.lab.bias { card = fabric.card "blend", grips = "clamped", unload = false, steps = 4, out = folder }
+local frames = { folder .. "/strip_00000.vtu", folder .. "/strip_00002.vtu", folder .. "/strip_00004.vtu" }
+
+-- Width and height of a PNG, or nil.
+local function size_of(path)
+  local file = io.open(path, "rb")
+  if not file then return nil end
+  local head = file:read(24)
+  file:close()
+  if head:sub(1, 8) ~= "\137PNG\r\n\26\n" then return nil end
+  return string.unpack(">I4I4", head, 17)
+end
+
+local function refused(fields, words)
+  local ok, message = pcall(fabric.render, fields)
+  assert(not ok and tostring(message):find(words, 1, true), ("expected '%s', got %s"):format(words, tostring(message)))
+end
+refused({ file = "a.jpg", vtu = frames }, "field 'file': expected a name that ends in .png")
+refused({ file = "a.png" }, "field 'vtu': expected either it or 'run'")
+refused({ file = "a.png", vtu = frames, run = test.analysis }, "field 'vtu': expected either it or 'run'")
+refused({ file = "a.png", vtu = frames, field = "S99" }, "field 'field'")
+refused({ file = "a.png", vtu = frames, view = { 1, 2, 3 } }, "field 'view': expected {azimuth, elevation}")
+refused({ file = "a.png", vtu = frames, range = { 2, 1 } }, "field 'range': expected {low, high}")
+
+local drawn, trouble = pcall(fabric.render, { file = folder .. "/live.png", run = test.analysis, field = "E12", width = 400, height = 500 })
+if not drawn and tostring(trouble):find("no display to draw on", 1, true) then
+  print("SKIPPED: nothing was drawn, " .. tostring(trouble))
+  return
+end
+assert(drawn, trouble)
+local width, height = size_of(folder .. "/live.png")
+assert(width == 400 and height == 500)
+
+fabric.render { file = folder .. "/panels.png", vtu = frames, labels = { "start", "10 mm" }, field = "S11", title = "three", view = "oblique" }
+assert(size_of(folder .. "/panels.png") == 1200)
+fabric.render { file = folder .. "/point.png", vtu = frames[3], field = "uy", axes = false, edges = false }
+refused({ file = folder .. "/none.png", vtu = folder .. "/strip_00009.vtu" }, "no file '" .. folder .. "/strip_00009.vtu'")
+fabric.mesh.rectangle({ width = 0.1, height = 0.1, nx = 2, ny = 2 }):write(folder .. "/bare.vtu")
+refused({ file = folder .. "/none.png", vtu = folder .. "/bare.vtu", field = "S11" }, "has no field 'S' S11")
+assert(not io.open(folder .. "/none.png"))
+
+-- The picture shows the sheet: with another field on the same sheet other bytes, with the same field the same ones.
+local function bytes(field, name)
+  fabric.render { file = folder .. name, vtu = frames[3], field = field, width = 300, height = 300 }
+  local file = io.open(folder .. name, "rb")
+  local all = file:read "a"
+  file:close()
+  return all
+end
+local first = bytes("E12", "/1.png")
+assert(first == bytes("E12", "/2.png") and first ~= bytes("E11", "/3.png"))
