@@ -1,0 +1,156 @@
+-- What the decks of chapter 7 share: cards and rules, closed forms, rows of the table, figures and pictures. A deck begins with
+--   local chapter = dofile((arg[0]:gsub("[^/]*$", "")) .. "chapter.lua")
+-- and ends with chapter.expect{...}. Run by itself this file does nothing.
+local known = package.loaded["thesis.chapter"]
+if known then return known end
+local fabric = require "fabric"
+local MPa = fabric.units.MPa
+local chapter = { rows = {}, figures = {}, figure = "" }
+package.loaded["thesis.chapter"] = chapter
+
+-- Each figure has a folder below this one.
+chapter.out = "out/thesis"
+
+-- Begins a deck: its figure's number as the thesis prints it, a title, and its folder's name.
+function chapter.begin(figure, title, folder)
+  chapter.figure, chapter.title = figure, title
+  chapter.folder = chapter.out .. "/" .. folder
+  print(("\n%s: %s"):format(figure, title))
+end
+
+-- The card with the ratios that the thesis cut to 0.40 (table 7.4), where they are larger.
+function chapter.cut(card)
+  return card:with { warp = { poisson = math.min(0.40, card.warp.poisson) }, weft = { poisson = math.min(0.40, card.weft.poisson) } }
+end
+
+-- The thesis' own rules: its endpoint integration, and for duck and muslin both ratios 0.40.
+function chapter.rules(card)
+  local own = card:with { law = "thesis" }
+  if card.name == "duck" or card.name == "muslin" then own = own:with { warp = { poisson = 0.40 }, weft = { poisson = 0.40 } } end
+  return own
+end
+
+-- P(E) and U(E) of a yarn, Pa and J/m^3; of shear with E12 in place of E.
+function chapter.P(yarn, E)
+  local sum = 0
+  for i, d in ipairs(yarn.loading) do sum = sum + d * E ^ i / i end
+  return sum
+end
+function chapter.U(yarn, E)
+  local sum = 0
+  for i, d in ipairs(yarn.loading) do sum = sum + d * E ^ (i + 1) / (i * (i + 1)) end
+  return sum
+end
+
+function chapter.strain(displacement)
+  local e = displacement / 0.0762
+  return e + e * e / 2
+end
+
+-- A run that may fail: the result, or nil and the first line of why.
+function chapter.try(test, fields)
+  local ok, result = pcall(test, fields)
+  if ok then return result end
+  local why = tostring(result):gsub("\n.*", ""):gsub("^.-no step", "no step")
+  return nil, why
+end
+
+-- Fields for a run that may not converge: it gives up soon. 1e-8 of the largest force: the comparison laws jump at their
+-- switches, and Newton can't get below the jump there.
+function chapter.patient(fields)
+  fields.max_cuts, fields.max_iterations, fields.most_steps, fields.tolerance = 4, 20, 300, 1e-8
+  return fields
+end
+
+-- Column `name` at the strain E while the strip is loaded for the first time, between steps by a straight line; nil beyond.
+function chapter.at(curve, E, name)
+  for i = 2, #curve do
+    local a, b = curve[i - 1], curve[i]
+    if b.E < a.E then return nil end
+    if E <= b.E then return a[name] + (b[name] - a[name]) * (E - a.E) / (b.E - a.E) end
+  end
+end
+
+-- Columns of the curve as a curve for fabric.plot, stress in MPa.
+function chapter.curve(rows, label, style, x, y, factor)
+  local out = { x = {}, y = {}, label = label, style = style }
+  for i, row in ipairs(rows) do
+    out.x[i], out.y[i] = row[x or "E"], row[y or "S"] * (factor or 1 / MPa)
+  end
+  return out
+end
+
+-- f from 0 to `last` as a dashed curve.
+function chapter.line(f, last, label, factor)
+  local out = { x = {}, y = {}, label = label, style = "dashed" }
+  for i = 0, 100 do out.x[i + 1], out.y[i + 1] = last * i / 100, f(last * i / 100) * (factor or 1 / MPa) end
+  return out
+end
+
+-- Draws curves; says what is to be seen. Without gnuplot a warning.
+function chapter.plot(name, sentence, fields)
+  fields.file = ("%s/%s.svg"):format(chapter.folder, name)
+  local ok, trouble = pcall(fabric.plot, fields)
+  if not ok then return fabric.warn("no figure: " .. tostring(trouble)) end
+  chapter.keep(fields.file, sentence)
+end
+
+-- Draws a sheet; without a display a warning.
+function chapter.render(name, sentence, fields)
+  fields.file = ("%s/%s.png"):format(chapter.folder, name)
+  local ok, trouble = pcall(fabric.render, fields)
+  if not ok then
+    assert(tostring(trouble):find("no display", 1, true), trouble)
+    return fabric.warn("no picture: " .. tostring(trouble))
+  end
+  chapter.keep(fields.file, sentence)
+end
+
+function chapter.keep(file, sentence)
+  chapter.figures[#chapter.figures + 1] = { figure = chapter.figure, title = chapter.title, file = file, sentence = sentence }
+  print(("  %s: %s"):format(file, sentence))
+end
+
+local function words(value)
+  if type(value) == "number" then return ("%.4g"):format(value) end
+  return value or ""
+end
+
+-- A row of the table. thesis: its own words or numbers, quoted and not scored; ours; rules: ours with the thesis' rules.
+function chapter.row(quantity, thesis, ours, rules)
+  local row = { figure = chapter.figure, quantity = quantity, thesis = words(thesis), ours = words(ours), rules = words(rules) }
+  chapter.rows[#chapter.rows + 1] = row
+  print(("  %-62s | thesis: %-24s | ours: %-18s | its rules: %s"):format(row.quantity, row.thesis, row.ours, row.rules))
+end
+
+function chapter.percent(value, digits) return ("%+." .. (digits or 1) .. "f %%"):format(100 * value) end
+
+-- Rows of a test's mesh error for the quantities named, and the estimates.
+function chapter.mesh_rows(what, test, names)
+  local found = test:mesh_error { print = false }
+  for _, name in ipairs(names) do
+    local r = found[name]
+    local unit = name:sub(1, 1) == "S" and 1 / MPa or 1
+    chapter.row(("%s: %s on three meshes"):format(what, name), nil,
+                ("%.4g %.4g %.4g -> %.4g, first +- %.2g %%"):format(r[1] * unit, r[2] * unit, r[3] * unit, r.limit * unit, 100 * r.error))
+  end
+  return found
+end
+
+-- How much of a field on nx x ny elements is a checkerboard: its part along (-1)^(i+j), over its largest value.
+function chapter.checkerboard(values, nx)
+  local sum, largest = 0, 0
+  for k, v in ipairs(values) do
+    local i, j = (k - 1) % nx, (k - 1) // nx
+    sum = sum + ((i + j) % 2 == 0 and v or -v)
+    largest = math.max(largest, math.abs(v))
+  end
+  return math.abs(sum) / #values / largest
+end
+
+function chapter.expect(rows)
+  fabric.expect(rows)
+  return chapter
+end
+
+return chapter
