@@ -30,6 +30,12 @@ function chapter.rules(card)
   return own
 end
 
+-- St. Venant-Kirchhoff with the moduli at zero strain.
+function chapter.svk(card)
+  return fabric.svk { name = card.name .. ", SVK", warp = card.warp.loading[1], weft = card.weft.loading[1], shear = card.shear.loading[1] / 2,
+                      poisson = { card.warp.poisson, card.weft.poisson }, density = card.density, thickness = card.thickness }
+end
+
 -- P(E) and U(E) of a yarn, Pa and J/m^3; of shear with E12 in place of E.
 function chapter.P(yarn, E)
   local sum = 0
@@ -51,14 +57,23 @@ end
 function chapter.try(test, fields)
   local ok, result = pcall(test, fields)
   if ok then return result end
-  local why = tostring(result):gsub("\n.*", ""):gsub("^.-no step", "no step")
+  local why = tostring(result):gsub("\n.*", ""):gsub("^.-no step beyond time ([%d.]+) s:.*", "no convergence beyond t = %1 of the path")
   return nil, why
 end
 
--- Fields for a run that may not converge: it gives up soon. 1e-8 of the largest force: the comparison laws jump at their
+-- The thesis' rules at one material point along strains {E11, E22, E12}: a curve of rows with S12, E12, time. For uniform fields.
+function chapter.point_curve(card, strains)
+  local curve = { { time = 0, E12 = 0, S12 = 0, S11 = 0, S22 = 0 } }
+  for i, r in ipairs(fabric.point(card):path(strains)) do
+    curve[i + 1] = { time = i, E12 = r.E12, S12 = r.S12, S11 = r.S11, S22 = r.S22 }
+  end
+  return curve
+end
+
+-- Fields for a run that may not converge: it gives up soon. 1e-5 of the largest force: the comparison laws jump at their
 -- switches, and Newton can't get below the jump there.
 function chapter.patient(fields)
-  fields.max_cuts, fields.max_iterations, fields.most_steps, fields.tolerance = 4, 20, 300, 1e-8
+  fields.max_cuts, fields.max_iterations, fields.most_steps, fields.tolerance = 4, 20, 300, 1e-5
   return fields
 end
 
@@ -137,15 +152,17 @@ function chapter.mesh_rows(what, test, names)
   return found
 end
 
--- How much of a field on nx x ny elements is a checkerboard: its part along (-1)^(i+j), over its largest value.
+-- How much of a field on elements in rows of nx is a checkerboard: its part along (-1)^(i+j), over its largest value. Without
+-- the two rows at either end, where clamps and corners make peaks of one element.
 function chapter.checkerboard(values, nx)
-  local sum, largest = 0, 0
-  for k, v in ipairs(values) do
+  local sum, largest, count = 0, 0, 0
+  for k = 2 * nx + 1, #values - 2 * nx do
     local i, j = (k - 1) % nx, (k - 1) // nx
-    sum = sum + ((i + j) % 2 == 0 and v or -v)
-    largest = math.max(largest, math.abs(v))
+    sum = sum + ((i + j) % 2 == 0 and values[k] or -values[k])
+    largest = math.max(largest, math.abs(values[k]))
+    count = count + 1
   end
-  return math.abs(sum) / #values / largest
+  return math.abs(sum) / count / largest
 end
 
 function chapter.expect(rows)

@@ -15,7 +15,7 @@ chapter.begin("7-9", "snapshots of the cyclic test, warp, blend", "fig_7_09")
 local card = fabric.card "blend"
 local test = fabric.lab.uniaxial { card = card, out_of_plane = "free", unilateral = false, stabilise = 1e-6, cells = { 6, 18 },
                                    steps = 120, tolerance = 1e-7, out = chapter.folder }
-local flat = fabric.lab.uniaxial { card = card, unilateral = false, cells = { 6, 18 }, steps = 120 }
+local flat = fabric.lab.uniaxial { card = card, unilateral = false, cells = { 6, 18 }, steps = 120, tolerance = 1e-7 }
 
 -- Complete elliptic integrals of the modulus k by the arithmetic-geometric mean.
 local function elliptic(k)
@@ -65,7 +65,7 @@ chapter.plot("force", "Pull rises along the backbone, falls steeply, and is near
 local frames = {}
 for i, n in ipairs { 0, 60, 120 } do frames[i] = ("%s/strip_%05d.vtu"):format(chapter.folder, n) end
 chapter.render("snapshots", "Start, 18 mm, and back at zero: one fold across the strip, ends clamped level.",
-               { vtu = frames, labels = { "(a) start", "(b) 18 mm", "(c) back at 0" }, field = "E11", view = { 50, 20 }, width = 1500, height = 700,
+               { vtu = frames, labels = { "(a) start", "(b) 18 mm", "(c) back at 0" }, field = "E11", view = { 50, 20 }, width = 1500, height = 480,
                  title = "blend, warp, clamped, plane free" })
 chapter.expect {
   -- 18 elements bend the fold by chords; the strip's edges keep a little of the clamped width.

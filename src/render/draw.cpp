@@ -31,7 +31,7 @@ using Ref = vtkSmartPointer<T>;
 using files::Picture;
 using Bounds = std::array<double, 6>;  // x, x, y, y, z, z
 
-constexpr double kBarPart = 0.13, kTitlePart = 0.07;  // of the picture: at the right, on top
+constexpr double kTitlePart = 0.07;  // of the picture, on top
 
 struct Scene {
   const Picture& picture;
@@ -42,6 +42,9 @@ struct Scene {
 };
 
 int font_size(const Picture& p) { return std::max(10, std::min(p.width, p.height) / 45); }
+
+// Part of the width that the colour bar takes: ten letters at least.
+double bar_part(const Picture& p) { return std::max(0.13, 8.0 * font_size(p) / p.width); }
 
 void style(vtkTextProperty* text, int size) {
   text->SetColor(0, 0, 0);
@@ -175,7 +178,7 @@ void add_axes(vtkRenderer* renderer, const Scene& scene, Bounds bounds) {
 }
 
 void add_bar(Scene& scene) {
-  const auto renderer = viewport(scene, 1 - kBarPart, 0, 1, 1 - kTitlePart);
+  const auto renderer = viewport(scene, 1 - bar_part(scene.picture), 0, 1, 1 - kTitlePart);
   const auto bar = Ref<vtkScalarBarActor>::New();
   bar->SetLookupTable(scene.table);
   bar->SetTitle("");
@@ -200,7 +203,7 @@ Ref<vtkRenderer> panel_viewport(Scene& scene, int i) {
                       : n <= 3                  ? n
                                                 : (n + 1) / 2;
   const int rows = (n + columns - 1) / columns, row = i / columns, column = i % columns;
-  const double right = scene.table ? 1 - kBarPart : 1, top = scene.picture.title.empty() ? 1 : 1 - kTitlePart;
+  const double right = scene.table ? 1 - bar_part(scene.picture) : 1, top = scene.picture.title.empty() ? 1 : 1 - kTitlePart;
   return viewport(scene, right * column / columns, top * (rows - 1 - row) / rows,
                   right * (column + 1) / columns, top * (rows - row) / rows);
 }
@@ -231,6 +234,7 @@ void make_table(Scene& scene) {
     for (const Sheet& sheet : scene.sheets) low = std::min(low, sheet.low), high = std::max(high, sheet.high);
   }
   if (!(low <= high)) throw Error("render: the field '" + scene.picture.array + "' holds no finite value");
+  if (std::abs(low) < 1e-9 * high) low = 0;  // rounding beside the rest
   // A field that is the same everywhere gets one colour, not the noise of its last digits.
   const double least = 1e-6 * std::max({std::abs(low), std::abs(high), 1e-30});
   if (high - low < least) low -= least, high += least;

@@ -58,8 +58,6 @@ bool show(vtkDataSetAttributes* data, const files::Picture& picture, Sheet& shee
     shown->InsertNextValue(v);
     if (std::isfinite(v)) sheet.low = std::min(sheet.low, v), sheet.high = std::max(sheet.high, v);
   }
-  // What is rounding beside the rest is zero, or the bar would begin at -3e-36.
-  if (std::abs(sheet.low) < 1e-9 * sheet.high) sheet.low = 0;
   data->AddArray(shown);
   data->SetActiveScalars(kShown);
   return true;
