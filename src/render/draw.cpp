@@ -203,7 +203,8 @@ Ref<vtkRenderer> panel_viewport(Scene& scene, int i) {
                       : n <= 3                  ? n
                                                 : (n + 1) / 2;
   const int rows = (n + columns - 1) / columns, row = i / columns, column = i % columns;
-  const double right = scene.table ? 1 - bar_part(scene.picture) : 1, top = scene.picture.title.empty() ? 1 : 1 - kTitlePart;
+  const double right = scene.table ? 1 - bar_part(scene.picture) : 1,
+               top = scene.picture.title.empty() ? 1 : 1 - kTitlePart;
   return viewport(scene, right * column / columns, top * (rows - 1 - row) / rows,
                   right * (column + 1) / columns, top * (rows - row) / rows);
 }
