@@ -86,11 +86,11 @@ function chapter.at(curve, E, name)
   end
 end
 
--- Columns of the curve as a curve for fabric.plot, stress in MPa.
-function chapter.curve(rows, label, style, x, y, factor)
+-- Columns of the curve as a curve for fabric.plot, stress in MPa; factors of y and x.
+function chapter.curve(rows, label, style, x, y, factor, x_factor)
   local out = { x = {}, y = {}, label = label, style = style }
   for i, row in ipairs(rows) do
-    out.x[i], out.y[i] = row[x or "E"], row[y or "S"] * (factor or 1 / MPa)
+    out.x[i], out.y[i] = row[x or "E"] * (x_factor or 1), row[y or "S"] * (factor or 1 / MPa)
   end
   return out
 end

@@ -15,7 +15,8 @@ chapter.begin("7-9", "snapshots of the cyclic test, warp, blend", "fig_7_09")
 local card = fabric.card "blend"
 local test = fabric.lab.uniaxial { card = card, out_of_plane = "free", unilateral = false, stabilise = 1e-6, cells = { 6, 18 },
                                    steps = 120, tolerance = 1e-7, out = chapter.folder }
-local flat = fabric.lab.uniaxial { card = card, unilateral = false, cells = { 6, 18 }, steps = 120, tolerance = 1e-7 }
+-- Held flat it is pushed together instead, until it becomes unstable in its plane; to 30 % of the way back.
+local flat = fabric.lab.uniaxial { card = card, unilateral = false, cells = { 6, 18 }, steps = 120, path = { 1, 0.3 } }
 
 -- Complete elliptic integrals of the modulus k by the arithmetic-geometric mean.
 local function elliptic(k)
@@ -52,16 +53,19 @@ assert(#nodes == 7 * 19)
 local yarn, peak = card.warp, test.peak
 local residual = peak.E - chapter.P(yarn, peak.E) / yarn.unloading
 local slack = 76.2 * mm * math.sqrt(1 + 2 * residual) -- length of a strip with that strain
-local last, hard = test.curve[#test.curve].force, flat.curve[#flat.curve].force
+local hard, last = flat.curve[#flat.curve], nil
+for _, row in ipairs(test.curve) do
+  if row.time > 1 and row.displacement >= hard.displacement - 1e-9 then last = row end
+end
 chapter.row("buckles when let back, plane free", "yes, fig. 7-9c", "yes")
 chapter.row("rise at zero displacement, mm", nil, rise / mm)
 chapter.row("rise of the elastica of that length, mm", nil, elastica(length, 76.2 * mm) / mm)
-chapter.row("pull at zero displacement, N: plane free, plane held", nil, ("%.3f, %.2f"):format(last, hard))
+chapter.row("pull when let back to 5.4 mm, N: plane free, held flat", nil, ("%.3f, %.2f"):format(last.force, hard.force))
 
 chapter.plot("force", "Pull rises along the backbone, falls steeply, and is nearly zero once the strip has buckled; held flat it would be pushed together.",
              { title = "blend, warp: buckling when let back", xlabel = "displacement, mm", ylabel = "force, N",
-               curves = { chapter.curve(test.curve, "plane free", "line", "displacement", "force", 1),
-                          chapter.curve(flat.curve, "held flat", "dashed", "displacement", "force", 1) } })
+               curves = { chapter.curve(test.curve, "plane free", "line", "displacement", "force", 1, 1e3),
+                          chapter.curve(flat.curve, "held flat", "dashed", "displacement", "force", 1, 1e3) } })
 local frames = {}
 for i, n in ipairs { 0, 60, 120 } do frames[i] = ("%s/strip_%05d.vtu"):format(chapter.folder, n) end
 chapter.render("snapshots", "Start, 18 mm, and back at zero: one fold across the strip, ends clamped level.",
@@ -72,5 +76,5 @@ chapter.expect {
   { "rise over the elastica's", rise / elastica(length, 76.2 * mm), 1, relative = 0.03 },
   -- It is not pulled and hardly pushed: its length is that of the residual strain, up to the ends' held width.
   { "length over that of the residual strain", length / slack, 1, relative = 0.01 },
-  { "push, plane free over held flat", last / hard, 0, absolute = 0.01 },
+  { "push, plane free over held flat", last.force / hard.force, 0, absolute = 0.01 },
 }

@@ -20,6 +20,7 @@ for _, grips in ipairs { "free", "clamped" } do
                    title = ("blend, bias 45, ends %s"):format(grips), width = 1300, height = 800 })
   chapter.row(("grip strain left where the grip lets go, ends %s"):format(grips), nil, test.curve[#test.curve].E)
   curves[#curves + 1] = chapter.curve(test.curve, "ends " .. grips, "line", "E_average", "E_lateral", 1)
+  chapter.mesh_rows("20 mm, " .. grips, fabric.lab.bias { card = card, grips = grips, unload = false, steps = 20 }, { "E_lateral", "E12_centre" })
   widths[grips] = test.peak.E_lateral
   checks[#checks + 1] = { grips .. ": lets go (1: yes)", test.analysis.stopped == "the grip lets go" and 1 or 0, 1, relative = 1e-12 }
   checks[#checks + 1] = { grips .. ": checkerboard in E12, part of the largest", chapter.checkerboard(test.analysis:field "E12", 6), 0, absolute = 0.01 }

@@ -25,6 +25,7 @@ for _, name in ipairs { "E11", "E22", "E12", "S11", "S22", "S12" } do
   chapter.row(name .. " at 20 mm: smallest, largest" .. (unit == MPa and ", MPa" or ""), "not uniform", ("%.3f, %.3f"):format(low / unit, high / unit))
   checks[#checks + 1] = { name .. ": checkerboard, part of the largest", board, 0, absolute = 0.03 } -- a checkerboard alternates by a good part of the field
 end
+chapter.mesh_rows("30 degrees, free, 20 mm", fabric.lab.bias { card = card, angle = 30, unload = false, steps = 20 }, { "S", "S_centre", "E12_centre", "E_centre" })
 local begin, last = chapter.folder .. "/strip_00004.vtu", chapter.folder .. "/strip_00038.vtu"
 for _, field in ipairs { "E11", "E12", "S11" } do
   chapter.render(field, field == "E12" and "The shear is largest in the middle and smooth from element to element." or

@@ -45,6 +45,7 @@ for _, direction in ipairs { "warp", "weft" } do
     chapter.row(("%s at %g %% strain: measured stress implied by woven, by SVK"):format(direction, 100 * x), ("differs by %g %%, %g %%"):format(100 * p, 100 * q),
                 ("%.3f, %.3f MPa: apart by %.0f %%"):format(a / MPa, b / MPa, 100 * gaps[#gaps]))
   end
+  chapter.mesh_rows(direction .. ", free ends", fabric.lab.uniaxial { card = card, direction = direction, grips = "free", unload = false, steps = 10 }, { "S" })
   local m, last = woven.peak.E, woven.curve[#woven.curve]
   checks[#checks + 1] = { direction .. ": SVK comes back to zero strain", linear.curve[#linear.curve].E, 0, absolute = 1e-6 }
   -- The release is found to 1e-6 of the peak force; the slack strip behind it is 100 times softer than the yarn.

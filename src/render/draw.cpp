@@ -177,6 +177,13 @@ void add_axes(vtkRenderer* renderer, const Scene& scene, Bounds bounds) {
   renderer->AddActor(axes);
 }
 
+// Digits enough to tell the labels of a narrow range apart.
+std::string label_format(double low, double high) {
+  const double largest = std::max(std::abs(low), std::abs(high));
+  const int more = static_cast<int>(std::floor(std::log10(largest / (high - low))));
+  return "%-." + std::to_string(3 + std::clamp(more, 0, 4)) + "g";
+}
+
 void add_bar(Scene& scene) {
   const auto renderer = viewport(scene, 1 - bar_part(scene.picture), 0, 1, 1 - kTitlePart);
   const auto bar = Ref<vtkScalarBarActor>::New();
@@ -184,7 +191,7 @@ void add_bar(Scene& scene) {
   bar->SetTitle("");
   bar->SetNumberOfLabels(6);
   bar->SetMaximumNumberOfColors(256);
-  bar->SetLabelFormat("%-.3g");
+  bar->SetLabelFormat(label_format(*scene.table->GetTableRange(), scene.table->GetTableRange()[1]).c_str());
   bar->UnconstrainedFontSizeOn();
   style(bar->GetLabelTextProperty(), font_size(scene.picture));
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();

@@ -2,7 +2,7 @@
 -- 6 x 18 and 12 x 36 elements hold?
 --
 --   fabricsh scripts/long/thesis/bias_clamped.lua
-local here = arg[0]:gsub("[^/]*$", ""):gsub("long/thesis/$", "thesis/"):gsub("thesis/%.%./", "")
+local here = arg[0]:gsub("[^/]*$", ""):gsub("long/thesis/$", "thesis/")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"
 local MPa = fabric.units.MPa
