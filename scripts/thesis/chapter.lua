@@ -110,6 +110,24 @@ function chapter.plot(name, sentence, fields)
   chapter.keep(fields.file, sentence)
 end
 
+-- File of the frame of a row of a test's curve (nil: the last); stem: folder and name of its series. A frame a row.
+function chapter.frame(stem, test, row)
+  local place = #test.curve
+  for i, r in ipairs(test.curve) do
+    if r == row then place = i end
+  end
+  return ("%s_%05d.vtu"):format(stem, place - 1)
+end
+
+-- Row of a curve at a time, or the nearest before.
+function chapter.at_time(curve, time)
+  local found = curve[1]
+  for _, row in ipairs(curve) do
+    if row.time <= time + 1e-9 then found = row end
+  end
+  return found
+end
+
 -- Draws a sheet; without a display a warning.
 function chapter.render(name, sentence, fields)
   fields.file = ("%s/%s.png"):format(chapter.folder, name)

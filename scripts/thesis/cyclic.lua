@@ -73,9 +73,10 @@ end
 return function(figure, name, folder)
   local card = fabric.card(name)
   chapter.begin(figure, ("%s, cyclic tension along warp, weft and bias"):format(name), folder)
-  local checks, ours, theirs = {}, {}, {}
+  local checks, ours, theirs, warp = {}, {}, {}, nil
   for _, direction in ipairs { "warp", "weft" } do
     local test, rules = direction_rows(checks, name, card, direction)
+    warp = warp or test
     ours[#ours + 1] = chapter.curve(test.curve, direction)
     ours[#ours + 1] = chapter.line(function(E) return chapter.P(card[direction], E) end, test.peak.E, "P(E), " .. direction)
     if rules then
@@ -94,7 +95,7 @@ return function(figure, name, folder)
   chapter.plot("rules", "The thesis' endpoint rule lies above P(E) by its step size, and by its coupling where the ratios are large.",
                { title = name .. ", the thesis' own rules", curves = theirs, xlabel = labels.xlabel, ylabel = labels.ylabel })
   chapter.render("peak", "Warp at its largest displacement, clamped: the ends keep their width, the middle contracts.",
-                 { vtu = chapter.folder .. "/warp/strip_00040.vtu", field = "E22", title = name .. ", warp, clamped, largest displacement", width = 700 })
+                 { vtu = chapter.frame(chapter.folder .. "/warp/strip", warp, warp.peak), field = "E22", title = name .. ", warp, clamped, largest displacement", width = 700 })
   -- Ends that slide free can't hold back the shear that two different yarns cause: within 1 % of uniform.
   checks[#checks + 1] = { "bias 45, free: S over that of the material point", off_axis.peak.S / fabric.point(card):uniaxial(45, off_axis.peak.E).S, 1, relative = 0.01 }
   return chapter.expect(checks)

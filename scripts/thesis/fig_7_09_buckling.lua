@@ -67,9 +67,9 @@ chapter.plot("force", "Pull rises along the backbone, falls steeply, and is near
                curves = { chapter.curve(test.curve, "plane free", "line", "displacement", "force", 1, 1e3),
                           chapter.curve(flat.curve, "held flat", "dashed", "displacement", "force", 1, 1e3) } })
 local frames = {}
-for i, n in ipairs { 0, 60, 120 } do frames[i] = ("%s/strip_%05d.vtu"):format(chapter.folder, n) end
+for i, row in ipairs { test.curve[1], test.peak, test.curve[#test.curve] } do frames[i] = chapter.frame(chapter.folder .. "/strip", test, row) end
 chapter.render("snapshots", "Start, 18 mm, and back at zero: one fold across the strip, ends clamped level.",
-               { vtu = frames, labels = { "(a) start", "(b) 18 mm", "(c) back at 0" }, field = "E11", view = { 50, 20 }, width = 1500, height = 480,
+               { vtu = frames, labels = { "(a) start", "(b) 18 mm", "(c) back at 0" }, field = "E11", view = { 50, 20 }, width = 1500, height = 560,
                  title = "blend, warp, clamped, plane free" })
 chapter.expect {
   -- 18 elements bend the fold by chords; the strip's edges keep a little of the clamped width.

@@ -13,7 +13,7 @@ for _, grips in ipairs { "free", "clamped" } do
   local folder = chapter.folder .. "/" .. grips
   local test = fabric.lab.bias { card = card, grips = grips, cells = { 6, 18 }, steps = 80, out = folder }
   local frames = {}
-  for i, n in ipairs { 0, 40, #test.curve - 1 } do frames[i] = ("%s/strip_%05d.vtu"):format(folder, n) end
+  for i, row in ipairs { test.curve[1], test.peak, test.curve[#test.curve] } do frames[i] = chapter.frame(folder .. "/strip", test, row) end
   chapter.render(grips, grips == "free" and "Free ends: the strip narrows as a whole and shears alike everywhere."
                    or "Clamped ends: the ends keep their width and stay nearly unsheared, the middle takes the shear.",
                  { vtu = frames, labels = { "(a) start", "(b) 20 mm", "(c) grip lets go" }, field = "E12",

@@ -28,7 +28,7 @@ local function nearest(S, p, T, q)
   return pair[1], pair[2]
 end
 
-local checks, curves, gaps = {}, {}, {}
+local checks, curves, gaps, pulled = {}, {}, {}, nil
 for _, direction in ipairs { "warp", "weft" } do
   local yarn = card[direction]
   local function strip(with)
@@ -36,6 +36,7 @@ for _, direction in ipairs { "warp", "weft" } do
                                  out = with == card and chapter.folder .. "/" .. direction or nil }
   end
   local linear, woven = strip(svk), strip(card)
+  pulled = pulled or woven
   curves[#curves + 1] = chapter.curve(linear.curve, direction .. ", SVK", "dashed")
   curves[#curves + 1] = chapter.curve(woven.curve, direction .. ", woven law")
   for _, row in ipairs(stated[direction]) do
@@ -56,6 +57,6 @@ for i, gap in ipairs(gaps) do checks[#checks + 1] = { ("statement %d: apart by 5
 chapter.plot("curves", "The woven law stiffens and keeps a residual strain; SVK is straight and comes back along itself.",
              { title = "blend: SVK and the woven law, pulled and let go", curves = curves, xlabel = "Green-Lagrange strain E", ylabel = "S, MPa" })
 chapter.render("residual", "The woven strip when the grip lets go: the residual strain, uniform.",
-               { vtu = { chapter.folder .. "/warp/strip_00000.vtu", chapter.folder .. "/warp/strip_00040.vtu" }, labels = { "start", "18 mm" },
+               { vtu = { chapter.folder .. "/warp/strip_00000.vtu", chapter.frame(chapter.folder .. "/warp/strip", pulled, pulled.peak), chapter.frame(chapter.folder .. "/warp/strip", pulled) }, labels = { "start", "18 mm", "the grip lets go" },
                  field = "E11", title = "blend, warp, free ends" })
 return chapter.expect(checks)

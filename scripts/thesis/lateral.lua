@@ -12,7 +12,7 @@ local function ratio(row, name) return -row[name] / row[name == "E_lateral" and 
 return function(figure, name, folder)
   local card = fabric.card(name)
   chapter.begin(figure, name .. ", strain across the pull", folder)
-  local checks, curves = {}, {}
+  local checks, curves, frames = {}, {}, {}
   for _, direction in ipairs { "warp", "weft" } do
     local nu = card[direction].poisson
     local function pull(with, grips, cells)
@@ -20,6 +20,7 @@ return function(figure, name, folder)
                                    out = grips == "clamped" and not cells and chapter.folder .. "/" .. direction or nil }
     end
     local free, clamped, cut = pull(card, "free"), pull(card, "clamped"), pull(chapter.cut(card), "free")
+    frames[#frames + 1] = chapter.frame(("%s/%s/strip"):format(chapter.folder, direction), clamped, clamped.peak)
     curves[#curves + 1] = chapter.curve(free.curve, direction .. ", free ends", "line", "E", "E_lateral", 1)
     curves[#curves + 1] = chapter.curve(clamped.curve, direction .. ", clamped, average", "line_points", "E", "E_lateral", 1)
     if nu > 0.40 then curves[#curves + 1] = chapter.curve(cut.curve, direction .. ", ratios 0.40", "dashed", "E", "E_lateral", 1) end
@@ -39,7 +40,7 @@ return function(figure, name, folder)
   chapter.plot("curves", "Straight lines of the card's ratios; clamped ends contract less on the average, and ratios cut to 0.40 miss the measured ones.",
                { title = name .. ": strain across the pull", xlabel = "strain along the pull", ylabel = "strain across", curves = curves })
   chapter.render("across", "Clamped warp and weft at their largest displacement: no contraction at the ends.",
-                 { vtu = { chapter.folder .. "/warp/strip_00030.vtu", chapter.folder .. "/weft/strip_00030.vtu" }, labels = { "warp", "weft" },
+                 { vtu = frames, labels = { "warp", "weft" },
                    field = "ux", title = name .. ": displacement across the pull" })
   return chapter.expect(checks)
 end

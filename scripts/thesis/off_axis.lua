@@ -25,7 +25,7 @@ return function(figure, name, folder)
     end
     local out = ("%s/%d"):format(chapter.folder, angle)
     local free, clamped = assert(strip(card, "free", angle)), assert(strip(card, "clamped", angle))
-    strip(card, "clamped", angle, { out = out, cells = { 6, 18 }, unload = false })
+    frames[#frames + 1] = chapter.frame(out .. "/strip", assert(strip(card, "clamped", angle, { out = out, cells = { 6, 18 }, unload = false })))
     local rules, why = strip(chapter.rules(card), "free", angle, chapter.patient {})
     local point = fabric.point(card):uniaxial(angle, free.peak.E).S
     local what = ("%d degrees, 20 mm: S by force / area, average, centre, "):format(angle)
@@ -38,7 +38,6 @@ return function(figure, name, folder)
     curves[#curves + 1] = chapter.curve(free.curve, angle .. " degrees, force over area, free")
     curves[#curves + 1] = chapter.curve(free.curve, angle .. " degrees, centre, free", "dashed", "E", "S_centre")
     curves[#curves + 1] = chapter.curve(clamped.curve, angle .. " degrees, force over area, clamped", "points")
-    frames[#frames + 1] = out .. "/strip_00080.vtu"
     -- Warp and weft exchanged and the angle complemented, it is the mirror image of the same strip.
     local mirror = assert(strip(exchanged(card), "free", 90 - angle))
     checks[#checks + 1] = { angle .. " degrees: mirror image, S", mirror.peak.S, free.peak.S, relative = 1e-7 } -- tolerance of the solver over the small first forces

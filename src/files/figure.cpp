@@ -80,9 +80,10 @@ void figure(const std::string& path, const std::string& title, const std::string
   check(curves);
   std::string script = "set terminal " + terminal(path) + "\n";
   AtomicFile file(path);
-  script += "set output " + quoted(file.temporary()) + "\nset title " + quoted(title) + "\nset xlabel " +
-            quoted(xlabel) + "\nset ylabel " + quoted(ylabel) +
-            "\nset grid linecolor rgb '#dddddd'\nset key below Left reverse\nset tics nomirror\nset border 3\n";
+  script +=
+      "set output " + quoted(file.temporary()) + "\nset title " + quoted(title) + "\nset xlabel " +
+      quoted(xlabel) + "\nset ylabel " + quoted(ylabel) +
+      "\nset grid linecolor rgb '#dddddd'\nset key below Left reverse\nset tics nomirror\nset border 3\n";
   std::string plot = "plot ";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     script += block(i, curves[i]);

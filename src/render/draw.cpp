@@ -41,7 +41,9 @@ struct Scene {
   Ref<vtkRenderWindow> window = Ref<vtkRenderWindow>::New();
 };
 
-int font_size(const Picture& p) { return std::max(10, std::min(p.width, p.height) / 45); }
+int font_size(const Picture& p) {
+  return std::max(10, static_cast<int>(std::sqrt(double(p.width) * p.height) / 52));
+}
 
 // Part of the width that the colour bar takes: ten letters at least.
 double bar_part(const Picture& p) { return std::max(0.13, 8.0 * font_size(p) / p.width); }
