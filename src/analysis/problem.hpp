@@ -3,8 +3,8 @@
 #pragma once
 #include <algorithm>
 
-#include "analysis/analysis.hpp"
 #include "analysis/damping.hpp"
+#include "analysis/static.hpp"
 
 namespace fabricsh::analysis {
 
@@ -17,10 +17,10 @@ class Static::Problem final : public solver::PathProblem {
         small_time_(small_time),
         product_(assembly.unknowns()),
         ahead_(assembly.unknowns()),
-        driven_(assembly.targets(0)),
-        lead_(driven_.size()) {
+        lead_(assembly.targets(0).size()) {
+    memory_.driven = assembly.targets(0);
     assembly_.external(0, external_);
-    committed_external_ = external_;
+    memory_.external = external_;
   }
 
   // Sets the time whose supports and loads the next predict() aims at.
@@ -32,16 +32,34 @@ class Static::Problem final : public solver::PathProblem {
   }
   // After a commit: what the last step did is where a reversal is seen from.
   void committed() {
-    previous_lead_ = lead_;
-    driven_ = targets_;
-    previous_push_ = push_;
-    committed_external_ = external_;
-    peak_ = std::max(peak_, assembly_.largest_force());
+    memory_.lead = lead_;
+    memory_.driven = targets_;
+    memory_.push = push_;
+    memory_.external = external_;
+    memory_.peak = std::max(memory_.peak, assembly_.largest_force());
+  }
+  // All that the next step remembers of the last ones.
+  struct Memory {
+    std::vector<double> driven, lead;    // at the last commit; what the last step did to them
+    std::vector<double> external, push;  // dead loads likewise
+    double peak = 0;                     // N, the largest nodal force of the run's committed states
+    bool kink = true;
+    double damping = 0;
+  };
+  Memory memory() const {
+    Memory m = memory_;
+    m.damping = damping_.factor();
+    return m;
+  }
+  void recall(double time, const Memory& memory) {
+    aim(time);
+    memory_ = memory;
+    damping_.set_factor(memory.damping);
   }
   const std::vector<double>& external() const { return external_; }
   Damping& damping() { return damping_; }
   // Has a path come to a kink of a history, where loads may turn round?
-  void at_kink(bool kink) { kink_ = kink; }
+  void at_kink(bool kink) { memory_.kink = kink; }
   // A configuration to come back to.
   void keep() {
     const auto k = assembly_.state().kinematics();
@@ -57,8 +75,8 @@ class Static::Problem final : public solver::PathProblem {
   bool predict(solver::SparseMatrix& K, std::span<double> r) override {
     assembly_.state().rollback();
     assembly_.begin_iterate();
-    for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - driven_[i];
-    set_push(external_, committed_external_);
+    for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory_.driven[i];
+    set_push(external_, memory_.external);
     const auto at = reverses() ? fabric::AtSwitch::unloading : fabric::AtSwitch::loading;
     if (!assembly_.tangent(at, K, lead_, product_)) return false;
     assembly_.residual(external_, r);
@@ -87,7 +105,7 @@ class Static::Problem final : public solver::PathProblem {
     assembly_.state().rollback();
     assembly_.begin_iterate();
     look_ahead();
-    const auto at = kink_ && reverses() ? fabric::AtSwitch::unloading : fabric::AtSwitch::loading;
+    const auto at = memory_.kink && reverses() ? fabric::AtSwitch::unloading : fabric::AtSwitch::loading;
     if (!tangent_and_rate(at, K, q)) return false;
     assembly_.residual(external_, r);
     return true;
@@ -105,7 +123,7 @@ class Static::Problem final : public solver::PathProblem {
   std::pair<double, solver::Index> largest(std::span<const double> r) const override {
     return assembly_.largest_residual(r);
   }
-  double force_scale() const override { return std::max(peak_, assembly_.largest_force()); }
+  double force_scale() const override { return std::max(memory_.peak, assembly_.largest_force()); }
 
   double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }
 
@@ -142,19 +160,17 @@ class Static::Problem final : public solver::PathProblem {
   // Does this step move supports and loads against the way of the last one?
   bool reverses() const {
     double along = 0;
-    for (std::size_t i = 0; i < previous_lead_.size(); ++i) along += previous_lead_[i] * lead_[i];
-    for (std::size_t i = 0; i < previous_push_.size(); ++i) along += previous_push_[i] * push_[i];
+    for (std::size_t i = 0; i < memory_.lead.size(); ++i) along += memory_.lead[i] * lead_[i];
+    for (std::size_t i = 0; i < memory_.push.size(); ++i) along += memory_.push[i] * push_[i];
     return along < 0;
   }
 
   assembly::Assembly& assembly_;
   Damping damping_;
   double small_time_, aimed_ = 0;
-  bool kink_ = true;
   std::vector<double> product_, ahead_, later_external_, push_, kept_;
-  std::vector<double> driven_, lead_, previous_lead_, targets_;
-  std::vector<double> external_, committed_external_, previous_push_;
-  double peak_ = 0;  // N, the largest nodal force of the run's committed states
+  std::vector<double> lead_, targets_, external_;
+  Memory memory_;
 };
 
 }  // namespace fabricsh::analysis

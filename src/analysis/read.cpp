@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/analysis.hpp"
-#include "analysis/problem.hpp"
+#include "analysis/run.hpp"
 #include "base/error.hpp"
 
 namespace fabricsh::analysis {
@@ -82,13 +81,13 @@ double element_value(const ElementValues& v, const std::string& name) {
   throw Error("unknown element value '" + name + "', expected one of " + known);
 }
 
-Vec3 Static::reaction(const std::string& set) const {
+Vec3 Run::reaction(const std::string& set) const {
   Vec3 sum = Vec3::Zero();
-  for (const auto n : model_->mesh().set(set)) sum += assembly_->support_force(n, problem_->external());
+  for (const auto n : model_->mesh().set(set)) sum += assembly_->support_force(n, dead_) + inertia(n);
   return sum;
 }
 
-NodeValues Static::node(mesh::Index i) const {
+NodeValues Run::node(mesh::Index i) const {
   check_index(i, model_->mesh().nodes.size(), "node");
   const auto& state = std::as_const(*assembly_).state();
   NodeValues v;
@@ -96,11 +95,11 @@ NodeValues Static::node(mesh::Index i) const {
   v.n = Eigen::Map<const Vec3>(state.d().data() + 3 * i);
   v.X = assembly_->reference()[i];
   v.u = v.x - v.X;
-  v.v = Vec3::Zero();
+  v.v = velocity(i);
   return v;
 }
 
-const std::vector<ElementValues>& Static::elements() const {
+const std::vector<ElementValues>& Run::elements() const {
   const auto version = std::as_const(*assembly_).state().version();
   if (cache_version_ == version) return cache_;
   cache_.assign(assembly_->elements(), {});
@@ -119,12 +118,12 @@ const std::vector<ElementValues>& Static::elements() const {
   return cache_;
 }
 
-ElementValues Static::element(mesh::Index i) const {
+ElementValues Run::element(mesh::Index i) const {
   check_index(i, model_->mesh().elements.size(), "element");
   return elements()[i];
 }
 
-double Static::mean(const std::string& name, const std::string& set) const {
+double Run::mean(const std::string& name, const std::string& set) const {
   const auto inside = model_->mesh().elements_in(model_->mesh().set(set));
   if (inside.empty()) throw Error("mean: set '" + set + "' holds no whole element");
   const auto& values = elements();
@@ -133,13 +132,13 @@ double Static::mean(const std::string& name, const std::string& set) const {
   return sum / static_cast<double>(inside.size());
 }
 
-std::vector<double> Static::field(const std::string& name) const {
+std::vector<double> Run::field(const std::string& name) const {
   std::vector<double> out;
   for (const auto& v : elements()) out.push_back(element_value(v, name));
   return out;
 }
 
-Energy Static::energy() const {
+Energy Run::energy() const {
   const mesh::Index count = assembly_->elements();
   std::vector<fabric::Energy> per(count);
   std::vector<assembly::BendingEnergy> bending(count);
@@ -166,64 +165,13 @@ Energy Static::energy() const {
   }
   sum.stored += assembly_->spring_energy();
   sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending;
-  sum.damping = damping_work_;
-  sum.external = external_work_;
-  if (largest_external_work_ > 0)
-    sum.error = std::abs(sum.kinetic + sum.stored + sum.dissipated + sum.damping - sum.external) /
-                largest_external_work_;
+  sum.kinetic = kinetic();
+  sum.damping = damping_work();
+  sum.external = work_.total() + driven_work();
+  sum.initial = initial_energy_;
+  const double scale = std::max(work_.largest(), initial_energy_);
+  if (scale > 0) sum.error = std::abs(sum.surplus()) / scale;
   return sum;
-}
-
-struct Static::Snapshot {
-  const Static* owner;
-  std::vector<double> data;
-  double time, current_step, external_work, largest_external_work;
-  double arc_length, damping_work, damping_factor;
-  std::vector<double> direction;
-  std::vector<double> previous_x, previous_force;
-  std::vector<std::int64_t> counts;
-  bool stopped;
-};
-
-std::shared_ptr<const Static::Snapshot> Static::snapshot() const {
-  auto s = std::make_shared<Snapshot>();
-  s->owner = this;
-  s->data = assembly_->state().data();
-  s->time = assembly_->state().time();
-  s->current_step = current_step_;
-  s->arc_length = arc_length_;
-  s->damping_work = damping_work_;
-  s->damping_factor = problem_->damping().factor();
-  if (arc_) s->direction = arc_->direction();
-  s->external_work = external_work_;
-  s->largest_external_work = largest_external_work_;
-  s->previous_x = previous_x_;
-  s->previous_force = previous_force_;
-  for (const auto& t : timed_) s->counts.push_back(t.count);
-  s->stopped = stopped_;
-  return s;
-}
-
-void Static::restore(const Snapshot& s) {
-  if (s.owner != this) throw Error("restore: this snapshot was taken of another analysis");
-  assembly_->state().restore(s.data, s.time);
-  trial_time_ = s.time;
-  current_step_ = s.current_step;
-  arc_length_ = s.arc_length;
-  damping_work_ = s.damping_work;
-  problem_->damping().set_factor(s.damping_factor);
-  problem_->at_kink(s.direction.empty());
-  if (arc_) arc_->set_direction(s.direction);
-  external_work_ = s.external_work;
-  largest_external_work_ = s.largest_external_work;
-  previous_x_ = s.previous_x;
-  previous_force_ = s.previous_force;
-  for (std::size_t i = 0; i < s.counts.size() && i < timed_.size(); ++i) timed_[i].count = s.counts[i];
-  stopped_ = s.stopped;
-  problem_->aim(s.time);
-  assembly_->forces(fabric::AtSwitch::loading);
-  problem_->committed();
-  for (auto& event : events_) event.last = event.value(*this);
 }
 
 }  // namespace fabricsh::analysis

@@ -1,9 +1,10 @@
-// The quasi-static run: steps, cuts, landings, events, hooks.
+// The quasi-static run: steps, cuts, what is said.
+#include "analysis/static.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "analysis/analysis.hpp"
+#include "analysis/number.hpp"
 #include "analysis/problem.hpp"
 #include "base/error.hpp"
 
@@ -11,18 +12,7 @@ namespace fabricsh::analysis {
 
 namespace {
 
-constexpr double kSameTime = 1e-12;  // of the duration: two times this close are one
-
-std::string number(double v) {
-  std::ostringstream text;
-  text.precision(6);
-  text << v;
-  return text.str();
-}
-
-void check(const StaticOptions& o) {
-  if (!(o.duration > 0) || !std::isfinite(o.duration))
-    throw Error("static: field 'duration': expected a positive time in s, got " + number(o.duration));
+void check_options(const StaticOptions& o) {
   if (o.step && !(*o.step > 0))
     throw Error("static: field 'step': expected a positive time in s, got " + number(*o.step));
   if (!(o.tolerance > 0) || !(o.tolerance < 1))
@@ -45,8 +35,8 @@ bool takes_symmetric(const StaticOptions& o, const assembly::Assembly& assembly,
          (o.linear == Linear::automatic && model.section().symmetric && assembly.symmetric_loads());
 }
 
-// Iterations that a step of the right size takes, and those from which the next one had better be smaller.
-constexpr int kWanted = 6, kMany = 12;
+// Times that the damping of one step is raised, fourfold each.
+constexpr int kRaises = 12;
 // Cuts after which relaxation is tried, where it is allowed.
 constexpr int kPatience = 3;
 
@@ -54,11 +44,10 @@ constexpr int kPatience = 3;
 
 Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options,
                std::shared_ptr<Notices> notices)
-    : model_(std::move(model)), options_(options), notices_(std::move(notices)) {
-  check(options_);
-  model_->validate();
-  assembly_ = std::make_unique<assembly::Assembly>(*model_);
-  model_->seal();
+    : Run(std::move(model), options.duration, std::move(notices), "static"),
+      options_(options),
+      now_{StepControl(options.step.value_or(options.duration / 20), options.min_step, options.max_cuts)} {
+  check_options(options_);
   problem_ = std::make_unique<Problem>(*assembly_, 1e-7 * options_.duration, options_.stabilise);
   auto linear = takes_symmetric(options_, *assembly_, *model_) ? solver::make_symmetric_solver()
                                                                : solver::make_unsymmetric_solver();
@@ -68,94 +57,51 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     newton_ = std::make_unique<solver::Newton>(std::move(linear), assembly_->pattern());
   if (options_.method != Method::newton)
     relaxation_ = std::make_unique<solver::Relaxation>(assembly_->pattern());
-  largest_step_ = options_.step.value_or(options_.duration / 20);
-  current_step_ = largest_step_;
-  kinks_ = model_->kinks();
 }
 
 Static::~Static() = default;
 
-double Static::time() const { return trial_time_; }
-
-void Static::every_step(Hook hook) { timed_.push_back({0, 1, std::move(hook)}); }
-
-void Static::every(double interval, Hook hook) {
-  if (!(interval > 0) || !std::isfinite(interval))
-    throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
-  const auto passed = static_cast<std::int64_t>(std::floor(time() / interval + 1e-9));
-  timed_.push_back({interval, passed + 1, std::move(hook)});
-}
-
-void Static::event(std::function<double(Static&)> value, double tolerance, Hook hook) {
-  if (!(tolerance > 0))
-    throw Error("event: field 'tolerance': expected a positive number, got " + number(tolerance));
-  events_.push_back({std::move(value), tolerance, 0, 0, std::move(hook), false});
-}
-
-void Static::stop(const std::string& reason) {
-  stopped_ = true;
-  stop_reason_ = reason;
-}
-
-void Static::start() {
-  if (started_) return;
-  started_ = true;
+void Static::begin() {
   problem_->aim(0);
   problem_->committed();
-  add_external_work();
-  for (auto& event : events_) event.last = event.value(*this);
-  const auto hooks = timed_;
-  for (const auto& timed : hooks) timed.hook(*this);
+  dead_ = problem_->external();
+  work_.start(*assembly_, dead_);
+  const auto targets = assembly_->targets(0);
+  if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; }))
+    notices_->say("static: a motion is not zero at time 0; all of it is applied in the first step");
 }
 
-double Static::next_landing(double limit) const {
-  const double now = time(), after = now + kSameTime * options_.duration;
-  double landing = limit;
-  const auto kink = std::upper_bound(kinks_.begin(), kinks_.end(), after);
-  if (kink != kinks_.end()) landing = std::min(landing, *kink);
-  for (const auto& timed : timed_)
-    if (timed.interval > 0) {
-      const double t = static_cast<double>(timed.count) * timed.interval;
-      if (t > after) landing = std::min(landing, t);
-    }
-  return landing;
-}
+double Static::no_size() const { return arc_ ? 0 : committed_time(); }
+double Static::tried_size(double size) const { return arc_ ? now_.tried_length : size; }
 
 double Static::plan(double limit) {
-  landing_ = next_landing(limit);
-  if (arc_) return arc_length_;
-  const double left = landing_ - time();
-  const double steps = std::ceil(left / current_step_ - 1e-9);
-  return steps <= 1 ? landing_ : time() + left / steps;
+  now_.landing = next_landing(limit);
+  if (arc_) return now_.arc_length;
+  return now_.step.end(committed_time(), now_.landing);
 }
 
-void Static::advance(double to) {
-  if (!std::isfinite(to)) throw Error("advance: expected a finite time in s, got " + number(to));
-  start();
-  while (!stopped_ && time() < to - kSameTime * options_.duration) advance_to(to);
-}
-
-void Static::step() {
-  start();
-  if (!stopped_ && time() < options_.duration - kSameTime * options_.duration) advance_to(options_.duration);
-}
-
-void Static::advance_to(double limit) {
-  StepReport report;
+double Static::try_step(double limit, StepReport& report) {
   double size = plan(limit);
   const double whole = size;
-  while (!attempt(size, report)) {
-    if (++report.cuts == kPatience && rescue(whole, report)) {
+  raised_ = 0;
+  while (true) {
+    const bool converged = attempt(size, report);
+    // A sheet that wrinkles is on no stable path: it is damped until it stands on one.
+    if (converged && problem_->damping().on() && report.negative_pivots > 0 && ++raised_ < kRaises) {
+      problem_->damping().raise();
+      continue;
+    }
+    if (converged) break;
+    const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
+    if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
       size = whole;
       break;
     }
-    const bool possible = cut(size);
-    if (report.cuts > options_.max_cuts || (report.cuts > kPatience && !possible)) give_up(report);
+    if (!possible) give_up(report);
     size = plan(limit);
   }
   if (problem_->damping().on() && reports_.empty()) calibrate(size, report);
-  land_on_event(size, report);
-  commit(std::move(report));
+  return size;
 }
 
 // The first step is done again until its damping loses no more than it may, or can't be done with less.
@@ -176,20 +122,19 @@ void Static::calibrate(double size, StepReport& report) {
 // up to more than one step may take.
 bool Static::cut(double size) {
   if (arc_) {
-    arc_length_ = tried_length_ / 2;
-    return last_.status != solver::NewtonStatus::turned_back || arc_length_ > 0.01 * longest_length_;
+    now_.arc_length = now_.tried_length / 2;
+    return last_.status != solver::NewtonStatus::turned_back || now_.arc_length > 0.01 * now_.longest_length;
   }
-  current_step_ = (size - assembly_->state().time()) / 2;
-  if (problem_->damping().on() && damping_work_ < 0.01 * largest_external_work_) problem_->damping().raise();
-  return current_step_ >= std::max(options_.min_step, std::ldexp(largest_step_, -options_.max_cuts));
+  if (problem_->damping().on()) problem_->damping().raise();
+  return now_.step.cut(size - committed_time());
 }
 
 bool Static::attempt(double size, StepReport& report) {
   const solver::NewtonOptions options{options_.tolerance, options_.max_iterations, options_.line_search};
   if (arc_) {
     const auto arc =
-        arc_->solve(*problem_, options, {assembly_->state().time(), landing_, size, largest_step_});
-    tried_length_ = arc.length;
+        arc_->solve(*problem_, options, {committed_time(), now_.landing, size, now_.step.largest()});
+    now_.tried_length = arc.length;
     return finish(arc, arc.time, report);
   }
   problem_->aim(size);
@@ -211,7 +156,7 @@ solver::NewtonResult Static::relax() {
   solver::NewtonResult result = relaxation_->solve(*problem_, coarse);
   while (result.status == solver::NewtonStatus::converged && coarse.tolerance > options_.tolerance) {
     problem_->keep();
-    auto polished = newton_->correct(*problem_, {options_.tolerance, kMany, options_.line_search});
+    auto polished = newton_->correct(*problem_, {options_.tolerance, many_iterations, options_.line_search});
     polished.iterations += result.iterations;
     if (polished.status == solver::NewtonStatus::converged) return polished;
     problem_->recall();
@@ -227,138 +172,128 @@ bool Static::finish(const solver::NewtonResult& result, double end, StepReport& 
   report.iterations += last_.iterations;
   report.residuals = last_.residuals;
   report.negative_pivots = last_.negative_pivots;
-  report.step = end - assembly_->state().time();
+  report.step = end - committed_time();
   report.time = end;
   const bool converged = last_.status == solver::NewtonStatus::converged;
-  if (!converged) blame_ = find_blame();
-  trial_time_ = converged ? end : assembly_->state().time();
+  if (!converged) blame_ = find_blame(*assembly_, model_->mesh(), last_);
+  trial_time_ = converged ? end : committed_time();
   return converged;
 }
 
-// The Illinois variant of regula falsi on the step's size, each trial a full solve from the committed state.
-void Static::land_on_event(double size, StepReport& report) {
-  for (auto& event : events_) {
-    event.fired = false;
-    double high = event.value(*this), low = event.last;
-    if (!std::isfinite(high))
-      throw Error("event: field 'value': expected a finite number, got " + number(high));
-    event.largest = std::max(event.largest, std::abs(low));
-    const double tolerance = event.tolerance * event.largest;
-    if (low == 0 || std::abs(low) <= tolerance || (low > 0) == (high > 0)) continue;
-    double t_low = arc_ ? 0 : assembly_->state().time(), t_high = arc_ ? tried_length_ : size, value = high;
-    int side = 0;
-    for (int i = 0; i < 80 && std::abs(value) > tolerance; ++i) {
-      const bool bisect = i % 8 == 7;
-      const double t = bisect ? (t_low + t_high) / 2 : t_low + (t_high - t_low) * low / (low - high);
-      if (!attempt(t, report)) give_up(report);
-      value = event.value(*this);
-      if ((value > 0) == (event.last > 0)) {
-        t_low = t;
-        low = value;
-        if (side == -1) high /= 2;
-        side = -1;
-      } else {
-        t_high = t;
-        high = value;
-        if (side == 1) low /= 2;
-        side = 1;
-      }
-    }
-    event.fired = true;
-  }
-}
-
-void Static::commit(StepReport report) {
-  const double damped = problem_->damping().on() ? problem_->damping().work() : 0;
+void Static::commit(StepReport& report) {
+  auto& damping = problem_->damping();
+  const double damped = damping.on() ? damping.work() : 0, before = work_.total();
   assembly_->state().commit(report.time);
-  trial_time_ = report.time;
   problem_->committed();
-  const double before = external_work_;
-  add_external_work();
-  damping_work_ += damped;
-  problem_->damping().adapt(damped, external_work_ - before);
+  dead_ = problem_->external();
+  work_.add(*assembly_, dead_);
+  now_.damping_work += damped;
+  // After a hard step the next one needs what helped it.
+  if (report.cuts == 0 && raised_ == 0 && last_.iterations <= many_iterations)
+    damping.adapt(damped, work_.total() - before);
   grow(report);
   tell(report);
-  reports_.push_back(std::move(report));
-  run_hooks();
 }
 
 // From the iterations that the step took: a step that took many makes the next one smaller, one that took few
 // lets it grow back to the largest.
 void Static::grow(const StepReport& report) {
-  const double iterations = std::max(1, last_.iterations);
-  if (arc_) {
-    const bool kink = std::any_of(kinks_.begin(), kinks_.end(), [&](double t) {
-      return std::abs(t - report.time) <= kSameTime * options_.duration;
-    });
-    // A run may begin with a jump of its loads, whose direction says nothing about the path.
-    if (kink || reports_.empty())
-      arc_->forget();
-    else
-      arc_->committed();
-    problem_->at_kink(kink);
-    const double factor = std::clamp(std::sqrt(kWanted / iterations), 0.5, 1.5);
-    longest_length_ = std::max(longest_length_, tried_length_);
-    // A landing shortens a step for reasons of its own.
-    const bool landed = std::abs(report.time - landing_) <= kSameTime * options_.duration;
-    arc_length_ =
-        factor * (landed && report.cuts == 0 ? std::max(tried_length_, arc_length_) : tried_length_);
-    return;
-  }
-  if (relaxation_ && iterations > options_.max_iterations) return;  // relaxed: that says nothing of steps
-  if (last_.iterations > kMany)
-    current_step_ =
-        std::max({0.5 * current_step_, options_.min_step, current_step_ * std::sqrt(kWanted / iterations)});
-  else if (report.cuts == 0)
-    current_step_ = std::min(largest_step_, current_step_ * std::clamp(2 * kWanted / iterations, 1.0, 2.0));
+  if (arc_) return grow_arc(report);
+  if (relaxation_ && last_.iterations > options_.max_iterations)
+    return;  // relaxed: that says nothing of steps
+  now_.step.grow(last_.iterations, report.cuts > 0);
+}
+
+void Static::grow_arc(const StepReport& report) {
+  const bool kink = is_kink(report.time);
+  // A run may begin with a jump of its loads, whose direction says nothing about the path.
+  if (kink || reports_.empty())
+    arc_->forget();
+  else
+    arc_->committed();
+  problem_->at_kink(kink);
+  const double factor =
+      std::clamp(std::sqrt(wanted_iterations / std::max(1.0, 1.0 * last_.iterations)), 0.5, 1.5);
+  now_.longest_length = std::max(now_.longest_length, now_.tried_length);
+  // A landing shortens a step for reasons of its own.
+  const bool landed = std::abs(report.time - now_.landing) <= same_time * options_.duration;
+  now_.arc_length = factor * (landed && report.cuts == 0 ? std::max(now_.tried_length, now_.arc_length)
+                                                         : now_.tried_length);
 }
 
 void Static::tell(const StepReport& report) {
-  if (report.negative_pivots > 0 && !told_pivots_) {
-    told_pivots_ = true;
+  if (report.negative_pivots > 0 && !now_.told_pivots) {
+    now_.told_pivots = true;
     notices_->say("static: the tangent has " + std::to_string(report.negative_pivots) +
                   " negative pivots at time " + number(report.time) +
                   " s: a limit or bifurcation point has been passed");
   }
-  if (damping_work_ > 0.01 * largest_external_work_ && !told_damping_) {
-    told_damping_ = true;
-    notices_->say("static: stabilisation has taken " + number(100 * damping_work_ / largest_external_work_) +
+  if (now_.damping_work > 0.01 * work_.largest() && !now_.told_damping) {
+    now_.told_damping = true;
+    notices_->say("static: stabilisation has taken " + number(100 * now_.damping_work / work_.largest()) +
                   " % of the external work by time " + number(report.time) +
                   " s: smaller steps or a smaller 'stabilise' would take less");
   }
 }
 
-void Static::run_hooks() {
-  for (auto& event : events_) event.last = event.value(*this);
-  for (std::size_t i = 0; i < timed_.size(); ++i) {
-    auto& timed = timed_[i];
-    const double due = static_cast<double>(timed.count) * timed.interval;
-    if (timed.interval > 0 && time() < due - kSameTime * options_.duration) continue;
-    ++timed.count;
-    const Hook hook = timed.hook;
-    hook(*this);
+namespace {
+
+std::string remedy(const solver::NewtonResult& last, const StaticOptions& options) {
+  using solver::NewtonStatus;
+  const bool arc = options.control == Control::arc;
+  switch (last.status) {
+    case NewtonStatus::law_failed:
+      return "a smaller step; or a finer or better shaped mesh there: elements may have turned inside out";
+    case NewtonStatus::singular:
+      return "supports that leave no part free to move (a flat or slack sheet has no stiffness out of its "
+             "plane: fix(\"all\", \"z\"), or stabilise=true, or method=\"relaxation\")";
+    case NewtonStatus::turned_back:
+      return "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a "
+             "smaller step, so that the path is not walked the way it came";
+    case NewtonStatus::diverged:
+    default:
+      if (last.negative_pivots > 0 && !arc)
+        return "control=\"arc\" (the tangent has negative pivots: a limit point), or stabilise=true for "
+               "wrinkles and snaps";
+      if (!last.residuals.empty() && last.residuals.back() < 1e-6)
+        return "a larger tolerance (the residual is already small), or more max_iterations";
+      return arc ? "a smaller step, or more max_cuts"
+                 : "a smaller step, stabilise=true, or method=\"either\"";
   }
-  for (std::size_t i = 0; i < events_.size(); ++i)
-    if (events_[i].fired) {
-      events_[i].fired = false;
-      const Hook hook = events_[i].hook;
-      if (hook) hook(*this);
-    }
 }
 
-void Static::add_external_work() {
-  const auto& state = std::as_const(*assembly_).state();
-  const auto x = state.x();
-  std::vector<double> force = problem_->external();
-  for (std::size_t n = 0; n < state.nodes(); ++n) {
-    const Vec3 r = assembly_->support_force(static_cast<assembly::Index>(n), problem_->external());
-    for (int i = 0; i < 3; ++i) force[3 * n + i] += r[i];
-  }
-  for (std::size_t i = 0; i < previous_x_.size(); ++i)
-    external_work_ += (previous_force_[i] + force[i]) / 2 * (x[i] - previous_x_[i]);
-  largest_external_work_ = std::max(largest_external_work_, std::abs(external_work_));
-  previous_x_.assign(x.begin(), x.end());
-  previous_force_ = std::move(force);
+}  // namespace
+
+void Static::give_up(const StepReport& report) {
+  const double now = committed_time();
+  std::string text = "static: no step beyond time " + number(now) + " s: " + describe(last_.status) +
+                     " in a step of " + number(report.step) + " s (the largest is " +
+                     number(now_.step.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
+                     describe(blame_, last_, options_.tolerance) + ".\nTry: " + remedy(last_, options_) + ".";
+  throw NumericalFailure(text, now, blame_.element, blame_.yarn);
+}
+
+namespace {
+
+template <class Now, class Memory>
+struct StaticMemory {
+  Now now;
+  Memory problem;
+  std::vector<double> direction;
+};
+
+}  // namespace
+
+std::any Static::memory() const {
+  return StaticMemory<Now, Problem::Memory>{now_, problem_->memory(),
+                                            arc_ ? arc_->direction() : std::vector<double>{}};
+}
+
+void Static::recall(const std::any& memory) {
+  const auto& m = std::any_cast<const StaticMemory<Now, Problem::Memory>&>(memory);
+  now_ = m.now;
+  problem_->recall(committed_time(), m.problem);
+  if (arc_) arc_->set_direction(m.direction);
 }
 
 }  // namespace fabricsh::analysis

@@ -78,6 +78,7 @@ Assembly::Assembly(const model::Model& model) : model_(model), X_(model.mesh().n
   make_pattern();
   force_x_.assign(3 * X_.size(), 0);
   force_d_.assign(3 * X_.size(), 0);
+  add_inertia();
   loads_ = std::make_unique<Loads>(model, mass_, mass_moment_);
 }
 
@@ -259,19 +260,28 @@ void Assembly::follower(double time, std::vector<double>& out) const {
 
 double Assembly::spring_energy() const { return loads_->spring_energy(std::as_const(*state_).x(), X_); }
 
-void Assembly::residual(std::span<const double> external, std::span<double> r) const {
-  const std::span<const double> fx(force_x_), fd(force_d_);
-  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
+Vec3 Assembly::director_force(Index node, std::span<const double> on_d) const {
+  const Vec3 internal = at(std::span<const double>(force_d_), node);
+  return on_d.empty() ? Vec3(-internal) : Vec3(at(on_d, node) - internal);
+}
+
+void Assembly::residual(std::span<const double> external, std::span<double> r,
+                        std::span<const double> on_d) const {
+  const std::span<const double> fx(force_x_);
+  const auto& s = std::as_const(*state_);
+  const auto count = static_cast<Index>(X_.size());
+#pragma omp parallel for schedule(static) if (count >= 2048)
+  for (Index i = 0; i < count; ++i) {
     const NodeFreedoms& node = freedoms_.nodes[i];
-    const Vec3 f = node.frame * (at(external, i) - at(fx, i));
+    const Vec3 out = at(external, i) - at(fx, i), f = node.oblique ? Vec3(node.frame * out) : out;
     for (int c = 0; c < 3; ++c)
       if (node.equation[c] >= 0) r[node.equation[c]] = f[c];
     if (node.equation[3] < 0) continue;
-    const Vec3 d = at(std::as_const(*state_).d(), i), b1 = at(state_->b1(), i);
-    r[node.equation[3]] = -b1.dot(at(fd, i));
-    if (node.equation[4] >= 0) r[node.equation[4]] = -d.cross(b1).dot(at(fd, i));
+    const Vec3 turning = director_force(i, on_d), b1 = at(s.b1(), i);
+    r[node.equation[3]] = b1.dot(turning);
+    if (node.equation[4] >= 0) r[node.equation[4]] = at(s.d(), i).cross(b1).dot(turning);
   }
-  add_tied_residual(external, r);
+  add_tied_residual(external, r, on_d);
 }
 
 std::pair<double, Index> Assembly::largest_residual(std::span<const double> r) const {

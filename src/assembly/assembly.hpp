@@ -35,6 +35,18 @@ struct BendingEnergy {
   double stored = 0, lost = 0;  // J
 };
 
+// What does work on the cloth from outside, 3 per node, global.
+struct WorkingForces {
+  std::vector<double> on_x;  // N
+  std::vector<double> on_d;  // N m, on directors; empty where no load and no moving support acts on them
+};
+
+// Velocities of all nodes, 3 per node, global.
+struct NodalRates {
+  std::vector<double> x;  // m/s
+  std::vector<double> d;  // 1/s, tangent to the sphere of directors
+};
+
 class Assembly {
  public:
   // Errors: a degenerate element (named); warp without a direction.
@@ -68,12 +80,14 @@ class Assembly {
   void aim(double time) { loads_->aim(time); }
   // Dead loads at a time, 3 per node, N, global.
   void external(double time, std::vector<double>& out) const;
+  bool constant_loads() const { return loads_->constant(); }  // dead loads: the same at all times
   // Follower loads on x at a time, at the trial configuration, 3 per node, N, global.
   void follower(double time, std::vector<double>& out) const;
   bool symmetric_loads() const { return loads_->symmetric(); }
   double spring_energy() const;  // J, stored in springs to ground
-  // r = f_ext - f_int on the unknowns, along the nodes' frames.
-  void residual(std::span<const double> external, std::span<double> r) const;
+  // r = f_ext - f_int on the unknowns, along the nodes' frames. on_d: N m, further forces on directors.
+  void residual(std::span<const double> external, std::span<double> r,
+                std::span<const double> on_d = {}) const;
   std::span<const double> internal_on_x() const { return force_x_; }  // 3 per node, N, global
   std::span<const double> internal_on_d() const { return force_d_; }  // 3 per node, N m
   // Residuals and forces of one kind: N, moments on directors divided by the mean edge length. The largest of
@@ -86,6 +100,31 @@ class Assembly {
   // Force of the supports on one node, N, global: internal minus external along the held and driven
   // directions.
   Vec3 support_force(Index node, std::span<const double> external) const;
+
+  // Dead loads, follower loads and the forces of supports that move, at the trial configuration (its forces
+  // computed, aimed at its time).
+  void working_forces(std::span<const double> dead, WorkingForces& out) const;
+  // Internal forces of a state that has been restored.
+  void restore_forces(std::span<const double> on_x, std::span<const double> on_d);
+
+  // --- motion (motion.cpp)
+  // kg per unknown displacement, kg m^2 per unknown rotation, lumped. Rotary inertia of an element per mass:
+  // what its thickness has, t^2/12 + t^2 zeta_bar^2/4, and if scaled at least A_e/8 [hughes1978]. Error: ties
+  // whose lumped mass is not positive.
+  std::vector<double> lumped_mass(bool scaled) const;
+  const std::vector<double>& rotary_inertia(bool scaled) const { return rotary_[scaled]; }  // kg m^2 per node
+  // Rates of the unknowns (and of the driven freedoms) to velocities of the nodes, at the trial
+  // configuration.
+  void spread_rates(std::span<const double> rates, std::span<const double> driven, NodalRates& out) const;
+  // The other way: what the nodes' velocities give the unknowns. Tied nodes follow what they are tied to.
+  std::vector<double> collect_rates(const NodalRates& nodal) const;
+  // The largest stable step of central differences, s, for the reference configuration: h / c for every
+  // element, c^2 the stiffest tangent over the density, and what the rotary inertia allows.
+  double stable_step(bool scaled) const;
+  double smallest_size() const;    // m, h of the smallest element
+  double largest_stretch() const;  // of edges and diagonals, current over reference
+  // Adds c_x to the diagonal of the nodes' displacements and c_d to that of their rotations, through ties.
+  void add_diagonal(std::span<const double> c_x, std::span<const double> c_d, solver::SparseMatrix& K) const;
 
   // --- reading a state
   // Material strains and law states of one element: f(point weight m^3, law, E[5], state*).
@@ -112,6 +151,7 @@ class Assembly {
   void make_geometry(const std::vector<Vec3>& directors);
   void make_pattern();
   void make_slots();
+  void add_inertia();
   void gather(const Batch& batch, double* x, double* d, double* b) const;
   bool run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix* K, std::span<const double> lead,
            std::span<double> product);
@@ -132,7 +172,9 @@ class Assembly {
   void links(Index node, std::vector<Link>& out) const;
   void add_link_pattern(std::vector<std::vector<Index>>& rows) const;
   void retract_ties(std::span<const double> delta, double scale);
-  void add_tied_residual(std::span<const double> external, std::span<double> r) const;
+  Vec3 director_force(Index node, std::span<const double> on_d) const;
+  void add_tied_residual(std::span<const double> external, std::span<double> r,
+                         std::span<const double> on_d) const;
   Vec3 tied_force(Index lead, std::span<const double> external) const;
   void scatter_tied(solver::SparseMatrix& K, std::span<const double> lead, std::span<double> product) const;
   void add_block(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k, solver::SparseMatrix& K,
@@ -160,7 +202,9 @@ class Assembly {
   std::vector<Care> care_;
   std::vector<double> iterate_;  // kinematics
   std::vector<double> force_x_, force_d_, mass_,
-      mass_moment_;  // mass kg, its first moment about the surface kg m
+      mass_moment_;                  // mass kg, its first moment about the surface kg m
+  std::vector<double> rotary_[2];    // kg m^2 per node: true, scaled
+  std::vector<Index> driven_nodes_;  // with a displacement or a director that is driven
   std::unique_ptr<Loads> loads_;
   std::vector<Vec3> first_axes_;  // of the reference directors, for directors that are driven
   std::vector<Vec3> reference_directors_;

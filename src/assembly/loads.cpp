@@ -1,5 +1,6 @@
 #include "assembly/loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -98,6 +99,7 @@ Loads::Loads(const model::Model& model, const std::vector<double>& mass,
 
 void Loads::aim(double time) {
   aimed_ = time;
+  aimed_gravity_ = gravity_at(time);
   aimed_pressure_.clear();
   for (const auto& p : pressures_) aimed_pressure_.push_back(p.value.value(time));
   aimed_moment_.assign(moments_.empty() ? 0 : mass_.size(), Vec3::Zero());
@@ -108,13 +110,43 @@ void Loads::aim(double time) {
 }
 
 void Loads::dead(double time, std::vector<double>& out) const {
-  out.assign(3 * mass_.size(), 0);
+  out.resize(3 * mass_.size());
   const std::span<double> f(out);
-  for (std::size_t i = 0; i < mass_.size(); ++i) at(f, static_cast<Index>(i)) = mass_[i] * gravity_;
+  const Vec3 gravity = gravity_at(time);
+  for (std::size_t i = 0; i < mass_.size(); ++i) at(f, static_cast<Index>(i)) = mass_[i] * gravity;
   for (const auto& load : dead_) {
     const Vec3 total = load.at(time);
     for (std::size_t i = 0; i < load.nodes.size(); ++i) at(f, load.nodes[i]) += load.share[i] * total;
   }
+}
+
+Vec3 Loads::gravity_at(double time) const {
+  Vec3 g = Vec3::Zero();
+  for (int c = 0; c < 3; ++c)
+    if (gravity_[c]) g[c] = gravity_[c]->value(time);
+  return g;
+}
+
+namespace {
+bool constant(const model::Components& value) {
+  return std::all_of(value.begin(), value.end(), [](const auto& h) { return !h || h->is_constant(); });
+}
+}  // namespace
+
+bool Loads::constant() const {
+  return assembly::constant(gravity_) &&
+         std::all_of(dead_.begin(), dead_.end(), [](const Spread& s) { return assembly::constant(s.value); });
+}
+
+bool Loads::on_directors() const {
+  const bool weighs = std::any_of(gravity_.begin(), gravity_.end(), [](const auto& g) { return bool(g); });
+  return !moments_.empty() ||
+         (weighs && std::any_of(mass_moment_.begin(), mass_moment_.end(), [](double m) { return m != 0; }));
+}
+
+void Loads::add_director_loads(std::span<const double> d, std::span<double> out) const {
+  for (std::size_t i = 0; i < mass_.size(); ++i)
+    at(out, static_cast<Index>(i)) += director_load(i, at(d, static_cast<Index>(i)));
 }
 
 // Pressure: f_A = p sum_g N_A a1 x a2, positive along the normal of the current surface.
@@ -134,7 +166,7 @@ void Loads::add_follower(double time, std::span<const double> x, std::span<doubl
 // Force on a director: gravity off the middle surface (dead), and moments about axes fixed in space, whose
 // work M . (d x delta d) makes M x d.
 Vec3 Loads::director_load(std::size_t node, const Vec3& d) const {
-  Vec3 f = mass_moment_[node] * gravity_;
+  Vec3 f = mass_moment_[node] * aimed_gravity_;
   if (!aimed_moment_.empty()) f += aimed_moment_[node].cross(d);
   return f;
 }
@@ -149,8 +181,9 @@ void Loads::add_to_internal(std::span<const double> x, std::span<const double> d
         const Vec3 f = aimed_pressure_[k] * t.a1.cross(t.a2);
         for (int a = 0; a < corners(nodes); ++a) at(force_x, nodes[a]) -= point.N[a] * f;
       }
-  for (std::size_t i = 0; i < mass_.size(); ++i)
-    at(force_d, static_cast<Index>(i)) -= director_load(i, at(d, static_cast<Index>(i)));
+  if (on_directors())
+    for (std::size_t i = 0; i < mass_.size(); ++i)
+      at(force_d, static_cast<Index>(i)) -= director_load(i, at(d, static_cast<Index>(i)));
   for (const auto& s : springs_) at(force_x, s.node) += s.stiffness * (at(x, s.node) - X[s.node]);
 }
 
@@ -175,7 +208,7 @@ void Loads::add_stiffness(std::span<const double> x, std::span<const double> d, 
         for (int b = 0; b < n; ++b) on_x(nodes[a], nodes[b], block[a][b]);
     }
   for (const auto& s : springs_) on_x(s.node, s.node, s.stiffness);
-  const bool weighs = gravity_.norm() > 0;
+  const bool weighs = aimed_gravity_.norm() > 0;
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     const bool off_middle = weighs && mass_moment_[i] != 0;
     if (aimed_moment_.empty() && !off_middle) continue;

@@ -36,6 +36,11 @@ class Loads {
   const Vec3* moment_on(Index node) const { return aimed_moment_.empty() ? nullptr : &aimed_moment_[node]; }
   // Dead forces on x: gravity, forces, tractions. 3 per node, N, global.
   void dead(double time, std::vector<double>& out) const;
+  bool constant() const;  // are the dead loads the same at all times
+  bool pushes() const { return !pressures_.empty(); }
+  bool on_directors() const;  // can loads act on directors
+  // Adds the loads on directors at the aimed time, N m.
+  void add_director_loads(std::span<const double> d, std::span<double> out) const;
   // out += scale * follower forces on x (pressure) at a time.
   void add_follower(double time, std::span<const double> x, std::span<double> out, double scale) const;
   // Counts follower loads and springs against the internal forces on x and d, at the aimed time.
@@ -71,9 +76,11 @@ class Loads {
   std::vector<Faces> pressures_;
   std::vector<Grounded> springs_;
   std::vector<double> mass_, mass_moment_;
-  Vec3 gravity_;
+  model::Components gravity_;
+  Vec3 gravity_at(double time) const;
   double aimed_ = 0;
   std::vector<double> aimed_pressure_;
+  Vec3 aimed_gravity_ = Vec3::Zero();
   std::vector<Vec3> aimed_moment_;  // per node, N m; empty without moments
 };
 

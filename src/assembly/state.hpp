@@ -32,6 +32,7 @@ class StateStore {
   std::span<double> kinematics() { return trial_; }
   std::span<const double> x() const { return std::span(trial_).subspan(0, 3 * nodes_); }
   std::span<const double> d() const { return std::span(trial_).subspan(3 * nodes_, 3 * nodes_); }
+  std::span<const double> b1() const { return std::span(trial_).subspan(6 * nodes_, 3 * nodes_); }
   std::span<const double> law() const { return evaluated_ ? trial_law_ : committed_law_; }
   // The law's trial copy to be written, all of it.
   std::span<double> evaluate_law() {

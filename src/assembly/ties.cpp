@@ -162,9 +162,10 @@ void Assembly::retract_ties(std::span<const double> delta, double scale) {
   }
 }
 
-void Assembly::add_tied_residual(std::span<const double> external, std::span<double> r) const {
+void Assembly::add_tied_residual(std::span<const double> external, std::span<double> r,
+                                 std::span<const double> on_d) const {
   if (tied_elements_.empty()) return;
-  const std::span<const double> fx(force_x_), fd(force_d_);
+  const std::span<const double> fx(force_x_);
   const auto d = std::as_const(*state_).d();
   for (const Body& body : freedoms_.bodies)
     for (Index i = 0; i < 6; ++i) r[body.equation + i] = 0;
@@ -173,7 +174,8 @@ void Assembly::add_tied_residual(std::span<const double> external, std::span<dou
     if (!freedoms_.ties(i)) continue;
     const Vec3 b1 = at(state_->b1(), i), b2 = Vec3(at(d, i)).cross(b1);
     Column f;
-    f << freedoms_.nodes[i].frame * (at(external, i) - at(fx, i)), -b1.dot(at(fd, i)), -b2.dot(at(fd, i));
+    const Vec3 turning = director_force(i, on_d);
+    f << freedoms_.nodes[i].frame * (at(external, i) - at(fx, i)), b1.dot(turning), b2.dot(turning);
     // What an untied freedom of this node carries is there already.
     for (int c = 0; c < 5; ++c)
       if (freedoms_.nodes[i].equation[c] != tied && !(c == 4 && freedoms_.nodes[i].equation[3] == tied))

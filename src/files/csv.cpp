@@ -57,14 +57,26 @@ void CsvWriter::row(std::span<const double> values) {
   append(line_of(values, number));
 }
 
-// One line by one write; what a full disk took of it is cut off again (a pipe or device has no length to
-// cut).
+void CsvWriter::keep(std::size_t n) {
+  if (n >= rows()) return;
+  ends_.resize(n + 1);
+  cut();
+}
+
+// Back to the end of the last whole line (a pipe or device has no length to cut).
+void CsvWriter::cut() {
+  const std::int64_t length = ends_.empty() ? 0 : ends_.back();
+  [[maybe_unused]] const int cut = ftruncate(file_.number(), length);
+  lseek(file_.number(), length, SEEK_SET);
+}
+
+// One line by one write; what a full disk took of it is cut off again.
 void CsvWriter::append(const std::string& line) {
   if (const int reason = file_.write(line)) {
-    [[maybe_unused]] const int cut = ftruncate(file_.number(), length_);
+    cut();
     cannot_write(path_, reason);
   }
-  length_ += static_cast<std::int64_t>(line.size());
+  ends_.push_back((ends_.empty() ? 0 : ends_.back()) + static_cast<std::int64_t>(line.size()));
 }
 
 }  // namespace fabricsh::files

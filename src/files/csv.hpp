@@ -16,16 +16,20 @@ class CsvWriter {
   CsvWriter(const std::string& path, const std::vector<std::string>& columns);
   // One value per column, 17 significant digits. After an error the file still ends with its last whole row.
   void row(std::span<const double> values);
+  // Takes off all rows but the first n.
+  void keep(std::size_t n);
+  std::size_t rows() const { return ends_.size() - 1; }
   const std::string& path() const { return path_; }
   std::size_t columns() const { return columns_; }
 
  private:
   void append(const std::string& line);
+  void cut();
 
   std::string path_;
   std::size_t columns_;
   Descriptor file_;
-  std::int64_t length_ = 0;  // bytes of whole lines
+  std::vector<std::int64_t> ends_;  // bytes up to the end of the header and of each row
 };
 
 }  // namespace fabricsh::files

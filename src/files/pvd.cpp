@@ -41,14 +41,27 @@ PvdSeries::PvdSeries(const std::string& stem) : stem_(without_extension(stem)), 
   write_index();
 }
 
+std::string PvdSeries::frame_path(std::size_t i) const {
+  char count[32];
+  std::snprintf(count, sizeof count, "_%05zu.vtu", i);
+  return stem_ + count;
+}
+
 void PvdSeries::frame(double time, const Grid& grid) {
-  char count[24];
-  std::snprintf(count, sizeof count, "_%05zu.vtu", entries_.size());
-  const std::string path = stem_ + count;
+  const std::string path = frame_path(entries_.size());
   write_vtu(path, grid, Sync::no);
   entries_.push_back("    <DataSet timestep=\"" + short_number(time) + "\" file=\"" + xml(file_name(path)) +
                      "\"/>\n");
   write_index();
+}
+
+void PvdSeries::keep(std::size_t n) {
+  const std::size_t before = entries_.size();
+  if (n >= before) return;
+  entries_.resize(n);
+  write_index();
+  std::error_code ignored;
+  for (std::size_t i = n; i < before; ++i) std::filesystem::remove(frame_path(i), ignored);
 }
 
 void PvdSeries::write_index() const {

@@ -14,10 +14,12 @@ class PvdSeries {
   explicit PvdSeries(const std::string& stem);
   // The grid goes to the next .vtu, then the .pvd that names it is replaced: it is valid at any instant.
   void frame(double time, const Grid& grid);
+  void keep(std::size_t n);  // takes off all frames but the first n
   const std::string& path() const { return path_; }
   std::size_t frames() const { return entries_.size(); }
 
  private:
+  std::string frame_path(std::size_t i) const;
   void write_index() const;
 
   std::string stem_, path_;

@@ -19,6 +19,7 @@ class History {
   double value(double t) const;
   // d value / dt from the right; callbacks by central difference over step.
   double rate(double t, double step = 1e-6) const;
+  bool is_constant() const { return !callback_ && points_.size() <= 1; }
   const std::vector<double>& kinks() const { return kinks_; }
 
  private:

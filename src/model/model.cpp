@@ -106,10 +106,17 @@ void Model::force(const std::string& set, Components total, const Mat3& frame) {
   forces_.push_back({set, std::move(total), frame});
 }
 
-void Model::gravity(const Vec3& acceleration) {
+void Model::gravity(Components acceleration) {
   check_open("gravity");
-  if (!acceleration.allFinite()) throw Error("gravity: expected three finite numbers in m/s^2");
-  gravity_ = acceleration;
+  gravity_ = std::move(acceleration);
+}
+
+void Model::velocity(InitialVelocity velocity) {
+  check_open("velocity");
+  mesh_->set(velocity.set);
+  if (!velocity.linear.allFinite() || !velocity.spin.allFinite() || !velocity.centre.allFinite())
+    throw Error("velocity: expected finite numbers in m/s, degrees/s and m");
+  velocities_.push_back(std::move(velocity));
 }
 
 void Model::moment(const std::string& set, Components total, const Mat3& frame) {
@@ -187,6 +194,7 @@ std::vector<double> Model::kinks() const {
   for (const auto& m : moments_) add_each(m.total);
   for (const auto& t : tractions_) add_each(t.intensity);
   for (const auto& p : pressures_) add(p.value);
+  add_each(gravity_);
   for (const auto& t : turns_) add(t.angle);
   std::sort(all.begin(), all.end());
   return all;

@@ -42,6 +42,10 @@ struct Freedoms {
 Freedoms parse_freedoms(const std::string& words, const std::string& call = "fix");
 
 using Components = std::array<std::optional<History>, 3>;
+// The same at all times.
+inline Components steady(const Vec3& v) {
+  return {History::constant(v.x()), History::constant(v.y()), History::constant(v.z())};
+}
 
 struct Support {
   std::string set;
@@ -88,6 +92,14 @@ struct Turn {
   std::optional<Vec3> centre;  // m
 };
 
+// Velocity at time 0 of a set's nodes, and of their directors with the spin: v + spin x (X - centre).
+struct InitialVelocity {
+  std::string set;
+  Vec3 linear = Vec3::Zero();  // m/s
+  Vec3 spin = Vec3::Zero();    // rad/s
+  Vec3 centre = Vec3::Zero();  // m
+};
+
 // equal     the nodes of the set share their displacements
 // straight  they stay on the line between the set's two extreme nodes, where they lie on it in the reference
 // rigid     nodes and directors move as one rigid body
@@ -118,13 +130,15 @@ class Model {
   void fix(const std::string& set, const Freedoms& fixed, const Mat3& frame = global_frame());
   void move(const std::string& set, Components displacement, const Mat3& frame = global_frame());
   void force(const std::string& set, Components total, const Mat3& frame = global_frame());
-  void gravity(const Vec3& acceleration);  // m/s^2
+  void gravity(Components acceleration);  // m/s^2
   void moment(const std::string& set, Components total, const Mat3& frame = global_frame());
   void traction(const std::string& set, Components intensity, const Mat3& frame = global_frame());
   void pressure(const std::string& set, History value);
   void spring(const std::string& set, const std::array<double, 3>& stiffness,
               const Mat3& frame = global_frame());
   void turn(const std::string& set, const Vec3& axis, History angle, std::optional<Vec3> centre);
+  // At time 0, for a run in motion. Error: a number that is not finite.
+  void velocity(InitialVelocity velocity);
   void symmetry(const std::string& set,
                 int axis);  // plane normal to axis 0, 1 or 2: that displacement, two rotations
 
@@ -146,7 +160,8 @@ class Model {
   const std::vector<Support>& supports() const { return supports_; }
   const std::vector<Motion>& motions() const { return motions_; }
   const std::vector<Force>& forces() const { return forces_; }
-  const Vec3& gravity() const { return gravity_; }
+  const Components& gravity() const { return gravity_; }
+  const std::vector<InitialVelocity>& velocities() const { return velocities_; }
   const std::vector<Moment>& moments() const { return moments_; }
   const std::vector<Traction>& tractions() const { return tractions_; }
   const std::vector<Pressure>& pressures() const { return pressures_; }
@@ -175,7 +190,8 @@ class Model {
   std::vector<Spring> springs_;
   std::vector<Turn> turns_;
   std::vector<Tie> ties_;
-  Vec3 gravity_ = Vec3::Zero();
+  Components gravity_;
+  std::vector<InitialVelocity> velocities_;
   bool sealed_ = false;
 };
 

@@ -45,8 +45,8 @@ bool VtkSeries::wants(const std::string& field) const {
   return fields_.empty() || std::find(fields_.begin(), fields_.end(), field) != fields_.end();
 }
 
-void VtkSeries::frame(const analysis::Static& run) {
-  if (run.time() == last_time_) return;
+void VtkSeries::frame(const analysis::Run& run) {
+  if (!steps_.empty() && run.steps().size() == steps_.back()) return;
   const auto& mesh = run.model().mesh();
   std::vector<Vec3> points;
   Array displacement{"displacement", 3, {}, {}}, director{"director", 3, {}, {}};
@@ -85,7 +85,12 @@ void VtkSeries::frame(const analysis::Static& run) {
   if (wants("warp")) grid.cell_data.push_back(std::move(warp));
   if (wants("weft")) grid.cell_data.push_back(std::move(weft));
   series_.frame(run.time(), grid);
-  last_time_ = run.time();
+  steps_.push_back(run.steps().size());
+}
+
+void VtkSeries::rewind(std::size_t step) {
+  while (!steps_.empty() && steps_.back() > step) steps_.pop_back();
+  series_.keep(steps_.size());
 }
 
 }  // namespace fabricsh::output

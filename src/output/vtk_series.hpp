@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/analysis.hpp"
+#include "analysis/run.hpp"
 #include "files/pvd.hpp"
 
 namespace fabricsh::output {
@@ -13,15 +13,16 @@ class VtkSeries {
   // fields: some of field_names(), empty for all. Errors: unknown field (with the list); a folder that can't
   // be written.
   VtkSeries(const std::string& stem, std::vector<std::string> fields);
-  // The state that the analysis holds now. A frame at the time of the last one is not written again.
-  void frame(const analysis::Static& run);
+  // The state that the analysis holds now. A frame of the step of the last one is not written again.
+  void frame(const analysis::Run& run);
+  void rewind(std::size_t step);  // takes off the frames later than a step
   const std::string& path() const { return series_.path(); }
 
  private:
   bool wants(const std::string& field) const;
   files::PvdSeries series_;
   std::vector<std::string> fields_;
-  double last_time_ = -1;
+  std::vector<std::size_t> steps_;  // of the frames
 };
 
 // At nodes: displacement (m) and director. In elements, averages over the reference volume in material axes:

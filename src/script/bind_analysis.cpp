@@ -1,4 +1,4 @@
-// fabric.static: the run, its hooks, and what can be read from it.
+// An analysis: driving it, its hooks, and what can be read from it.
 #include <algorithm>
 #include <chrono>
 
@@ -7,50 +7,12 @@
 
 namespace fabricsh::script {
 
-using analysis::Static;
-
 template <>
-struct ClassName<const Static::Snapshot> {
+struct ClassName<const analysis::Run::Snapshot> {
   static constexpr const char* name = "snapshot";
 };
 
 namespace {
-
-// Place of a word in a list that the row has checked it against.
-template <class Choice>
-Choice chosen(const std::string& word, const std::vector<std::string>& words) {
-  return static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-const std::vector<std::string> linears{"auto", "symmetric", "unsymmetric"}, controls{"load", "arc"},
-    methods{"newton", "relaxation", "either"};
-
-void read_scheme(Call& call, analysis::StaticOptions& options) {
-  if (call.has("min_step")) options.min_step = call.number("min_step");
-  options.linear = chosen<analysis::Linear>(call.text("linear"), linears);
-  options.control = chosen<analysis::Control>(call.text("control"), controls);
-  options.method = chosen<analysis::Method>(call.text("method"), methods);
-  if (!call.has("stabilise")) return;
-  if (call.is("stabilise", LUA_TNUMBER))
-    options.stabilise = call.number("stabilise");
-  else if (call.flag("stabilise"))
-    options.stabilise = analysis::usual_stabilisation;
-}
-
-int make(Call& call) {
-  analysis::StaticOptions options;
-  options.duration = call.number("duration");
-  if (call.has("step")) options.step = call.number("step");
-  options.tolerance = call.number("tolerance");
-  options.max_iterations = static_cast<int>(call.integer("max_iterations"));
-  options.max_cuts = static_cast<int>(call.integer("max_cuts"));
-  options.line_search = call.flag("line_search");
-  read_scheme(call, options);
-  Session& session = call.session();
-  const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
-  auto run = std::make_shared<Static>(call.object<model::Model>("model"), options, notices);
-  push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
-  return 1;
-}
 
 // --- driving ---
 
@@ -64,48 +26,62 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// A line of progress every two seconds.
-void report(const Run& run, const Clock& clock, double& last) {
-  if (!run.session.options().progress || clock.seconds() < last + 2) return;
-  last = clock.seconds();
-  const Static& a = *run.analysis;
-  const int iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
-  char line[160];
-  std::snprintf(line, sizeof line, "t = %.6g of %.6g s, step %zu, %d iterations, %.0f s", a.time(),
-                a.duration(), a.steps().size(), iterations, last);
-  run.session.options().progress(line);
-}
-
-void go(Run& run, const Clock& clock) {
-  Static& a = *run.analysis;
-  double last = 0;
-  while (!a.stopped() && a.time() < a.duration() * (1 - 1e-12)) {
-    a.step();
-    report(run, clock, last);
-    if (run.session.take_interrupt())
-      throw Error("interrupted at " + number_text(a.time()) + " s; the run is alive, solve() goes on");
+// A line of progress every two seconds, and Ctrl-C.
+class Watch {
+ public:
+  explicit Watch(const Run& run) : run_(run) {}
+  double seconds() const { return clock_.seconds(); }
+  void look() {
+    report();
+    if (run_.session.take_interrupt())
+      throw Error("interrupted at " + number_text(run_.analysis->time()) +
+                  " s; the run is alive, solve() goes on");
   }
-}
 
-// Does the work, keeps the time, leaves outputs and run.json as far as it came.
+ private:
+  void report() {
+    if (!run_.session.options().progress || clock_.seconds() < last_ + 2) return;
+    last_ = clock_.seconds();
+    const analysis::Run& a = *run_.analysis;
+    const int iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
+    char line[160];
+    std::snprintf(line, sizeof line, "t = %.6g of %.6g s, step %zu, %d iterations, %.0f s", a.time(),
+                  a.duration(), a.steps().size(), iterations, last_);
+    run_.session.options().progress(line);
+  }
+
+  const Run& run_;
+  Clock clock_;
+  double last_ = 0;
+};
+
+// Does the work, keeps the time. Where the run ends or fails, the outputs get its last state; run.json says
+// how far it came.
 template <class Work>
 void drive(Run& run, Work work) {
   if (run.session.options().check) return;
-  const Clock clock;
+  analysis::Run& a = *run.analysis;
+  Watch watch(run);
   const double before = run.seconds;
-  const auto leave = [&](const std::string& status) {
-    run.seconds = before + clock.seconds();
-    for (const auto& finish : run.finish) finish();
-    run.record.write(*run.analysis, status, run.seconds);
+  a.monitor([&watch](analysis::Run&) { watch.look(); });
+  const auto leave = [&](const std::string& status, bool ended) {
+    a.monitor({});
+    run.seconds = before + watch.seconds();
+    if (ended)
+      for (const auto& finish : run.finish) finish();
+    run.record.write(a, status, run.seconds);
   };
   try {
-    work(clock);
+    work(a);
   } catch (const std::exception& trouble) {
-    leave(trouble.what());
+    leave(trouble.what(), true);
+    throw;
+  } catch (...) {  // an error of Lua's in a hook: what it says stays where Lua has it
+    leave("an error in a hook", false);
     throw;
   }
-  const Static& a = *run.analysis;
-  leave(a.stopped() ? "stopped: " + a.stop_reason() : "done");
+  const bool ended = a.stopped() || a.time() >= a.duration() * (1 - 1e-12);
+  leave(a.stopped() ? "stopped: " + a.stop_reason() : ended ? "done" : "under way", ended);
 }
 
 int chain(const Call& call) {
@@ -114,20 +90,18 @@ int chain(const Call& call) {
 }
 
 int solve(Call& call) {
-  const auto run = call.self<Run>();
-  drive(*run, [&run](const Clock& clock) { go(*run, clock); });
+  drive(*call.self<Run>(), [](analysis::Run& a) { a.solve(); });
   return chain(call);
 }
 
 int advance(Call& call) {
-  const auto run = call.self<Run>();
-  drive(*run, [&](const Clock&) { run->analysis->advance(call.number("time")); });
+  const double time = call.number("time");
+  drive(*call.self<Run>(), [time](analysis::Run& a) { a.advance(time); });
   return chain(call);
 }
 
 int step(Call& call) {
-  const auto run = call.self<Run>();
-  drive(*run, [&run](const Clock&) { run->analysis->step(); });
+  drive(*call.self<Run>(), [](analysis::Run& a) { a.step(); });
   return chain(call);
 }
 
@@ -146,7 +120,7 @@ void run_hook(const Hook& hook) {
 int every(Call& call) {
   const auto run = call.self<Run>();
   const Hook hook(call, "action", run.get());
-  const auto act = [hook](Static&) { run_hook(hook); };
+  const auto act = [hook](analysis::Run&) { run_hook(hook); };
   if (call.is("interval", LUA_TSTRING))
     run->analysis->every_step(act);
   else
@@ -167,9 +141,9 @@ double event_value(const Hook& hook) {
 int event(Call& call) {
   const auto run = call.self<Run>();
   const Hook value(call, "value", run.get());
-  analysis::Static::Hook act;
-  if (call.has("action")) act = [hook = Hook(call, "action", run.get())](Static&) { run_hook(hook); };
-  run->analysis->event([value](Static&) { return event_value(value); }, call.number("tolerance"), act);
+  analysis::Run::Hook act;
+  if (call.has("action")) act = [hook = Hook(call, "action", run.get())](analysis::Run&) { run_hook(hook); };
+  run->analysis->event([value](analysis::Run&) { return event_value(value); }, call.number("tolerance"), act);
   return chain(call);
 }
 
@@ -280,26 +254,17 @@ int snapshot(Call& call) {
 }
 
 int restore(Call& call) {
-  call.self<Run>()->analysis->restore(*call.object<const Static::Snapshot>("snapshot"));
+  call.self<Run>()->analysis->restore(*call.object<const analysis::Run::Snapshot>("snapshot"));
   return chain(call);
 }
 
 int run_text(lua_State* L) {
-  const Static& a = *to_object<Run>(L, 1)->analysis;
+  const analysis::Run& a = *to_object<Run>(L, 1)->analysis;
   char words[160];
-  std::snprintf(words, sizeof words, "<static analysis, t = %.6g of %.6g s, %zu steps%s>", a.time(),
+  std::snprintf(words, sizeof words, "<%s analysis, t = %.6g of %.6g s, %zu steps%s>", a.kind(), a.time(),
                 a.duration(), a.steps().size(), a.stopped() ? ", stopped" : "");
   lua_pushstring(L, words);
   return 1;
-}
-
-const std::string sample() {
-  return "local fabric = require 'fabric'\n"
-         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
-         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
-         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, "
-         "1) })\n"
-         "local a = fabric.static{ model=m, duration=1, step=0.25 }\n";
 }
 
 Argument name_row() {
@@ -311,59 +276,30 @@ Argument name_row() {
 
 std::vector<Entry> driving() {
   return {
-      {"fabric.static",
-       Style::fields,
-       {object_("model", "model", "what is computed"),
-        number_("duration", "s", positive, "time to run to"),
-        number_("step", "s", positive, "largest step; default duration/20").optional(),
-        number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force")
-            .or_else(1e-10),
-        integer_("max_iterations", from_one, "of one step, before it is cut").or_else(50),
-        integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").or_else(12),
-        value_("line_search", boolean, "on the energy along the Newton step").or_else(true),
-        number_("min_step", "s", positive, "smallest step that cuts go down to").optional(),
-        value_("linear", text,
-               "direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric")
-            .or_else("auto")
-            .one_of(linears),
-        value_("control", text,
-               "load: steps in time; arc: steps along the path, past limit points, where time may go down")
-            .or_else("load")
-            .one_of(controls),
-        value_("method", text,
-               "newton; relaxation: every step by dynamic relaxation; either: it for a step that Newton "
-               "can't do")
-            .or_else("newton")
-            .one_of(methods),
-        {"stabilise", boolean | number, "", Range{0, 1, false, true},
-         "viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4", false}},
-       "A quasi-static run: Newton's method through the histories' time.",
-       sample() + "assert(a.duration == 1)",
-       make},
       {"analysis:solve",
        Style::positional,
        {},
        "Runs to the duration, or to where a hook stopped it; returns the analysis.",
-       sample() + "assert(a:solve().time == 1)",
+       sample_run() + "assert(a:solve().time == 1)",
        solve},
       {"analysis:advance",
        Style::positional,
        {number_("time", "s", not_negative, "absolute time to run to and land on")},
        "Runs to an absolute time.",
-       sample() + "assert(a:advance(0.3).time == 0.3)",
+       sample_run() + "assert(a:advance(0.3).time == 0.3)",
        advance},
       {"analysis:step",
        Style::positional,
        {},
        "One committed step.",
-       sample() + "assert(a:step().time == 0.25)",
+       sample_run() + "assert(a:step().time == 0.25)",
        step},
       {"analysis:stop",
        Style::positional,
        {value_("reason", text, "why, for a.stopped and run.json").or_else("asked for")},
        "Ends the run after the current step; to be called from a hook.",
-       sample() + "a:every('step', function(run) if run.time >= 0.5 then run:stop 'enough' end end)\n"
-                  "assert(a:solve().stopped == 'enough' and a.time == 0.5)",
+       sample_run() + "a:every('step', function(run) if run.time >= 0.5 then run:stop 'enough' end end)\n"
+                      "assert(a:solve().stopped == 'enough' and a.time == 0.5)",
        stop},
       {"analysis:every",
        Style::positional,
@@ -377,7 +313,7 @@ std::vector<Entry> driving() {
          {"step"}},
         value_("action", function, "function(a)")},
        "Calls a function at the start and then at an interval, or after each step.",
-       sample() + "local n = 0\na:every(0.5, function(run) n = n + 1 end)\na:solve()\nassert(n == 3)",
+       sample_run() + "local n = 0\na:every(0.5, function(run) n = n + 1 end)\na:solve()\nassert(n == 3)",
        every},
       {"analysis:event",
        Style::fields,
@@ -385,27 +321,27 @@ std::vector<Entry> driving() {
         number_("tolerance", "", positive, "of the value, over the largest it has had").or_else(1e-6),
         value_("action", function, "function(a), called there").optional()},
        "Finds where a value crosses zero inside a step, lands there, commits, and calls the action.",
-       sample() + "a:event{ value=function(run) return run:mean 'E11' - 0.1 end, action=function(run) "
-                  "run:stop() end }\n"
-                  "a:solve()\nassert(math.abs(a:mean 'E11' - 0.1) < 1e-6)",
+       sample_run() + "a:event{ value=function(run) return run:mean 'E11' - 0.1 end, action=function(run) "
+                      "run:stop() end }\n"
+                      "a:solve()\nassert(math.abs(a:mean 'E11' - 0.1) < 1e-6)",
        event},
       {"analysis:snapshot",
        Style::positional,
        {},
        "A copy of the whole state.",
-       sample() + "local s = a:snapshot()",
+       sample_run() + "local s = a:snapshot()",
        snapshot},
       {"analysis:restore",
        Style::positional,
        {object_("snapshot", "snapshot", "taken of this analysis")},
        "Goes back to a snapshot.",
-       sample() + "local s = a:snapshot()\na:solve():restore(s)\nassert(a.time == 0)",
+       sample_run() + "local s = a:snapshot()\na:solve():restore(s)\nassert(a.time == 0)",
        restore},
   };
 }
 
 std::vector<Entry> reading() {
-  const std::string run = sample();
+  const std::string run = sample_run();
   return {
       {"analysis:reaction",
        Style::positional,

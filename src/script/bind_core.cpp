@@ -163,6 +163,8 @@ void bind_all(Session& session) {
   bind_files(session);
   bind_render(session);
   bind_analysis(session);
+  bind_static(session);
+  bind_dynamic(session);
   bind_outputs(session);
   bind_check(session);
   bind_table(session);

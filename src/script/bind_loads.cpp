@@ -1,5 +1,7 @@
 // fabric.model's loads and supports beyond fix, move and force: moment, traction, pressure, spring, turn,
 // symmetry; plies.
+#include <numbers>
+
 #include "model/model.hpp"
 #include "script/bind.hpp"
 #include "script/bind_model.hpp"
@@ -49,6 +51,19 @@ int turn(Call& call) {
   model::History angle = read_history(call.session(), call.L(), -1, "turn: field 'angle'");
   lua_pop(call.L(), 1);
   call.self<Model>()->turn(call.text("set"), axis, std::move(angle), centre);
+  return return_self(call);
+}
+
+int velocity(Call& call) {
+  const Fields given = call.fields("velocity");
+  model::InitialVelocity v{call.text("set")};
+  const char* const axes[] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i)
+    if (given.has(axes[i])) v.linear[i] = given.number(axes[i]);
+  if (given.has("spin"))
+    v.spin = std::numbers::pi / 180 * read_vector(given.numbers("spin"), "velocity: field 'spin'");
+  if (given.has("centre")) v.centre = read_vector(given.numbers("centre"), "velocity: field 'centre'");
+  call.self<Model>()->velocity(std::move(v));
   return return_self(call);
 }
 
@@ -116,6 +131,20 @@ std::vector<Entry> rows() {
        "Turns the directors of a node set rigidly, and with a centre the nodes too: a rotating grip.",
        sample + "m:turn('top', { axis={1,0,0}, angle=fabric.ramp(90, 1) })",
        turn},
+      {"model:velocity",
+       Style::positional,
+       {set_row(),
+        fields_(
+            "velocity",
+            {number_("x", "m/s", everything, "along x").optional(),
+             number_("y", "m/s", everything, "along y").optional(),
+             number_("z", "m/s", everything, "along z").optional(),
+             value_("spin", numbers, "{wx, wy, wz}, degrees/s: beside it a rigid rotation").optional(),
+             value_("centre", numbers, "{x, y, z}, m: a point of its axis; default {0, 0, 0}").optional()},
+            "{x=, y=, z=, spin=, centre=}")},
+       "Velocity of a node set at time 0, for fabric.dynamic.",
+       sample + "m:velocity('all', { z=-2, spin={0, 0, 360} })",
+       velocity},
       {"model:symmetry",
        Style::positional,
        {set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},

@@ -175,7 +175,20 @@ int force(Call& call) {
 }
 
 int gravity(Call& call) {
-  call.self<Model>()->gravity(read_vector(call.numbers("acceleration"), "argument 'acceleration'"));
+  lua_State* L = call.L();
+  call.push("acceleration");
+  if (const auto n = lua_rawlen(L, -1); n != 3)
+    throw Error("gravity: argument 'acceleration': expected {gx, gy, gz}, got " + std::to_string(n) +
+                " values");
+  model::Components acceleration;
+  for (int i = 0; i < 3; ++i) {
+    lua_rawgeti(L, -1, i + 1);
+    acceleration[i] = read_history(call.session(), L, -1,
+                                   "gravity: argument 'acceleration[" + std::to_string(i + 1) + "]'");
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  call.self<Model>()->gravity(std::move(acceleration));
   return return_self(call);
 }
 
@@ -247,7 +260,7 @@ std::vector<Entry> rows() {
        force},
       {"model:gravity",
        Style::positional,
-       {Argument{"acceleration", numbers, "m/s^2", everything, "{gx, gy, gz}"}},
+       {Argument{"acceleration", table, "m/s^2", everything, "{gx, gy, gz}, each a history"}},
        "Lets gravity act on the whole sheet.",
        sample + "m:gravity{0, 0, -9.81}",
        gravity},

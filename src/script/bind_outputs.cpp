@@ -1,5 +1,6 @@
 // a:record and a:vtk.
 #include <algorithm>
+#include <filesystem>
 
 #include "files/csv.hpp"
 #include "output/vtk_series.hpp"
@@ -8,17 +9,26 @@
 
 namespace fabricsh::script {
 
-using analysis::Static;
-
 namespace {
 
 // Calls `frame` as often as the options say, and once more when the run ends.
-void schedule(Run& run, const Fields& options, const std::function<void(Static&)>& frame) {
+template <class Output>
+void schedule(Run& run, const Fields& options, const std::shared_ptr<Output>& output) {
+  const auto frame = [output](analysis::Run& a) { output->frame(a); };
+  const auto repeat = analysis::Run::AfterError::repeat;
   if (!options.has("every") || options.is("every", LUA_TSTRING))
-    run.analysis->every_step(frame);
+    run.analysis->every_step(frame, repeat);
   else
-    run.analysis->every(options.number("every"), frame);
+    run.analysis->every(options.number("every"), frame, repeat);
+  run.analysis->on_restore([output](analysis::Run& a) { output->rewind(a.steps().size()); });
   run.finish.emplace_back([frame, analysis = run.analysis.get()] { frame(*analysis); });
+}
+
+// Error: the run writes there already.
+void claim(Run& run, const std::string& path) {
+  const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
+  if (!run.paths.insert(absolute).second)
+    throw Error("argument 1: '" + path + "' is an output of this run already");
 }
 
 struct Column {
@@ -26,18 +36,24 @@ struct Column {
   Hook value;
 };
 
-// One row of the table, unless the time has one.
+// One row of the table, unless the step has one.
 class Record {
  public:
   Record(const std::string& path, std::vector<Column> columns)
       : columns_(std::move(columns)), writer_(path, names()) {}
 
-  void row(const Static& run) {
-    if (run.time() <= last_) return;
+  void frame(const analysis::Run& run) {
+    if (!steps_.empty() && run.steps().size() == steps_.back()) return;
     std::vector<double> values = {run.time()};
     for (const Column& column : columns_) values.push_back(value(column));
     writer_.row(values);
-    last_ = run.time();
+    steps_.push_back(run.steps().size());
+  }
+
+  // Takes off the rows later than a step.
+  void rewind(std::size_t step) {
+    while (!steps_.empty() && steps_.back() > step) steps_.pop_back();
+    writer_.keep(steps_.size());
   }
 
  private:
@@ -60,7 +76,7 @@ class Record {
 
   std::vector<Column> columns_;
   files::CsvWriter writer_;
-  double last_ = -1;
+  std::vector<std::size_t> steps_;  // of the rows
 };
 
 std::vector<std::string> text_list(const Fields& fields, const char* name) {
@@ -127,9 +143,10 @@ int record(Call& call) {
     columns.push_back({name, column_hook(options, name, run.get())});
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
+  claim(*run, call.text("path"));
   const auto table = std::make_shared<Record>(call.text("path"), std::move(columns));
   run->record.add_output(call.text("path"));
-  schedule(*run, options, [table](Static& a) { table->row(a); });
+  schedule(*run, options, table);
   return 1;
 }
 
@@ -144,9 +161,10 @@ int vtk(Call& call) {
   const std::vector<std::string> fields = text_list(options, "fields");
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
+  claim(*run, call.text("stem") + ".pvd");
   const auto series = std::make_shared<output::VtkSeries>(call.text("stem"), fields);
   run->record.add_output(series->path());
-  schedule(*run, options, [series](Static& a) { series->frame(a); });
+  schedule(*run, options, series);
   return 1;
 }
 
@@ -157,14 +175,7 @@ Argument every_row() {
 }
 
 std::vector<Entry> rows() {
-  const std::string sample =
-      "local fabric = require 'fabric'\n"
-      "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
-      "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
-      "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, 1) "
-      "})\n"
-      "local a = fabric.static{ model=m, duration=1, step=0.5 }\n"
-      "local name = os.tmpname()\nos.remove(name)\n";
+  const std::string sample = sample_run() + "local name = os.tmpname()\nos.remove(name)\n";
   return {
       {"analysis:record",
        Style::positional,

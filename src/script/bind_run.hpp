@@ -1,6 +1,8 @@
 // What the bindings of models and analyses share.
 #pragma once
-#include "analysis/analysis.hpp"
+#include <set>
+
+#include "analysis/run.hpp"
 #include "script/bind.hpp"
 
 namespace fabricsh::script {
@@ -16,7 +18,7 @@ class RunRecord {
   explicit RunRecord(const Session& session) : session_(session) {}
   void add_output(const std::string& path) { outputs_.push_back(path); }
   // Writes one run.json into each folder that holds an output; nothing without outputs.
-  void write(const analysis::Static& run, const std::string& status, double seconds) const;
+  void write(const analysis::Run& run, const std::string& status, double seconds) const;
 
  private:
   const Session& session_;
@@ -25,11 +27,12 @@ class RunRecord {
 
 // An analysis as Lua sees it: the run, its outputs, the functions that it calls.
 struct Run {
-  Run(Session& s, std::shared_ptr<analysis::Static> a) : session(s), analysis(std::move(a)), record(s) {}
+  Run(Session& s, std::shared_ptr<analysis::Run> a) : session(s), analysis(std::move(a)), record(s) {}
   Session& session;
-  std::shared_ptr<analysis::Static> analysis;
+  std::shared_ptr<analysis::Run> analysis;
   RunRecord record;
   std::vector<std::function<void()>> finish;  // writes the last frame of each output
+  std::set<std::string> paths;                // of the outputs
   double seconds = 0;                         // spent so far
 };
 
@@ -51,12 +54,17 @@ class Hook {
   int slot_;
 };
 
+// A pull of a strip of three elements in 4 steps, for examples: fabric, mesh, m and a.
+std::string sample_run();
+
 void push_run(lua_State* L, std::shared_ptr<Run> run);
 void bind_point(Session& session);
 void bind_model(Session& session);
 void bind_files(Session& session);
 void bind_render(Session& session);
 void bind_analysis(Session& session);
+void bind_static(Session& session);
+void bind_dynamic(Session& session);
 void bind_outputs(Session& session);
 void bind_check(Session& session);
 void bind_table(Session& session);

@@ -54,7 +54,7 @@ std::string file_bytes(const std::string& path) {
   return bytes;
 }
 
-files::Json steps_json(const analysis::Static& run) {
+files::Json steps_json(const analysis::Run& run) {
   std::int64_t iterations = 0, cuts = 0;
   double worst = 0;
   for (const auto& step : run.steps()) {
@@ -64,11 +64,20 @@ files::Json steps_json(const analysis::Static& run) {
   }
   files::Json json = files::Json::object();
   json.set("count", run.steps().size()).set("iterations", iterations).set("cuts", cuts);
-  json.set("largest_final_residual", worst).set("tolerance", run.options().tolerance);
+  json.set("largest_final_residual", worst).set("tolerance", run.tolerance());
   return json;
 }
 
 }  // namespace
+
+std::string sample_run() {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
+         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, "
+         "1) })\n"
+         "local a = fabric.static{ model=m, duration=1, step=0.25 }\n";
+}
 
 void push_run(lua_State* L, std::shared_ptr<Run> run) {
   const Run* address = run.get();
@@ -102,7 +111,7 @@ lua_State* Hook::push() const {
   return L;
 }
 
-void RunRecord::write(const analysis::Static& run, const std::string& status, double seconds) const {
+void RunRecord::write(const analysis::Run& run, const std::string& status, double seconds) const {
   if (outputs_.empty()) return;
   const Options& options = session_.options();
   const std::string card = card_text(run.model().card());

@@ -4,7 +4,7 @@
 #include <memory>
 #include <numbers>
 
-#include "analysis/analysis.hpp"
+#include "analysis/static.hpp"
 
 namespace fabricsh::test {
 
@@ -60,6 +60,6 @@ inline std::shared_ptr<model::Model> make_roof(const Roof& r) {
   return m;
 }
 
-inline double sag(const analysis::Static& a) { return -a.node(0).u.z(); }
+inline double sag(const analysis::Run& a) { return -a.node(0).u.z(); }
 
 }  // namespace fabricsh::test

@@ -18,7 +18,7 @@ struct Point {
 std::vector<Point> follow(const Roof& roof, StaticOptions options) {
   Static a(make_roof(roof), options, quiet());
   std::vector<Point> path;
-  a.every_step([&](Static& run) { path.push_back({roof.load_at(run.time()), sag(run)}); });
+  a.every_step([&](analysis::Run& run) { path.push_back({roof.load_at(run.time()), sag(run)}); });
   a.solve();
   std::printf("  %g mm, %s: %zu steps, ", roof.thickness, options.control == Control::arc ? "arc" : "load",
               a.steps().size());
@@ -131,7 +131,7 @@ TEST_CASE("driven supports along an arc: the roof's middle pushed down gives the
     m->move("centre", down);
     Static a(m, {.duration = 1, .step = 0.02, .control = control}, quiet());
     int checked = 0;
-    a.every_step([&](Static& run) {
+    a.every_step([&](analysis::Run& run) {
       const double w = sag(run), want = load_at(loaded, w);
       if (w < 1 || std::isnan(want)) return;
       ++checked;
@@ -147,8 +147,8 @@ TEST_CASE("an event along an arc is found inside a step") {
   const Roof roof;
   Static a(make_roof(roof), {.duration = 1, .step = 0.05, .control = Control::arc}, quiet());
   double at = 0;
-  a.event([](Static& run) { return sag(run) - 15; }, 1e-9,
-          [&](Static& run) {
+  a.event([](analysis::Run& run) { return sag(run) - 15; }, 1e-9,
+          [&](analysis::Run& run) {
             at = sag(run);
             run.stop("there");
           });

@@ -141,7 +141,7 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
       {"rigid",
        [&](model::Model& m) {
          m.tie({model::TieKind::rigid, "top", {}, {}});
-         m.gravity({1e4, 2e5, -3e5});
+         m.gravity(model::steady({1e4, 2e5, -3e5}));
          m.force("top", along_x(30), frame);
          m.pressure("all", history::History::constant(2e5));
          m.moment("top", along_x(0.3), model::frame_from(Vec3(1, 2, 3), Vec3(0, 1, 0)));
@@ -182,7 +182,11 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
     CHECK(std::log10(errors[0] / errors[1]) > 1.95);
   }
   // Gravity off the middle surface loads the directors; strong enough here to be seen.
-  const auto m = loaded_sheet([](model::Model& sheet) { sheet.gravity({3e5, -1e6, 2e6}); }, 0.8);
+  const auto m = loaded_sheet(
+      [](model::Model& sheet) {
+        sheet.gravity(model::steady({3e5, -1e6, 2e6}));
+      },
+      0.8);
   assembly::Assembly a(*m);
   CHECK(tangent_errors(a)[1] < 1e-9);
 }

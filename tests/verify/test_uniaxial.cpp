@@ -49,7 +49,7 @@ TEST_CASE("free ends: S = P(E), lateral ratio and unloading slope at every step,
       s.unload_to = unload_to;
       s.step = 0.5 / steps;
       analysis::Static a(make_strip(s), {.duration = 1, .step = s.step}, quiet());
-      a.every_step([&](analysis::Static& run) {
+      a.every_step([&](analysis::Run& run) {
         const double t = run.time();
         if (t == 0) return;
         const double u = t <= 0.5 ? c.stroke * t / 0.5 : c.stroke + (unload_to - c.stroke) * (t - 0.5) / 0.5;
@@ -75,12 +75,12 @@ TEST_CASE("clamped ends: all eight cases go through load and unload, over-estima
     s.unload_to = 0;
     analysis::Static a(make_strip(s), {.duration = 1, .step = 1.0 / 80}, quiet());
     double peak = 0;
-    a.every_step([&](analysis::Static& run) {
+    a.every_step([&](analysis::Run& run) {
       if (run.time() == 0.5) peak = stress(run, s, c.stroke);
     });
     bool released = false;
-    a.event([&](analysis::Static& run) { return run.reaction("top").y(); }, 1e-6,
-            [&](analysis::Static& run) {
+    a.event([&](analysis::Run& run) { return run.reaction("top").y(); }, 1e-6,
+            [&](analysis::Run& run) {
               released = true;
               CHECK(std::abs(run.reaction("top").y()) < 1e-6 * peak * strip_width * c.card.thickness * 2);
               run.stop("the grip let go");
@@ -127,7 +127,7 @@ TEST_CASE("a test turned in space gives the same result") {
     int which = 0;
     for (const auto& s : {flat, turned}) {
       analysis::Static a(make_strip(s), {.duration = 1, .step = 0.1}, quiet());
-      a.every_step([&](analysis::Static& run) {
+      a.every_step([&](analysis::Run& run) {
         forces[which].push_back((s.turn.transpose() * run.reaction("top")).y());
       });
       a.solve();

@@ -1,0 +1,163 @@
+#include "analysis/dynamic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/explicit.hpp"
+#include "analysis/implicit.hpp"
+#include "analysis/number.hpp"
+#include "base/error.hpp"
+
+namespace fabricsh::analysis {
+
+namespace {
+
+constexpr int kChecks = 200;        // of the ledger, in a run
+constexpr double kWarning = 1e-3;   // energy made, over the external work
+constexpr double kRateStep = 1e-6;  // s, over which prescribed motions are differenced
+
+void refuse(const char* field, const char* expected, double got) {
+  throw Error(std::string("dynamic: field '") + field + "': expected " + expected + ", got " + number(got));
+}
+
+void check_options(const DynamicOptions& o) {
+  const bool is_explicit = o.scheme == Scheme::explicit_steps;
+  if (o.step && !(*o.step > 0 && std::isfinite(*o.step)))
+    refuse("step", "a positive time in s or \"auto\"", *o.step);
+  if (!(o.gamma >= 0.5) || o.gamma > 1) refuse("gamma", "a number from 0.5 to 1", o.gamma);
+  if (is_explicit && o.beta.value_or(0) != 0) refuse("beta", "0 (scheme=\"explicit\")", *o.beta);
+  if (!is_explicit && o.beta && !(*o.beta >= 0.25 * (0.5 + o.gamma) * (0.5 + o.gamma) * (1 - 1e-12)))
+    refuse("beta", "at least (1/2 + gamma)^2/4, below which steps are only conditionally stable", *o.beta);
+  if (is_explicit && o.hht != 0) refuse("hht", "0 (scheme=\"explicit\")", o.hht);
+  if (!(o.hht <= 0) || o.hht < -1.0 / 3) refuse("hht", "a number from -1/3 to 0", o.hht);
+  if (!(o.mass_damping >= 0)) refuse("damping.mass", "a rate in 1/s, 0 or more", o.mass_damping);
+  if (!(o.stiffness_damping >= 0)) refuse("damping.stiffness", "a time in s, 0 or more", o.stiffness_damping);
+  if (!(o.ledger_limit > 0)) refuse("ledger_limit", "a positive number", o.ledger_limit);
+}
+
+}  // namespace
+
+Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                 std::shared_ptr<Notices> notices)
+    : Run(std::move(model), options.duration, std::move(notices), "dynamic"), options_(options) {
+  check_options(options_);
+  scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
+  stable_ = assembly_->stable_step(scaled_);
+  smallest_ = assembly_->smallest_size();
+}
+
+void Dynamic::begin() {
+  const auto targets = assembly_->targets(0);
+  if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; }))
+    say("dynamic: a motion is not zero at time 0; the sheet starts with its nodes there");
+  const std::vector<double> still(assembly_->unknowns(), 0);
+  assembly_->begin_iterate();
+  assembly_->retract(still, 1, targets);
+  assembly_->aim(0);
+  if (!assembly_->forces(fabric::AtSwitch::loading))
+    throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->failed_element());
+  assembly_->state().commit(0);
+  assembly_->external(0, dead_);
+  set_motion(initial_rates());
+  work_.start(*assembly_, dead_);
+  now_.driven_kinetic_at_0 = driven_kinetic();
+  now_.next_check = duration_ / kChecks;
+}
+
+assembly::NodalRates Dynamic::initial_rates() const {
+  const auto& X = assembly_->reference();
+  assembly::NodalRates rates{std::vector<double>(3 * X.size(), 0), std::vector<double>(3 * X.size(), 0)};
+  const auto d = std::as_const(*assembly_).state().d();
+  for (const auto& given : model_->velocities())
+    for (const auto n : model_->mesh().set(given.set)) {
+      const Vec3 v = given.linear + given.spin.cross(X[n] - given.centre);
+      const Vec3 w = given.spin.cross(Eigen::Map<const Vec3>(d.data() + 3 * n));
+      for (int i = 0; i < 3; ++i) {
+        rates.x[3 * n + i] = v[i];
+        rates.d[3 * n + i] = w[i];
+      }
+    }
+  return rates;
+}
+
+double Dynamic::end_of_step(double limit) const {
+  const double landing = next_landing(limit), now = committed_time();
+  const double steps = std::ceil((landing - now) / now_.step - 1e-9);
+  return steps <= 1 ? landing : now + (landing - now) / steps;
+}
+
+std::vector<double> Dynamic::driven_rates() const {
+  const double from = std::max(0.0, time() - kRateStep), to = time() + kRateStep;
+  auto later = assembly_->targets(to);
+  const auto before = assembly_->targets(from);
+  for (std::size_t i = 0; i < later.size(); ++i) later[i] = (later[i] - before[i]) / (to - from);
+  return later;
+}
+
+double Dynamic::driven_kinetic() const {
+  const auto& motions = assembly_->freedoms().motions;
+  if (motions.empty()) return 0;
+  const auto rates = driven_rates();
+  double sum = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i].component < 3) sum += assembly_->nodal_mass()[motions[i].node] * rates[i] * rates[i] / 2;
+  return sum;
+}
+
+// A support that speeds its nodes up gives them their kinetic energy.
+double Dynamic::driven_work() const { return driven_kinetic() - now_.driven_kinetic_at_0; }
+
+// Where a law made most energy; where none did, where the energy is densest.
+mesh::Index Dynamic::suspect() const {
+  mesh::Index maker = 0, densest = 0;
+  double most = 0, density = -1;
+  for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
+    double created = 0, stored = 0, volume = 0;
+    assembly_->visit(e, [&](double w, const fabric::Law& law, const double* E, const double* state) {
+      const auto energy = fabric::energy(law, E, state);
+      created += w * energy.created;
+      stored += w * (energy.stored + energy.dissipated());
+      volume += w;
+    });
+    if (created > most) {
+      most = created;
+      maker = e;
+    }
+    if (!(stored / volume <= density)) {
+      density = stored / volume;
+      densest = e;
+    }
+  }
+  return most > 0 ? maker : densest;
+}
+
+void Dynamic::check() {
+  if (time() < now_.next_check && time() < duration_ * (1 - same_time)) return;
+  now_.next_check = duration_ / kChecks * (std::floor(time() / duration_ * kChecks + 1e-9) + 1);
+  const Energy e = energy();
+  const double scale = std::max(work_.largest(), e.initial), made = std::abs(e.surplus()) + e.created;
+  if (std::isfinite(made) && (scale <= 0 || made <= kWarning * scale)) return;
+  const std::string share = number(100 * made / scale) + " % of the external work";
+  if (!now_.told_error) {
+    now_.told_error = true;
+    now_.began = suspect();
+    say("dynamic: the ledger's error is " + share + " at time " + number(time()) +
+        " s, most of it about element " + std::to_string(now_.began + 1) +
+        ": a smaller step would tell whether it is the step's");
+  }
+  if (std::isfinite(made) && made <= options_.ledger_limit * scale) return;
+  throw NumericalFailure("dynamic: stopped at time " + number(time()) + " s: the ledger's error is " + share +
+                             "; it began about element " + std::to_string(now_.began + 1) +
+                             ".\nTry: a smaller step (now " + number(now_.step) +
+                             " s); or law=\"potential\", which makes no energy; ledger_limit=0.5 goes on.",
+                         time(), now_.began);
+}
+
+std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                                      std::shared_ptr<Notices> notices) {
+  if (options.scheme == Scheme::explicit_steps)
+    return std::make_shared<Explicit>(std::move(model), options, std::move(notices));
+  return std::make_shared<Implicit>(std::move(model), options, std::move(notices));
+}
+
+}  // namespace fabricsh::analysis

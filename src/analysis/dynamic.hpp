@@ -1,0 +1,77 @@
+// Runs in motion: Newmark's method [williams2010, Box 5-2, corrected], explicit or implicit, with directors
+// on the sphere and a ledger of energies that are functions of the state.
+#pragma once
+#include <optional>
+
+#include "analysis/run.hpp"
+
+namespace fabricsh::analysis {
+
+enum class Scheme { explicit_steps, implicit_steps };
+
+struct DynamicOptions {
+  double duration = 0;              // s, required, positive
+  std::optional<double> step = {};  // s; explicit: default 0.7 of the stable one; implicit: duration / 200
+  Scheme scheme = Scheme::explicit_steps;
+  double gamma = 0.5;               // the thesis' alpha
+  std::optional<double> beta = {};  // default 0 explicit, 1/4 implicit; hht sets its own
+  double hht = 0;                   // Hilbert, Hughes and Taylor's alpha, -1/3 to 0 (implicit)
+  double mass_damping = 0;          // a of a M + b K_M, 1/s
+  double stiffness_damping = 0;     // b, s
+  std::optional<bool> scaled = {};  // rotary inertia scaled [hughes1978]; default: explicit yes, implicit no
+  bool force = false;               // take the step even above the stable one
+  double ledger_limit = 0.05;       // energy made, over the external work, at which the run stops
+  double tolerance = 1e-8;          // implicit, from here on as in StaticOptions
+  int max_iterations = 30, max_cuts = 12;
+  bool line_search = true;
+};
+
+// What both schemes share: velocities for the readings, the ledger's checks.
+class Dynamic : public Run {
+ public:
+  const DynamicOptions& options() const { return options_; }
+  const char* kind() const override { return "dynamic"; }
+  double stable_step() const { return stable_; }  // s, of the reference configuration (PHYSICS section 7)
+  double step_size() const { return now_.step; }  // s, that the run goes by, landings apart
+  virtual const assembly::NodalRates& rates() const = 0;  // of the committed state
+
+ protected:
+  Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+          std::shared_ptr<Notices> notices);
+  void begin() override;
+  void check() override;
+  double no_size() const override { return committed_time(); }
+  double damping_work() const override { return now_.damping_work; }
+  double driven_work() const override;
+  Vec3 velocity(mesh::Index node) const override {
+    return Eigen::Map<const Vec3>(rates().x.data() + 3 * node);
+  }
+  // What the trapezoid makes of gamma, hht: W_ext - W_int - W_damp - change of kinetic energy in a step.
+  bool damps() const { return options_.gamma != 0.5 || options_.hht != 0; }
+  double end_of_step(double limit) const;
+  std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
+  double driven_kinetic() const;             // J, of displacements that are driven
+  assembly::NodalRates initial_rates() const;
+  virtual void set_motion(const assembly::NodalRates& rates) = 0;  // at time 0
+  void say(const std::string& text) { notices_->say(text); }
+
+  DynamicOptions options_;
+  bool scaled_;
+  double stable_ = 0, smallest_ = 0;  // s; m, the smallest element
+  struct Now {
+    double step = 0, damping_work = 0, driven_kinetic_at_0 = 0, next_check = 0;
+    std::int64_t steps = 0;
+    bool told_error = false, told_split = false;
+    mesh::Index began = -1;  // element where energy was made when the first warning came
+  } now_;
+
+ private:
+  mesh::Index suspect() const;
+};
+
+// Errors: options out of range; a step above the stable one without `force`; ties that have no lumped mass
+// (explicit).
+std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                                      std::shared_ptr<Notices> notices);
+
+}  // namespace fabricsh::analysis

@@ -1,0 +1,182 @@
+#include "analysis/explicit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/number.hpp"
+#include "base/error.hpp"
+#include "base/ordered_sum.hpp"
+
+namespace fabricsh::analysis {
+
+namespace {
+
+constexpr double kUsual = 0.7;        // of the stable step
+constexpr int kStretchEvery = 16;     // steps between two looks at the stretch
+constexpr std::size_t kShare = 4096;  // unknowns from which threads share a loop
+
+}  // namespace
+
+Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                   std::shared_ptr<Notices> notices)
+    : Dynamic(std::move(model), options, std::move(notices)), mass_(assembly_->lumped_mass(scaled_)) {
+  choose_step();
+  const auto n = mass_.size();
+  for (auto* v : {&motion_.v, &motion_.a, &trial_.v, &trial_.a, &increment_, &residual_}) v->assign(n, 0);
+}
+
+void Explicit::choose_step() {
+  // Damping of the masses takes nothing from the stable step; of the stiffness, sqrt(1 + xi^2) - xi.
+  const double usual = kUsual * stable_;
+  now_.step = options_.step.value_or(usual);
+  if (options_.force || now_.step <= usual * (1 + 1e-12)) return;
+  if (now_.step > stable_)
+    throw Error("dynamic: field 'step': expected at most " + number(stable_) +
+                " s, the stable step of this mesh and card, got " + number(now_.step) +
+                " s (step=\"auto\" takes " + number(usual) + " s; force=true takes it all the same)");
+  say("dynamic: the step of " + number(now_.step) + " s is above 0.7 of the stable one, " + number(stable_) +
+      " s");
+}
+
+void Explicit::begin() {
+  Dynamic::begin();
+  if (!accelerate(0, dead_))
+    throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->failed_element());
+  motion_.a = trial_.a;
+}
+
+void Explicit::set_motion(const assembly::NodalRates& rates) { motion_.v = assembly_->collect_rates(rates); }
+
+double Explicit::try_step(double limit, StepReport& report) {
+  if (now_.steps % kStretchEvery == 0) split();
+  const double size = end_of_step(limit);
+  if (!attempt(size, report)) give_up(report);
+  return size;
+}
+
+void Explicit::split() {
+  const double stable = stable_ / std::max(1.0, assembly_->largest_stretch());
+  const double wanted = options_.step.value_or(kUsual * stable_);
+  now_.step = wanted;
+  if (options_.force || wanted <= stable) return;
+  now_.step = wanted / std::ceil(wanted / stable);
+  if (now_.told_split) return;
+  now_.told_split = true;
+  say("dynamic: stretch has brought the stable step to " + number(stable) + " s at time " +
+      number(committed_time()) + " s; the step of " + number(wanted) + " s is split from here on");
+}
+
+// Forces at the trial configuration and the acceleration that they make; trial_.v holds the predicted
+// velocity and becomes the new one. False: the law failed.
+bool Explicit::accelerate(double dt, const std::vector<double>& dead) {
+  if (!assembly_->forces(fabric::AtSwitch::loading)) return false;
+  assembly_->residual(dead, residual_);
+  const double damping = options_.mass_damping, kick = options_.gamma * dt;
+  const double effective = 1 + kick * damping;
+#pragma omp parallel for schedule(static) if (mass_.size() >= kShare)
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const double a = (residual_[i] / mass_[i] - damping * trial_.v[i]) / effective;
+    trial_.a[i] = a;
+    trial_.v[i] += kick * a;
+  }
+  return true;
+}
+
+bool Explicit::attempt(double size, StepReport& report) {
+  const double now = committed_time(), dt = size - now, early = (1 - options_.gamma) * dt;
+  report.step = dt;
+  report.time = now;
+  if (dirty_) assembly_->state().rollback();
+  dirty_ = true;
+#pragma omp parallel for schedule(static) if (mass_.size() >= kShare)
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    increment_[i] = dt * (motion_.v[i] + dt / 2 * motion_.a[i]);
+    trial_.v[i] = motion_.v[i] + early * motion_.a[i];
+  }
+  ran_away_ = false;
+#pragma omp parallel for schedule(static) reduction(|| : ran_away_) if (mass_.size() >= kShare)
+  for (std::size_t i = 0; i < mass_.size(); ++i)
+    ran_away_ = ran_away_ ||
+                !(std::abs(increment_[i]) <
+                  (assembly_->turns(static_cast<assembly::Index>(i)) ? std::numbers::pi / 2 : smallest_));
+  if (ran_away_) return false;
+  assembly_->begin_iterate();
+  assembly_->retract(increment_, 1, assembly_->targets(size));
+  assembly_->aim(size);
+  if (trial_dead_.empty() || !assembly_->constant_loads()) assembly_->external(size, trial_dead_);
+  trial_time_ = size;
+  if (!accelerate(dt, trial_dead_)) return false;
+  report.time = size;
+  return true;
+}
+
+void Explicit::commit(StepReport& report) {
+  const double damping = options_.mass_damping;
+  if (damping > 0)
+    now_.damping_work += ordered_sum(mass_.size(), [&](std::size_t i) {
+      return damping * mass_[i] * (motion_.v[i] + trial_.v[i]) / 2 * increment_[i];
+    });
+  if (damps()) {
+    // Work of all forces by the trapezoid, which the kinetic energy does not get.
+    const double work = ordered_sum(mass_.size(), [&](std::size_t i) {
+      return mass_[i] * (motion_.a[i] + trial_.a[i]) / 2 * increment_[i];
+    });
+    now_.damping_work += work - kinetic_of(trial_.v) + kinetic_of(motion_.v);
+  }
+  assembly_->state().commit(report.time);
+  dirty_ = false;
+  std::swap(motion_, trial_);
+  dead_ = trial_dead_;
+  work_.add(*assembly_, dead_);
+  ++now_.steps;
+}
+
+double Explicit::kinetic_of(const std::vector<double>& v) const {
+  return ordered_sum(v.size(), [&](std::size_t i) { return mass_[i] * v[i] * v[i] / 2; });
+}
+
+double Explicit::kinetic() const { return kinetic_of(motion_.v) + driven_kinetic(); }
+
+const assembly::NodalRates& Explicit::rates() const {
+  const auto version = std::as_const(*assembly_).state().version();
+  if (rates_version_ != version) assembly_->spread_rates(motion_.v, driven_rates(), rates_);
+  rates_version_ = version;
+  return rates_;
+}
+
+void Explicit::give_up(const StepReport& report) {
+  const double now = committed_time();
+  const mesh::Index element = ran_away_ ? -1 : assembly_->failed_element();
+  std::string text = "dynamic: stopped at time " + number(now) + " s: ";
+  text += ran_away_ ? "a node moves by more than an element in a step of "
+                    : "a strain is not finite in a step of ";
+  text += number(report.step) + " s";
+  if (element >= 0) text += ", element " + std::to_string(element + 1);
+  text += ".\nTry: a step below " + number(kUsual * stable_) + " s (the stable one is " + number(stable_) +
+          " s); or loads and velocities that are in SI units.";
+  throw NumericalFailure(text, now, element);
+}
+
+namespace {
+
+template <class Now, class Motion>
+struct ExplicitMemory {
+  Now now;
+  Motion motion;
+};
+
+}  // namespace
+
+std::any Explicit::memory() const { return ExplicitMemory<Now, Motion>{now_, motion_}; }
+
+void Explicit::recall(const std::any& memory) {
+  const auto& m = std::any_cast<const ExplicitMemory<Now, Motion>&>(memory);
+  now_ = m.now;
+  motion_ = m.motion;
+  trial_dead_ = dead_;
+  dirty_ = false;
+  rates_version_ = 0;
+}
+
+}  // namespace fabricsh::analysis

@@ -1,0 +1,294 @@
+#include "analysis/implicit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/newmark.hpp"
+#include "analysis/number.hpp"
+#include "base/error.hpp"
+#include "base/ordered_sum.hpp"
+
+namespace fabricsh::analysis {
+
+namespace {
+
+NewmarkScheme scheme_of(const DynamicOptions& o) {
+  NewmarkScheme s{o.gamma, o.beta.value_or(0.25 * (0.5 + o.gamma) * (0.5 + o.gamma)), o.hht};
+  if (o.hht != 0) {  // [hilbert1977]
+    s.gamma = 0.5 - o.hht;
+    s.beta = (1 - o.hht) * (1 - o.hht) / 4;
+  }
+  return s;
+}
+
+}  // namespace
+
+// What Newton sees of one step: forces, inertia and damping at the trial configuration.
+class Implicit::Problem final : public solver::Problem {
+ public:
+  Problem(assembly::Assembly& assembly, const DynamicOptions& options, bool scaled)
+      : assembly_(assembly),
+        scheme_(scheme_of(options)),
+        damping_(options.mass_damping),
+        mass_(assembly.nodal_mass()),
+        rotary_(assembly.rotary_inertia(scaled)),
+        r_(assembly.unknowns()),
+        product_(assembly.unknowns()),
+        lead_(assembly.targets(0).size()) {}
+
+  struct Memory {
+    NodalMotion motion;                   // of the committed state
+    std::vector<double> driven, balance;  // driven freedoms then; f_ext - f_int - C v then, per unknown
+    double peak = 0;                      // N, largest nodal force so far
+  };
+  Memory memory;
+  const NodalMotion& trial() const { return trial_; }
+  const NewmarkScheme& scheme() const { return scheme_; }
+  const std::vector<double>& external() const { return external_; }
+
+  void aim(double time, double dt) {
+    dt_ = dt;
+    targets_ = assembly_.targets(time);
+    assembly_.external(time, external_);
+    assembly_.aim(time);
+  }
+
+  // The acceleration with which the run starts: M a = f. Nodes that are tied, held or driven have none.
+  void start(const assembly::NodalRates& rates) {
+    memory.driven = targets_;
+    memory.motion.v = rates;
+    const std::size_t n = mass_.size();
+    memory.motion.a = {std::vector<double>(3 * n, 0), std::vector<double>(3 * n, 0)};
+    trial_ = memory.motion;
+    balance(0);
+    const auto& freedoms = assembly_.freedoms();
+    std::vector<double> a(r_.size(), 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (freedoms.ties(static_cast<assembly::Index>(i))) continue;
+      const auto& eq = freedoms.nodes[i].equation;
+      for (int c = 0; c < 5; ++c)
+        if (eq[c] >= 0) a[eq[c]] = r_[eq[c]] / (c < 3 ? mass_[i] : rotary_[i]);
+    }
+    assembly_.spread_rates(a, std::vector<double>(lead_.size(), 0), memory.motion.a);
+    committed();
+  }
+
+  void committed() {
+    if (dt_ > 0) {
+      memory.motion = trial_;
+      memory.driven = targets_;
+    }
+    balance(0);
+    memory.balance = r_;
+    memory.peak = std::max(memory.peak, force_scale());
+  }
+
+  solver::Index size() const override { return assembly_.unknowns(); }
+  bool predict(solver::SparseMatrix& K, std::span<double> r) override {
+    assembly_.state().rollback();
+    assembly_.begin_iterate();
+    for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory.driven[i];
+    if (!assembly_.tangent(fabric::AtSwitch::loading, K, lead_, product_)) return false;
+    weigh(r);
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] -= (1 + scheme_.hht) * product_[i];
+    add_inertia(K);
+    return true;
+  }
+  void retract(std::span<const double> delta, double scale) override {
+    assembly_.retract(delta, scale, targets_);
+  }
+  void accept() override { assembly_.begin_iterate(); }
+  bool residual(std::span<double> r) override {
+    if (!assembly_.forces(fabric::AtSwitch::loading)) return false;
+    weigh(r);
+    return true;
+  }
+  bool tangent(solver::SparseMatrix& K) override {
+    if (!assembly_.tangent(fabric::AtSwitch::loading, K, {}, {})) return false;
+    add_inertia(K);
+    return true;
+  }
+  std::pair<double, solver::Index> largest(std::span<const double> r) const override {
+    return assembly_.largest_residual(r);
+  }
+  double force_scale() const override {
+    double inertia = 0;
+    for (std::size_t i = 0; i < mass_.size(); ++i)
+      for (int c = 0; c < 3; ++c) inertia = std::max(inertia, mass_[i] * std::abs(trial_.a.x[3 * i + c]));
+    return std::max({memory.peak, assembly_.largest_force(), inertia});
+  }
+  double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }
+
+ private:
+  // r_ = f_ext - f_int - C v - inertia M a on the unknowns.
+  void balance(double inertia) {
+    on_x_.resize(external_.size());
+    on_d_.resize(external_.size());
+    for (std::size_t i = 0; i < external_.size(); ++i) {
+      on_x_[i] = external_[i] - mass_[i / 3] * (damping_ * trial_.v.x[i] + inertia * trial_.a.x[i]);
+      on_d_[i] = -rotary_[i / 3] * (damping_ * trial_.v.d[i] + inertia * trial_.a.d[i]);
+    }
+    assembly_.residual(on_x_, r_, on_d_);
+  }
+  // r = (1 + alpha) f+ - alpha f - M a+.
+  void weigh(std::span<double> r) {
+    newmark_update(scheme_, dt_, std::as_const(assembly_).state(), memory.motion, trial_);
+    const double alpha = scheme_.hht;
+    balance(1 / (1 + alpha));
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = (1 + alpha) * r_[i] - alpha * memory.balance[i];
+  }
+  void add_inertia(solver::SparseMatrix& K) {
+    const double alpha = scheme_.hht;
+    for (double& k : K.value) k *= 1 + alpha;
+    const double c = (1 / scheme_.beta / dt_ + (1 + alpha) * damping_ * scheme_.gamma / scheme_.beta) / dt_;
+    std::vector<double> on_x = mass_, on_d = rotary_;
+    for (double& m : on_x) m *= c;
+    for (double& m : on_d) m *= c;
+    assembly_.add_diagonal(on_x, on_d, K);
+  }
+
+  assembly::Assembly& assembly_;
+  NewmarkScheme scheme_;
+  double damping_, dt_ = 0;
+  const std::vector<double>&mass_, &rotary_;
+  NodalMotion trial_;
+  std::vector<double> r_, product_, lead_, targets_, external_, on_x_, on_d_;
+};
+
+Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                   std::shared_ptr<Notices> notices)
+    : Dynamic(std::move(model), options, std::move(notices)),
+      problem_(std::make_unique<Problem>(*assembly_, options_, scaled_)),
+      newton_(model_->section().symmetric && assembly_->symmetric_loads() ? solver::make_symmetric_solver()
+                                                                          : solver::make_unsymmetric_solver(),
+              assembly_->pattern()),
+      control_(options.step.value_or(options.duration / 200), 0, options.max_cuts) {
+  now_.step = control_.current();
+}
+
+Implicit::~Implicit() = default;
+
+void Implicit::begin() {
+  problem_->aim(0, 0);
+  Dynamic::begin();
+}
+
+void Implicit::set_motion(const assembly::NodalRates& rates) {
+  // Held and tied nodes have no velocity of their own.
+  assembly::NodalRates possible;
+  assembly_->spread_rates(assembly_->collect_rates(rates), driven_rates(), possible);
+  problem_->start(possible);
+}
+
+double Implicit::try_step(double limit, StepReport& report) {
+  double size = control_.end(committed_time(), next_landing(limit));
+  while (!attempt(size, report)) {
+    if (++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) give_up(report);
+    size = control_.end(committed_time(), next_landing(limit));
+  }
+  return size;
+}
+
+bool Implicit::attempt(double size, StepReport& report) {
+  const double now = committed_time();
+  problem_->aim(size, size - now);
+  last_ = newton_.solve(*problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
+  report.iterations += last_.iterations;
+  report.residuals = last_.residuals;
+  report.negative_pivots = last_.negative_pivots;
+  report.step = size - now;
+  report.time = size;
+  const bool converged = last_.status == solver::NewtonStatus::converged;
+  if (!converged) blame_ = find_blame(*assembly_, model_->mesh(), last_);
+  trial_time_ = converged ? size : now;
+  return converged;
+}
+
+void Implicit::commit(StepReport& report) {
+  const auto& state = std::as_const(*assembly_).state();
+  const NodalMotion before = problem_->memory.motion;
+  const auto& after = problem_->trial();
+  const std::size_t n = 3 * state.nodes();
+  const auto old = state.committed_kinematics();
+  const auto& mass = assembly_->nodal_mass();
+  const double damping = options_.mass_damping, kinetic_before = kinetic() - driven_kinetic();
+  double damped = 0, inertia = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double moved = state.x()[i] - old[i];
+    damped += damping * mass[i / 3] * (before.v.x[i] + after.v.x[i]) / 2 * moved;
+    inertia += mass[i / 3] * (before.a.x[i] + after.a.x[i]) / 2 * moved;
+  }
+  // What moves the driven freedoms overcomes their inertia and damping: its own account (see driven_work).
+  for (const auto& m : assembly_->freedoms().motions) {
+    if (m.component > 2) continue;
+    const double moved = along(m, state.x()) - along(m, old), node_mass = mass[m.node];
+    damped -= damping * node_mass * (along(m, before.v.x) + along(m, after.v.x)) / 2 * moved;
+    inertia -= node_mass * (along(m, before.a.x) + along(m, after.a.x)) / 2 * moved;
+  }
+  now_.damping_work += damped;
+  assembly_->state().commit(report.time);
+  problem_->committed();
+  if (damps()) now_.damping_work += inertia - ((kinetic() - driven_kinetic()) - kinetic_before);
+  dead_ = problem_->external();
+  work_.add(*assembly_, dead_);
+  control_.grow(last_.iterations, report.cuts > 0);
+  now_.step = control_.current();
+  ++now_.steps;
+}
+
+// Of a driven displacement's direction.
+double Implicit::along(const assembly::DrivenFreedom& m, std::span<const double> v) const {
+  return assembly_->freedoms()
+      .nodes[m.node]
+      .frame.row(m.component)
+      .dot(Eigen::Map<const Vec3>(v.data() + 3 * m.node));
+}
+
+double Implicit::kinetic() const {
+  const auto& v = problem_->memory.motion.v;
+  const auto &mass = assembly_->nodal_mass(), &rotary = assembly_->rotary_inertia(scaled_);
+  double driven = driven_kinetic();
+  for (const auto& m : assembly_->freedoms().motions)
+    if (m.component < 3) driven -= mass[m.node] * along(m, v.x) * along(m, v.x) / 2;
+  return driven + ordered_sum(v.x.size(), [&](std::size_t i) {
+           return (mass[i / 3] * v.x[i] * v.x[i] + rotary[i / 3] * v.d[i] * v.d[i]) / 2;
+         });
+}
+
+const assembly::NodalRates& Implicit::rates() const { return problem_->memory.motion.v; }
+
+void Implicit::give_up(const StepReport& report) {
+  const double now = committed_time();
+  throw NumericalFailure("dynamic: no step beyond time " + number(now) + " s: " + describe(last_.status) +
+                             " in a step of " + number(report.step) + " s (the largest is " +
+                             number(control_.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
+                             describe(blame_, last_, options_.tolerance) +
+                             ".\nTry: a smaller step, or a tolerance above " + number(options_.tolerance) +
+                             "; or scheme=\"explicit\".",
+                         now, blame_.element, blame_.yarn);
+}
+
+namespace {
+
+template <class Now, class Memory>
+struct ImplicitMemory {
+  Now now;
+  StepControl control;
+  Memory problem;
+};
+
+}  // namespace
+
+std::any Implicit::memory() const {
+  return ImplicitMemory<Now, Problem::Memory>{now_, control_, problem_->memory};
+}
+
+void Implicit::recall(const std::any& memory) {
+  const auto& m = std::any_cast<const ImplicitMemory<Now, Problem::Memory>&>(memory);
+  now_ = m.now;
+  control_ = m.control;
+  problem_->aim(committed_time(), 0);
+  problem_->memory = m.problem;
+}
+
+}  // namespace fabricsh::analysis

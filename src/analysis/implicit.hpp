@@ -1,0 +1,45 @@
+// Implicit Newmark, with Hilbert, Hughes and Taylor's alpha as an option: nodes and directors, Newton's
+// method.
+//
+//   x+ = x + dt v + dt^2 ((1/2 - beta) a + beta a+),   v+ = v + dt ((1 - gamma) a + gamma a+)
+//   M a+ = (1 + alpha) f(x+) - alpha f(x),   f = f_ext - f_int - C v
+//
+// On the sphere of directors the increment is an arc from d to d+, and what belongs to d is carried along it.
+#pragma once
+#include "analysis/dynamic.hpp"
+#include "analysis/failure.hpp"
+#include "analysis/step_control.hpp"
+#include "solver/newton.hpp"
+
+namespace fabricsh::analysis {
+
+class Implicit final : public Dynamic {
+ public:
+  Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+           std::shared_ptr<Notices> notices);
+  const assembly::NodalRates& rates() const override;
+  ~Implicit() override;
+  double tolerance() const override { return options_.tolerance; }
+
+ private:
+  class Problem;
+  void begin() override;
+  void set_motion(const assembly::NodalRates& rates) override;
+  double try_step(double limit, StepReport& report) override;
+  bool attempt(double size, StepReport& report) override;
+  void commit(StepReport& report) override;
+  [[noreturn]] void give_up(const StepReport& report) override;
+  double kinetic() const override;
+  std::any memory() const override;
+  void recall(const std::any& memory) override;
+
+  double along(const assembly::DrivenFreedom& motion, std::span<const double> v) const;
+
+  std::unique_ptr<Problem> problem_;
+  solver::Newton newton_;
+  StepControl control_;
+  solver::NewtonResult last_;
+  Blame blame_;
+};
+
+}  // namespace fabricsh::analysis

@@ -1,0 +1,313 @@
+// Driving a run: steps, landings, hooks, events.
+#include "analysis/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/number.hpp"
+#include "base/error.hpp"
+
+namespace fabricsh::analysis {
+
+// While a run is under way, its hooks may read it and stop it, not drive it.
+class Run::Busy {
+ public:
+  Busy(Run& run, const char* call) : run_(run) {
+    if (run.busy_) throw Error(std::string(call) + ": not from a hook of the same run");
+    run.busy_ = true;
+  }
+  ~Busy() { run_.busy_ = false; }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  Run& run_;
+};
+
+Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
+         const char* kind)
+    : model_(std::move(model)), duration_(duration), notices_(std::move(notices)) {
+  if (!(duration > 0) || !std::isfinite(duration))
+    throw Error(std::string(kind) + ": field 'duration': expected a positive time in s, got " +
+                number(duration));
+  model_->validate();
+  assembly_ = std::make_unique<assembly::Assembly>(*model_);
+  model_->seal();
+  kinks_ = model_->kinks();
+}
+
+Run::~Run() = default;
+
+void Run::every_step(Hook hook, AfterError after) { timed_.push_back({0, std::move(hook), after, 1}); }
+
+void Run::every(double interval, Hook hook, AfterError after) {
+  if (!(interval > 0) || !std::isfinite(interval))
+    throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
+  const auto passed = static_cast<std::int64_t>(std::floor(time() / interval + 1e-9));
+  timed_.push_back({interval, std::move(hook), after, passed + 1});
+}
+
+void Run::event(std::function<double(Run&)> value, double tolerance, Hook hook) {
+  if (!(tolerance > 0))
+    throw Error("event: field 'tolerance': expected a positive number, got " + number(tolerance));
+  Event event{std::move(value), tolerance, std::move(hook)};
+  if (started_) {
+    measure(event);
+    event.settle();
+  }
+  events_.push_back(std::move(event));
+}
+
+void Run::stop(const std::string& reason) {
+  stopped_ = true;
+  stop_reason_ = reason;
+}
+
+void Run::start() {
+  if (started_) return;
+  begin();
+  initial_energy_ = energy().kinetic + energy().internal();
+  for (auto& event : events_) {
+    measure(event);
+    event.settle();
+  }
+  for (auto& timed : timed_) timed.pending = true;
+  started_ = true;
+}
+
+void Run::advance(double to) {
+  if (!std::isfinite(to)) throw Error("advance: expected a finite time in s, got " + number(to));
+  const Busy busy(*this, "advance");
+  stopped_ = false;
+  stop_reason_.clear();
+  start();
+  run_pending();
+  while (!stopped_ && time() < to - same_time * duration_) advance_to(to);
+}
+
+void Run::step() {
+  const Busy busy(*this, "step");
+  stopped_ = false;
+  stop_reason_.clear();
+  start();
+  run_pending();
+  if (!stopped_ && time() < duration_ - same_time * duration_) advance_to(duration_);
+}
+
+double Run::next_landing(double limit) const {
+  const double now = committed_time(), after = now + same_time * duration_;
+  double landing = limit;
+  const auto kink = std::upper_bound(kinks_.begin(), kinks_.end(), after);
+  if (kink != kinks_.end()) landing = std::min(landing, *kink);
+  for (const auto& timed : timed_)
+    if (timed.interval > 0) {
+      const double t = static_cast<double>(timed.count) * timed.interval;
+      if (t > after) landing = std::min(landing, t);
+    }
+  return landing;
+}
+
+bool Run::is_kink(double time) const {
+  return std::any_of(kinks_.begin(), kinks_.end(),
+                     [&](double t) { return std::abs(t - time) <= same_time * duration_; });
+}
+
+void Run::rollback() {
+  assembly_->state().rollback();
+  trial_time_ = committed_time();
+}
+
+void Run::advance_to(double limit) {
+  StepReport report;
+  try {
+    land(try_step(limit, report), report);
+  } catch (...) {
+    rollback();
+    throw;
+  }
+  commit(report);
+  trial_time_ = report.time;
+  reports_.push_back(std::move(report));
+  for (auto& event : events_) event.settle();
+  mark_due();
+  run_pending();
+  check();
+  if (monitor_) monitor_(*this);
+}
+
+// --- events
+
+void Run::Event::settle() {
+  largest = std::max(largest, std::abs(now));
+  last = now;
+  if (side != 0 && (near() || crossed())) {
+    pending = true;
+    side = 0;
+  }
+  if (!near()) side = now > 0 ? 1 : -1;
+}
+
+bool Run::Event::crossed() const { return side != 0 && !near() && (now > 0) != (side > 0); }
+
+void Run::measure(Event& event) {
+  event.now = event.value(*this);
+  if (!std::isfinite(event.now))
+    throw Error("event: field 'value': expected a finite number, got " + number(event.now));
+}
+
+// Shortens the step until no event lies beyond zero and its tolerance; one whose value jumps over zero is
+// left at the far side of the jump.
+double Run::land(double size, StepReport& report) {
+  std::vector<const Event*> jumped;
+  for (auto& event : events_) measure(event);
+  for (std::size_t tries = 0; tries <= 2 * events_.size(); ++tries) {
+    const auto beyond = std::find_if(events_.begin(), events_.end(), [&](const Event& e) {
+      return e.crossed() && std::find(jumped.begin(), jumped.end(), &e) == jumped.end();
+    });
+    if (beyond == events_.end()) break;
+    size = search(*beyond, size, report);
+    for (auto& event : events_) measure(event);
+    if (beyond->crossed()) jumped.push_back(&*beyond);
+  }
+  return size;
+}
+
+// The Illinois variant of regula falsi on the step's size, each trial a full solve from the committed state.
+// Ends near zero, or on the far side of a jump.
+double Run::search(Event& event, double size, StepReport& report) {
+  double from = no_size(), to = tried_size(size), low = event.last, high = event.now, at = to;
+  int kept = 0;  // which end was kept last time
+  const auto try_size = [&](double s) {
+    at = s;
+    if (!attempt(s, report)) give_up(report);
+    measure(event);
+  };
+  for (int i = 0; i < 80 && !event.near(); ++i) {
+    const double next = i % 8 == 7 ? (from + to) / 2 : from + (to - from) * low / (low - high);
+    if (next == from || next == to) break;
+    try_size(next);
+    if (!event.crossed()) {
+      from = next;
+      low = event.now;
+      if (kept == -1) high /= 2;
+      kept = -1;
+    } else {
+      to = next;
+      high = event.now;
+      if (kept == 1) low /= 2;
+      kept = 1;
+    }
+  }
+  if (!event.near() && at != to) try_size(to);
+  return at;
+}
+
+// --- hooks
+
+void Run::mark_due() {
+  for (auto& timed : timed_) {
+    const double due = static_cast<double>(timed.count) * timed.interval;
+    if (timed.interval > 0 && time() < due - same_time * duration_) continue;
+    ++timed.count;
+    timed.pending = true;
+  }
+}
+
+void Run::run_pending() {
+  for (std::size_t i = 0; i < timed_.size(); ++i) {
+    if (!timed_[i].pending) continue;
+    const bool repeat = timed_[i].after == AfterError::repeat;
+    timed_[i].pending = repeat;
+    const Hook hook = timed_[i].hook;  // a hook may add hooks
+    hook(*this);
+    timed_[i].pending = false;
+  }
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    if (!events_[i].pending) continue;
+    events_[i].pending = false;
+    const Hook hook = events_[i].hook;
+    if (hook) hook(*this);
+  }
+}
+
+// --- snapshots
+
+struct Run::Snapshot {
+  const Run* owner;
+  std::vector<double> state, force_x, force_d, dead;
+  double time, initial_energy;
+  ExternalWork work;
+  std::vector<StepReport> reports;
+  std::vector<std::int64_t> counts;
+  struct Side {
+    double last, largest;
+    int side;
+  };
+  std::vector<Side> sides;
+  bool started, stopped;
+  std::string stop_reason;
+  std::any memory;
+};
+
+std::shared_ptr<const Run::Snapshot> Run::snapshot() const {
+  const auto& a = *assembly_;
+  auto s = std::make_shared<Snapshot>();
+  s->owner = this;
+  s->state = a.state().data();
+  s->force_x.assign(a.internal_on_x().begin(), a.internal_on_x().end());
+  s->force_d.assign(a.internal_on_d().begin(), a.internal_on_d().end());
+  s->dead = dead_;
+  s->time = a.state().time();
+  s->initial_energy = initial_energy_;
+  s->work = work_;
+  s->reports = reports_;
+  for (const auto& t : timed_) s->counts.push_back(t.count);
+  for (const auto& e : events_) s->sides.push_back({e.last, e.largest, e.side});
+  s->started = started_;
+  s->stopped = stopped_;
+  s->stop_reason = stop_reason_;
+  s->memory = memory();
+  return s;
+}
+
+void Run::restore(const Snapshot& s) {
+  if (s.owner != this) throw Error("restore: this snapshot was taken of another analysis");
+  const Busy busy(*this, "restore");
+  assembly_->state().restore(s.state, s.time);
+  assembly_->restore_forces(s.force_x, s.force_d);
+  assembly_->aim(s.time);
+  dead_ = s.dead;
+  trial_time_ = s.time;
+  initial_energy_ = s.initial_energy;
+  work_ = s.work;
+  reports_ = s.reports;
+  started_ = s.started;
+  stopped_ = s.stopped;
+  stop_reason_ = s.stop_reason;
+  recall(s.memory);
+  // Hooks and events that are younger than the snapshot count from here.
+  for (std::size_t i = 0; i < timed_.size(); ++i) {
+    auto& timed = timed_[i];
+    timed.pending = false;
+    if (i < s.counts.size())
+      timed.count = s.counts[i];
+    else if (timed.interval > 0)
+      timed.count = static_cast<std::int64_t>(std::floor(s.time / timed.interval + 1e-9)) + 1;
+  }
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    auto& event = events_[i];
+    event.pending = false;
+    if (i < s.sides.size()) {
+      event.last = s.sides[i].last;
+      event.largest = s.sides[i].largest;
+      event.side = s.sides[i].side;
+    } else if (started_) {
+      event.side = 0;
+      measure(event);
+      event.settle();
+    }
+  }
+  for (const auto& hook : restored_) hook(*this);
+}
+
+}  // namespace fabricsh::analysis

@@ -1,0 +1,151 @@
+// What a deck drives: a run in time over a compiled model. Steps, landings, hooks, events, readings and
+// snapshots are here; static.hpp and dynamic.hpp say how a step is made.
+#pragma once
+#include <any>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analysis/values.hpp"
+#include "analysis/work.hpp"
+#include "assembly/assembly.hpp"
+#include "base/notice.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::analysis {
+
+inline constexpr double same_time = 1e-12;  // of the duration: two times this close are one
+
+class Run {
+ public:
+  virtual ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  void solve() { advance(duration_); }   // runs to the duration, or to where a hook stopped it
+  void advance(double time);             // to the absolute time, landing on it. NumericalFailure when stuck
+  void step();                           // one committed step (clipped at the duration)
+  void stop(const std::string& reason);  // from a hook or event: the run ends after the current step's hooks
+  bool stopped() const { return stopped_; }  // until solve, advance or step goes on
+  const std::string& stop_reason() const { return stop_reason_; }
+
+  // Called after each committed step (along an arc, time may have gone down), or whenever `every` seconds
+  // have passed (the run lands on those times); also at the start (time 0), before the first step. Hooks run
+  // in the order in which they were added. Where one throws, the later ones of the step run first when the
+  // run goes on; the one that threw is called again only where it asks for that (an output does, so that no
+  // row is lost).
+  using Hook = std::function<void(Run&)>;
+  enum class AfterError { skip, repeat };
+  void every_step(Hook hook, AfterError after = AfterError::skip);
+  void every(double interval, Hook hook, AfterError after = AfterError::skip);  // Error: not positive
+  // Finds, inside the step, where value(a) comes to zero after it was not: lands there within |value| <=
+  // tolerance * largest |value| so far, commits, and runs the hook. Of several, the earliest.
+  void event(std::function<double(Run&)> value, double tolerance, Hook hook);
+  void monitor(Hook hook) { monitor_ = std::move(hook); }  // after each step and its hooks; may throw
+  void on_restore(Hook hook) { restored_.push_back(std::move(hook)); }
+
+  double time() const { return trial_time_; }
+  double duration() const { return duration_; }
+  Vec3 reaction(const std::string& set) const;  // N, global: the force the supports exert on the cloth
+  NodeValues node(mesh::Index i) const;         // from 0; Error outside
+  ElementValues element(mesh::Index i) const;   // from 0; Error outside
+  double mean(const std::string& name, const std::string& set = "all") const;
+  std::vector<double> field(const std::string& name) const;  // one per element
+  const std::vector<ElementValues>& elements() const;        // of the current state, computed once per state
+  Energy energy() const;
+
+  const model::Model& model() const { return *model_; }
+  const assembly::Assembly& assembly() const { return *assembly_; }
+  const std::vector<StepReport>& steps() const { return reports_; }
+  Notices& notices() { return *notices_; }
+  virtual const char* kind() const = 0;           // "static", "dynamic"
+  virtual double tolerance() const { return 0; }  // of a step's residual; 0: steps have none
+
+  // A copy of the whole state; restore goes back to it and continues bit for bit. Errors: a snapshot of
+  // another analysis; restore from a hook.
+  struct Snapshot;
+  std::shared_ptr<const Snapshot> snapshot() const;
+  void restore(const Snapshot& snapshot);
+
+ protected:
+  // Compiles and seals the model. Errors: duration not positive; model.validate().
+  Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
+      const char* kind);
+
+  // --- what a kind of run does. A step's size: the time at its end; along an arc its length.
+  virtual void begin() = 0;  // the state at time 0, before its hooks; calls work_.start
+  // Solves a step towards the limit, cut where that is needed, and leaves it as trial state: its size.
+  // NumericalFailure when stuck.
+  virtual double try_step(double limit, StepReport& report) = 0;
+  virtual bool attempt(double size, StepReport& report) = 0;  // one try of that size from the committed state
+  virtual double no_size() const = 0;                         // of a step that goes nowhere
+  virtual double tried_size(double size) const { return size; }  // what the last attempt made of it
+  virtual void commit(StepReport& report) = 0;                   // the trial state; adds the external work
+  [[noreturn]] virtual void give_up(const StepReport& report) = 0;
+  virtual double kinetic() const { return 0; }       // J
+  virtual double damping_work() const { return 0; }  // J
+  virtual double driven_work() const { return 0; }   // J, external work beyond work_
+  virtual void check() {}                            // after a step and its hooks; may throw
+  virtual Vec3 inertia(mesh::Index) const {
+    return Vec3::Zero();
+  }  // N, that a driven node's support overcomes
+  virtual Vec3 velocity(mesh::Index) const { return Vec3::Zero(); }  // m/s
+  virtual std::any memory() const = 0;  // all that changes as the run goes, but what Run has
+  virtual void recall(const std::any& memory) = 0;
+
+  double next_landing(double limit) const;  // the next kink, hook or limit
+  double committed_time() const { return std::as_const(*assembly_).state().time(); }
+  bool is_kink(double time) const;
+  void rollback();  // the trial state
+
+  std::shared_ptr<model::Model> model_;
+  double duration_;
+  std::shared_ptr<Notices> notices_;
+  std::unique_ptr<assembly::Assembly> assembly_;
+  std::vector<double> dead_;  // N, 3 per node, dead loads at the trial time
+  std::vector<StepReport> reports_;
+  ExternalWork work_;
+  double trial_time_ = 0, initial_energy_ = 0;
+
+ private:
+  struct Timed {
+    double interval = 0;  // 0: every step
+    Hook hook;
+    AfterError after = AfterError::skip;
+    std::int64_t count = 0;  // next landing at count * interval
+    bool pending = false;
+  };
+  struct Event {
+    std::function<double(Run&)> value;
+    double tolerance = 0;
+    Hook hook;
+    double last = 0, now = 0, largest = 0;  // at the committed and at the trial state; of committed ones
+    int side = 0;  // sign of the value when it was last outside its tolerance of zero; 0: not since it fired
+    bool pending = false;
+    bool near() const { return std::abs(now) <= tolerance * largest; }
+    bool crossed() const;  // beyond zero and its tolerance
+    void settle();         // the trial state is committed
+  };
+  class Busy;
+  void start();
+  void advance_to(double limit);  // one committed step towards the limit
+  void measure(Event& event);
+  double land(double size, StepReport& report);  // shortens the attempt to the first event inside it
+  double search(Event& event, double size, StepReport& report);
+  void mark_due();
+  void run_pending();
+
+  std::vector<Timed> timed_;
+  std::vector<Event> events_;
+  Hook monitor_;
+  std::vector<Hook> restored_;
+  std::vector<double> kinks_;
+  bool started_ = false, stopped_ = false, busy_ = false;
+  std::string stop_reason_;
+  mutable std::vector<ElementValues> cache_;
+  mutable std::uint64_t cache_version_ = 0;
+};
+
+}  // namespace fabricsh::analysis

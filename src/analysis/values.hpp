@@ -1,0 +1,45 @@
+// What can be read from a run.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tensor/vec.hpp"
+
+namespace fabricsh::analysis {
+
+// Read-only averages over an element's reference volume, material axes, tensor components.
+struct ElementValues {
+  double E11 = 0, E22 = 0, E23 = 0, E13 = 0, E12 = 0;
+  double S11 = 0, S22 = 0, S23 = 0, S13 = 0, S12 = 0;
+  double stored = 0, dissipated = 0;  // J/m^3
+  double residual1 = 0, residual2 = 0, slack1 = 0, slack2 = 0;
+};
+// Names in the order of the members above, for a:mean, a:field and the outputs.
+const std::vector<std::string>& element_value_names();
+double element_value(const ElementValues& v, const std::string& name);  // Error: unknown name
+
+struct NodeValues {
+  Vec3 x, X, u, v, n;  // current, reference, displacement (m), velocity (m/s; zero in statics), director
+};
+
+struct Energy {  // J
+  double kinetic = 0, stored = 0, dissipated = 0, external = 0;
+  double damping = 0;  // lost to viscous forces, and to the integrator where it damps (gamma > 1/2, hht < 0)
+  double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
+  double internal() const { return stored + dissipated; }
+  double initial = 0;  // kinetic, stored and dissipated when the run began
+  // kinetic + stored + dissipated + damping - external - initial, which is zero where no energy is made.
+  double surplus() const { return kinetic + stored + dissipated + damping - external - initial; }
+  double error = 0;  // |surplus| / largest |external| so far (a free flight: / initial)
+};
+
+// One line per committed step.
+struct StepReport {
+  double time = 0, step = 0;
+  int iterations = 0;
+  int cuts = 0;                      // halvings that this step took
+  std::vector<double> residuals;     // relative residual of each iteration, the first one is the predictor's
+  std::int64_t negative_pivots = 0;  // of the last tangent: none on a stable path
+};
+
+}  // namespace fabricsh::analysis

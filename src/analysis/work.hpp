@@ -1,0 +1,27 @@
+// Work of loads and supports on the cloth, by the trapezoidal rule from one committed state to the next.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "assembly/assembly.hpp"
+
+namespace fabricsh::analysis {
+
+class ExternalWork {
+ public:
+  // The assembly's trial configuration with its forces, aimed at its time; dead: dead loads then, N, 3 per
+  // node. The first state of a run does no work.
+  void start(const assembly::Assembly& assembly, std::span<const double> dead);
+  void add(const assembly::Assembly& assembly, std::span<const double> dead);
+  // J, of what is known otherwise.
+  void add(double work);
+  double total() const { return total_; }      // J
+  double largest() const { return largest_; }  // J, the largest |total| so far
+
+ private:
+  double total_ = 0, largest_ = 0;
+  std::vector<double> x_, d_;  // 3 per node, at the last state
+  assembly::WorkingForces before_, now_;
+};
+
+}  // namespace fabricsh::analysis

@@ -1,0 +1,345 @@
+// Motion against closed forms: free flight, frequencies, orders, agreement of the schemes, the ledger.
+#include <omp.h>
+
+#include <numbers>
+
+#include "analysis/dynamic.hpp"
+#include "analysis/problems.hpp"
+#include "catch.hpp"
+#include "message_of.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::test;
+using analysis::DynamicOptions;
+using analysis::make_dynamic;
+using analysis::Run;
+using analysis::Scheme;
+
+namespace {
+
+struct Momenta {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+};
+
+// From the velocities of nodes and directors.
+Momenta momenta(const Run& a, const assembly::NodalRates& rates) {
+  Momenta sum;
+  const auto& mass = a.assembly().nodal_mass();
+  const auto& rotary = a.assembly().rotary_inertia(true);
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    const auto node = a.node(static_cast<mesh::Index>(n));
+    const Eigen::Map<const Vec3> w(rates.d.data() + 3 * n);
+    sum.linear += mass[n] * node.v;
+    sum.angular += mass[n] * node.x.cross(node.v) + rotary[n] * node.n.cross(Vec3(w));
+  }
+  return sum;
+}
+
+std::shared_ptr<model::Model> make_flight(int n) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, n, n));
+  auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+  m->velocity({"all", Vec3(0.3, -0.2, 0.5), Vec3(2, 1, 5), Vec3(0.5, 0.5, 0)});
+  return m;
+}
+
+// The time of the n-th return of a value through zero upwards, by linear interpolation.
+struct Crossings {
+  std::vector<double> times;
+  double last_time = 0, last = 0;
+  void see(double time, double value) {
+    if (last < 0 && value >= 0) times.push_back(last_time + (time - last_time) * -last / (value - last));
+    last_time = time;
+    last = value;
+  }
+  double period() const { return (times.back() - times.front()) / static_cast<double>(times.size() - 1); }
+};
+
+// A set of its own for a node, so that it can be given its own motion.
+std::string only(mesh::Mesh& mesh, std::size_t node) {
+  const std::string name = "node " + std::to_string(node);
+  mesh.define(name, mesh::NodeSet{static_cast<mesh::Index>(node)});
+  return name;
+}
+
+constexpr double kGreen = 0.05, kModulus = 1e6, kDensity = 1000;
+
+// A string: a narrow strip of unit length, every node of which is driven along x so that its Green-Lagrange
+// strain is kGreen; plucked with its first mode.
+std::shared_ptr<model::Model> make_string(int cells, double width) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, width, cells, 1));
+  auto card = isotropic(kModulus, 0, 1e-4);
+  card.density = kDensity;
+  std::vector<std::string> sets;
+  for (std::size_t i = 0; i < mesh->nodes.size(); ++i) sets.push_back(only(*mesh, i));
+  auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
+  m->fix("all", model::parse_freedoms("y rx rz"));
+  for (const char* end : {"left", "right"}) m->fix(end, model::parse_freedoms("z"));
+  const double stretch = std::sqrt(1 + 2 * kGreen);
+  for (std::size_t i = 0; i < mesh->nodes.size(); ++i) {
+    const double X = mesh->nodes[i].x();
+    model::Components along;
+    along[0] = history::History::constant((stretch - 1) * X);
+    m->move(sets[i], along);
+    m->velocity({sets[i], Vec3(0, 0, 1e-4 * std::sin(std::numbers::pi * X)), Vec3::Zero(), Vec3::Zero()});
+  }
+  return m;
+}
+
+double measured_period(analysis::Dynamic& a, mesh::Index node) {
+  Crossings crossings;
+  a.every_step([&](Run& r) { crossings.see(r.time(), r.node(node).u.z()); });
+  a.solve();
+  REQUIRE(crossings.times.size() >= 3);
+  return crossings.period();
+}
+
+// A simply supported square plate of unit side, in its first mode.
+constexpr double kPlate = 0.02;  // thickness
+std::shared_ptr<model::Model> make_plate(int n) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, n, n));
+  auto card = isotropic(kModulus, 0.3, kPlate);
+  card.density = kDensity;
+  std::vector<std::string> sets;
+  for (std::size_t i = 0; i < mesh->nodes.size(); ++i) sets.push_back(only(*mesh, i));
+  auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
+  m->fix("all", model::parse_freedoms("x y"));
+  for (const char* edge : {"left", "right"}) m->fix(edge, model::parse_freedoms("z rx"));
+  for (const char* edge : {"bottom", "top"}) m->fix(edge, model::parse_freedoms("z ry"));
+  for (std::size_t i = 0; i < mesh->nodes.size(); ++i) {
+    const Vec3& X = mesh->nodes[i];
+    m->velocity({sets[i],
+                 Vec3(0, 0, 1e-5 * std::sin(std::numbers::pi * X.x()) * std::sin(std::numbers::pi * X.y())),
+                 Vec3::Zero(), Vec3::Zero()});
+  }
+  return m;
+}
+
+// A strip of the blend, held at its left edge, level, that falls.
+std::shared_ptr<model::Model> make_swing(int cells) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.2, 0.05, cells, 1));
+  auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+  m->fix("left", model::parse_freedoms("x y z"));
+  m->gravity(model::steady({0, 0, -9.81}));
+  return m;
+}
+
+Vec3 tip(const Run& a) { return a.node(static_cast<mesh::Index>(a.model().mesh().nodes.size()) - 1).x; }
+
+std::vector<double> positions(const Run& a) {
+  const auto x = a.assembly().state().x();
+  return {x.begin(), x.end()};
+}
+
+}  // namespace
+
+TEST_CASE("free flight: momentum and angular momentum to rounding, energy to 1e-8") {
+  const auto a = make_dynamic(make_flight(4), {.duration = 0.1, .step = 1e-5}, quiet());
+  a->advance(1e-5);
+  const Momenta before = momenta(*a, a->rates());
+  a->solve();
+  CHECK(a->steps().size() >= 10000);
+  const Momenta after = momenta(*a, a->rates());
+  CHECK((after.linear - before.linear).norm() < 1e-12 * before.linear.norm());
+  CHECK((after.angular - before.angular).norm() < 1e-12 * before.angular.norm());
+  const auto e = a->energy();
+  CHECK(e.internal() > 0);
+  CHECK(std::abs(e.surplus()) < 1e-8 * e.initial);
+}
+
+TEST_CASE("a taut strip's first frequency; second order in the step, explicit and implicit") {
+  // w_tt = (S / rho) w_XX; the chain of lumped masses has sin; rotary inertia of directors adds I k^2.
+  const int cells = 16;
+  const double width = 0.002, h = 1.0 / cells, speed = std::sqrt(kModulus * kGreen / kDensity);
+  const double chain = 2 / h * speed * std::sin(std::numbers::pi * h / 2);
+  const auto period = [&](Scheme scheme, double step) {
+    const double k = std::numbers::pi, I = scheme == Scheme::explicit_steps ? h * width / 8 : 1e-8 / 12;
+    const double omega = chain / std::sqrt(1 + I * k * k);
+    const auto a = make_dynamic(
+        make_string(cells, width),
+        {.duration = 3.3 * 2 * std::numbers::pi / omega, .step = step, .scheme = scheme}, quiet());
+    return measured_period(*a, cells / 2) * omega / (2 * std::numbers::pi) - 1;
+  };
+  for (const auto& [scheme, step] :
+       {std::pair{Scheme::explicit_steps, 6e-5}, std::pair{Scheme::implicit_steps, 8e-3}}) {
+    const double coarse = period(scheme, step), fine = period(scheme, step / 2);
+    INFO(coarse << " " << fine);
+    CHECK(std::abs(fine) < 2e-3);
+    if (scheme == Scheme::implicit_steps) CHECK(std::abs(coarse / fine - 4) < 0.3);
+  }
+  CHECK(std::abs(period(Scheme::explicit_steps, 3e-5)) < 2e-5);  // directors are not quite the chain's slopes
+}
+
+TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotary inertia") {
+  const double D = kModulus * std::pow(kPlate, 3) / (12 * (1 - 0.09)),
+               k2 = 2 * std::numbers::pi * std::numbers::pi;
+  const double shear = 5.0 / 6 * kModulus / 2.6 * kPlate;
+  const double omega =
+      std::sqrt(D / (kDensity * kPlate) / (1 + k2 * D / shear + k2 * kPlate * kPlate / 12)) * k2;
+  double error[2];
+  int i = 0;
+  for (const int n : {8, 16}) {
+    const auto a = make_dynamic(make_plate(n),
+                                {.duration = 3.3 * 2 * std::numbers::pi / omega, .scaled = false}, quiet());
+    error[i++] = measured_period(*a, (n / 2) * (n + 1) + n / 2) * omega / (2 * std::numbers::pi) - 1;
+  }
+  INFO(error[0] << " " << error[1]);
+  CHECK(std::abs(error[1]) < 1e-2);
+  CHECK(std::abs(error[0] / error[1]) > 3.5);
+  CHECK(std::abs(error[0] / error[1]) < 4.5);
+}
+
+TEST_CASE("explicit and implicit agree on a swinging strip, the closer the smaller the steps") {
+  const auto end = [](Scheme scheme, double step) {
+    const auto a = make_dynamic(make_swing(8),
+                                {.duration = 0.15, .step = step, .scheme = scheme, .scaled = true}, quiet());
+    a->solve();
+    CHECK(a->energy().error < 2e-3);
+    return tip(*a);
+  };
+  const Vec3 fine = end(Scheme::explicit_steps, 5e-6);
+  const double far = (end(Scheme::implicit_steps, 8e-3) - fine).norm();
+  const double near = (end(Scheme::implicit_steps, 2.5e-4) - fine).norm();
+  INFO(far << " " << near);
+  CHECK(near < 1e-5);  // m, of a strip of 0.2 m that has fallen about as far
+  CHECK(near < far / 4);
+}
+
+TEST_CASE("restored, a run in motion gives the same bits as if it had never gone on") {
+  for (const auto scheme : {Scheme::explicit_steps, Scheme::implicit_steps}) {
+    std::vector<double> ends[2], work;
+    for (const bool detour : {false, true}) {
+      const auto a = make_dynamic(make_swing(4), {.duration = 0.03, .scheme = scheme}, quiet());
+      a->advance(0.01);
+      const auto s = a->snapshot();
+      if (detour) {
+        a->advance(0.02);
+        a->restore(*s);
+      }
+      a->solve();
+      ends[detour] = positions(*a);
+      work.push_back(a->energy().external);
+    }
+    CHECK(ends[0] == ends[1]);
+    CHECK(work[0] == work[1]);
+  }
+}
+
+TEST_CASE("one, two and four threads give the same bits") {
+  const int before = omp_get_max_threads();
+  std::vector<double> ends[3];
+  int i = 0;
+  for (const int threads : {1, 2, 4}) {
+    omp_set_num_threads(threads);
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(2, 2, 64, 64));
+    auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+    m->fix("corners", model::parse_freedoms("x y z"));
+    m->gravity(model::steady({0, 0, -9.81}));
+    const auto a = make_dynamic(m, {.duration = 3e-3}, quiet());
+    a->solve();
+    ends[i++] = positions(*a);
+  }
+  omp_set_num_threads(before);
+  CHECK(ends[0] == ends[1]);
+  CHECK(ends[0] == ends[2]);
+}
+
+TEST_CASE("the step rule: warned once above 0.7 of the stable step, refused above it") {
+  std::vector<std::string> said;
+  const auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
+  const double stable = make_dynamic(make_swing(4), {.duration = 1}, notices)->stable_step();
+  CHECK(said.empty());
+  // h over the wave speed of the stiffest tangent: blend [[Du1 + c nu12, c], [c, Du2 + c nu21]].
+  const double c = 0.42 * 8e6 / (1 - 0.25 * 0.42), a = 864e6 + 0.25 * c, b = 1080e6 + 0.42 * c;
+  const double K = (a + b) / 2 + std::sqrt((a - b) * (a - b) / 4 + c * c);
+  CHECK(std::abs(stable / (0.05 / std::sqrt(K / 590)) - 1) < 1e-12);
+  make_dynamic(make_swing(4), {.duration = 1, .step = 0.8 * stable}, notices);
+  REQUIRE(said.size() == 1);
+  says(said[0], "above 0.7 of the stable one");
+  says(message_of([&] { make_dynamic(make_swing(4), {.duration = 1, .step = 1.1 * stable}, notices); }),
+       "force=true");
+  make_dynamic(make_swing(4), {.duration = 1, .step = 1.1 * stable, .force = true}, notices);
+  CHECK(said.size() == 1);
+}
+
+TEST_CASE("stretch that brings the stable step below the one in use splits it, said once") {
+  std::vector<std::string> said;
+  const auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, 4, 4));
+  auto card = isotropic(1e9, 0.3, 0.01);
+  card.density = 1000;
+  auto m = std::make_shared<model::Model>(mesh, card, model::Options{});
+  m->fix("all", model::parse_freedoms("z rotation"));
+  m->fix("left", model::parse_freedoms("x y"));
+  model::Components out;
+  out[0] =
+      history::History::callback([](double t) { return 0.3 * (1 - std::cos(std::numbers::pi * t / 0.2)); });
+  m->move("right", out);
+  const auto probe = make_dynamic(m, {.duration = 0.2}, quiet());
+  const double step = 0.95 * probe->stable_step();
+  const auto a = make_dynamic(m, {.duration = 0.2, .step = step}, notices);
+  a->solve();
+  CHECK(std::count_if(said.begin(), said.end(), [](const std::string& text) {
+          return text.find("is split from here on") != std::string::npos;
+        }) == 1);
+  CHECK(a->steps().front().step > 0.9 * step);
+  CHECK(a->steps().back().step < 0.51 * step);
+}
+
+TEST_CASE("a step above the stable one, forced, is stopped by the ledger or as a runaway") {
+  auto m = make_swing(16);
+  const double stable = make_dynamic(m, {.duration = 1}, quiet())->stable_step();
+  const auto a = make_dynamic(m, {.duration = 1, .step = 3 * stable, .force = true}, quiet());
+  try {
+    a->solve();
+    FAIL("no failure");
+  } catch (const NumericalFailure& failure) {
+    const std::string message = failure.what();
+    INFO(message);
+    says(message, "dynamic: stopped at time");
+    says(message, "\nTry: ");
+  }
+}
+
+TEST_CASE("damping loses what its ledger says, explicit and implicit") {
+  for (const auto scheme : {Scheme::explicit_steps, Scheme::implicit_steps}) {
+    DynamicOptions options{.duration = 0.1, .scheme = scheme, .mass_damping = 20};
+    if (scheme == Scheme::implicit_steps) options.step = 2e-4;
+    const auto a = make_dynamic(make_swing(4), options, quiet());
+    a->solve();
+    const auto e = a->energy();
+    INFO(e.damping << " of " << e.external);
+    CHECK(e.damping > 0.1 * e.external);
+    CHECK(e.error < 1e-3);
+  }
+}
+
+TEST_CASE("damped integrators lose energy, and the ledger counts it") {
+  for (const auto& options :
+       {DynamicOptions{.duration = 0.1, .gamma = 0.6},
+        DynamicOptions{.duration = 0.1, .step = 5e-4, .scheme = Scheme::implicit_steps, .hht = -0.3}}) {
+    const auto a = make_dynamic(make_swing(4), options, quiet());
+    a->solve();
+    const auto e = a->energy();
+    INFO(e.damping << " of " << e.external << ", error " << e.error);
+    CHECK(e.damping > 0);
+    CHECK(e.error < 5e-3);
+  }
+}
+
+TEST_CASE("options of a run in motion that cannot be") {
+  const auto message = [](const DynamicOptions& options) {
+    return message_of([&] { make_dynamic(make_swing(2), options, quiet()); });
+  };
+  says(message({.duration = 0}), "dynamic: field 'duration': expected a positive time in s, got 0");
+  says(message({.duration = 1, .step = -1.0}),
+       "dynamic: field 'step': expected a positive time in s or \"auto\", got -1");
+  says(message({.duration = 1, .gamma = 0.4}),
+       "dynamic: field 'gamma': expected a number from 0.5 to 1, got 0.4");
+  says(message({.duration = 1, .beta = 0.25}),
+       "dynamic: field 'beta': expected 0 (scheme=\"explicit\"), got 0.25");
+  says(message({.duration = 1, .hht = -0.1}),
+       "dynamic: field 'hht': expected 0 (scheme=\"explicit\"), got -0.1");
+  says(message({.duration = 1, .scheme = Scheme::implicit_steps, .hht = -0.5}),
+       "dynamic: field 'hht': expected a number from -1/3 to 0, got -0.5");
+}
