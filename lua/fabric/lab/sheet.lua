@@ -61,8 +61,9 @@ function sheet.along(tensor, angle)
   return t11 * c * c + t22 * s * s + 2 * t12 * s * c, t11 * s * s + t22 * c * c - 2 * t12 * s * c
 end
 
--- Keeps reading(a) of every step; with a folder, in curve.csv and a VTK series named `stem` too. Returns the curve.
-function sheet.observe(a, names, out, stem, reading)
+-- Keeps reading(a) of every step, or every so many seconds; with a folder, in curve.csv and a VTK series named `stem` too.
+-- Returns the curve.
+function sheet.observe(a, names, out, stem, reading, every)
   local curve, latest = {}, nil
   local function now()
     if not latest or latest.time ~= a.time then
@@ -71,14 +72,14 @@ function sheet.observe(a, names, out, stem, reading)
     end
     return latest
   end
-  a:every("step", function() curve[#curve + 1] = now() end)
+  a:every(every or "step", function() curve[#curve + 1] = now() end)
   if not out then return curve end
   local columns = {}
   for _, name in ipairs(names) do
     columns[name] = function() return now()[name] end
   end
-  a:record(out .. "/curve.csv", { columns = columns, order = names })
-  a:vtk(out .. "/" .. stem)
+  a:record(out .. "/curve.csv", { columns = columns, order = names, every = every })
+  a:vtk(out .. "/" .. stem, { every = every })
   return curve
 end
 

@@ -1,0 +1,66 @@
+-- What the tests in motion share: a square sheet, its run, and the ledger as columns of its curve.
+local sheet = require "fabric.lab.sheet"
+local u = require("fabric").units
+local fabric = require "fabric"
+local motion = {}
+
+local ledger = { "kinetic", "stored", "dissipated", "dissipated_warp", "dissipated_weft", "dissipated_shear", "dissipated_bending",
+                 "damping", "external", "created", "error" }
+
+-- A square of n x n elements, warp along x, from the origin; its model with gravity along -z.
+function motion.square(t)
+  local mesh = fabric.mesh.rectangle { width = t.size, height = t.size, nx = t.cells, ny = t.cells }
+  local model = fabric.model { mesh = mesh, card = t.card, points = t.card.bending and 1 or t.points, warp = 0 }
+  if t.gravity ~= 0 then model:gravity { 0, 0, -t.gravity } end
+  return mesh, model
+end
+
+function motion.analysis(t, model)
+  return fabric.dynamic { model = model, duration = t.duration, step = t.step or "auto", scheme = t.scheme, force = t.force,
+                          ledger_limit = t.ledger_limit, damping = t.damping > 0 and { mass = t.damping } or nil }
+end
+
+-- Runs to the end: a row every t.every seconds of reading(a) and the ledger. Where the run stops by itself, the rows so far and
+-- `trouble`, its message; t.strict raises it.
+function motion.run(t, a, names, stem, reading)
+  local columns = {}
+  for _, name in ipairs(names) do columns[#columns + 1] = name end
+  for _, name in ipairs(ledger) do columns[#columns + 1] = name end
+  local curve = sheet.observe(a, columns, t.out, stem, function(run)
+    local row, e = reading(run), run.energy
+    for _, name in ipairs(ledger) do row[name] = e[name] end
+    return row
+  end, t.every)
+  local ok, trouble = pcall(a.solve, a)
+  if not ok and (t.strict or type(trouble) ~= "table") then error(trouble, 0) end
+  return { curve = curve, analysis = a, trouble = not ok and tostring(trouble) or nil }
+end
+
+-- z of the lowest node, m, and of one node.
+function motion.lowest(a, mesh)
+  local least = math.huge
+  for i = 1, #mesh.nodes do least = math.min(least, a:node(i).z) end
+  return least
+end
+
+-- Number of the node at column i and row j (from 0) of an n x n sheet.
+function motion.node(n, i, j) return j * (n + 1) + i + 1 end
+
+motion.arguments = {
+  { name = "card", of = "card", sentence = "the fabric" },
+  { name = "cells", kind = "integer", low = 4, default = 20, sentence = "along an edge" },
+  { name = "size", kind = "number", unit = "m", above = 0, default = 2, sentence = "of the square" },
+  { name = "duration", kind = "number", unit = "s", above = 0, default = 0.5, sentence = "of the run" },
+  { name = "step", kind = "number", unit = "s", above = 0, optional = true, sentence = "as for fabric.dynamic; default: \"auto\"" },
+  { name = "scheme", kind = "text", choices = { "explicit", "implicit" }, default = "explicit", sentence = "as for fabric.dynamic" },
+  { name = "points", kind = "integer", low = 1, default = 3, sentence = "through the thickness, where the card has no bending of its own" },
+  { name = "gravity", kind = "number", unit = "m/s^2", default = 9.81, sentence = "along -z" },
+  { name = "damping", kind = "number", unit = "1/s", low = 0, default = 0, sentence = "of the masses" },
+  { name = "every", kind = "number", unit = "s", above = 0, default = 5 * u.ms, sentence = "time between rows and frames" },
+  { name = "force", kind = "boolean", default = false, sentence = "as for fabric.dynamic" },
+  { name = "strict", kind = "boolean", default = true, sentence = "a run that stops by itself is an error; false: it comes back with `trouble`" },
+  { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
+  { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv and the VTK series" },
+}
+
+return motion
