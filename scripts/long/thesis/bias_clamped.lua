@@ -14,18 +14,18 @@ for _, name in ipairs { "blend", "denim", "duck", "muslin" } do
     return fabric.lab.bias({ card = fabric.card(name), grips = "clamped", unload = false, steps = 20, cells = { 3 * n, 9 * n } }).peak.S
   end
   local values = {}
-  for i, n in ipairs { 1, 2, 4, 8, 16 } do values[i] = S(n) end
+  for i, n in ipairs { 1, 2, 4, 8 } do values[i] = S(n) end
   local function limit(first)
     local k = 0
     return fabric.lab.mesh_error({ print = false, run = function() k = k + 1 return { S = values[first + k - 1] } end }).S
   end
-  local coarse, fine = limit(1), limit(3)
+  local coarse, fine = limit(1), limit(2)
   local words = {}
   for i, v in ipairs(values) do words[i] = ("%.4f"):format(v / MPa) end
-  chapter.row(name .. ", clamped, 20 mm: S on 3x9 to 48x144, MPa", nil, table.concat(words, " "))
+  chapter.row(name .. ", clamped, 20 mm: S on 3x9 to 24x72, MPa", nil, table.concat(words, " "))
   chapter.row(name .. ": limit from the three coarse, from the three fine meshes", nil, ("%.4f, %.4f"):format(coarse.limit / MPa, fine.limit / MPa))
   checks[#checks + 1] = { name .. ": falls with every refinement (1: yes)",
-    (values[1] > values[2] and values[2] > values[3] and values[3] > values[4] and values[4] > values[5]) and 1 or 0, 1, relative = 1e-12 }
+    (values[1] > values[2] and values[2] > values[3] and values[3] > values[4]) and 1 or 0, 1, relative = 1e-12 }
   -- Corners of the clamps are singular: the order is near one and the coarse limit is good to a tenth.
   checks[#checks + 1] = { name .. ": the coarse limit over the fine one", coarse.limit / fine.limit, 1, absolute = 0.1 }
 end
