@@ -17,9 +17,9 @@ local decks = {
   "table_7_4_ratios", "fig_7_14_lateral_blend", "fig_7_15_lateral_denim", "fig_7_16_lateral_duck", "fig_7_17_lateral_muslin", "fig_7_18_reload",
   "fig_7_19_bias_snapshots", "fig_7_20_bias_blend", "fig_7_21_bias_denim", "fig_7_22_bias_duck", "fig_7_23_bias_muslin",
   "fig_7_24_off_axis_blend", "fig_7_25_off_axis_denim", "fig_7_26_fields", "fig_7_27_shear_cycle", "fig_7_28_shear_reload",
-  "fig_7_29_biaxial_blend", "fig_7_30_biaxial_denim", "fig_7_31_drape", "fig_7_32_36_poke", "fig_7_37_svk_cyclic", "table_7_5_kilby",
+  "fig_7_29_biaxial_blend", "fig_7_30_biaxial_denim", "drape", "poke", "fig_7_37_svk_cyclic", "table_7_5_kilby",
 }
-local long = { "../long/thesis/bias_clamped" }
+local long = { "../long/thesis/bias_clamped", "../long/thesis/drape", "../long/thesis/poke" }
 
 local function readable(path)
   local file = io.open(path)

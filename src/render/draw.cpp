@@ -10,6 +10,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
+#include <vtkStringArray.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "base/error.hpp"
 #include "render/colours.hpp"
@@ -151,6 +153,17 @@ void fit(vtkRenderer* renderer, const Scene& scene, const Bounds& bounds) {
   renderer->ResetCameraClippingRange();
 }
 
+// The two ends alone, for an axis too short for more labels.
+Ref<vtkStringArray> ends(double low, double high) {
+  const auto labels = Ref<vtkStringArray>::New();
+  for (const double v : {low, high}) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", v);
+    labels->InsertNextValue(text);
+  }
+  return labels;
+}
+
 void add_axes(vtkRenderer* renderer, const Scene& scene, Bounds bounds) {
   const auto axes = Ref<vtkCubeAxesActor>::New();
   axes->SetBounds(bounds.data());
@@ -171,6 +184,7 @@ void add_axes(vtkRenderer* renderer, const Scene& scene, Bounds bounds) {
   axes->SetZAxisVisibility(!flat);
   axes->SetXAxisMinorTickVisibility(false), axes->SetYAxisMinorTickVisibility(false),
       axes->SetZAxisMinorTickVisibility(false);
+  if (bounds[5] - bounds[4] < 0.4 * extent(bounds)) axes->SetAxisLabels(2, ends(bounds[4], bounds[5]));
   axes->SetTickLocationToOutside();
   flat ? axes->SetFlyModeToStaticTriad() : axes->SetFlyModeToOuterEdges();
   axes->SetScreenSize(font_size(scene.picture) * 0.5);

@@ -26,7 +26,7 @@ for _, name in ipairs { "blend", "denim", "duck", "muslin" } do
   chapter.row(name .. ": limit from the three coarse, from the three fine meshes", nil, ("%.4f, %.4f"):format(coarse.limit / MPa, fine.limit / MPa))
   checks[#checks + 1] = { name .. ": falls with every refinement (1: yes)",
     (values[1] > values[2] and values[2] > values[3] and values[3] > values[4]) and 1 or 0, 1, relative = 1e-12 }
-  -- Corners of the clamps are singular: the order is near one and the coarse limit is good to a tenth.
-  checks[#checks + 1] = { name .. ": the coarse limit over the fine one", coarse.limit / fine.limit, 1, absolute = 0.1 }
+  -- Corners of the clamps are singular: the order is near one and wanders; the coarse limit is good to 1 %.
+  checks[#checks + 1] = { name .. ": the coarse limit over the fine one", coarse.limit / fine.limit, 1, absolute = 0.02 }
 end
 chapter.expect(checks)
