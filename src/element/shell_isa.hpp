@@ -75,8 +75,8 @@ struct Resultants {
   Pack N[3], M[3], K[3], Q[2];
 };
 
-// Tangent of the eleven resultants: Z[m] holds sum w z^m L^T C L over in-plane rows and columns; shear blocks
-// apart.
+// Tangent of the eleven resultants (of a symmetric section the upper half of Z, and g_in left zero): Z[m]
+// holds sum w z^m L^T C L over in-plane rows and columns; shear blocks apart.
 struct Stiffness {
   Pack Z[5][3][3];     // z^0 .. z^4
   Pack in_g[3][3][2];  // z^0 .. z^2: rows in-plane, columns shear
@@ -110,6 +110,21 @@ inline void add_stress(const Transform& t, const double* S, double z, Resultants
   for (int j = 0; j < 2; ++j) r.Q[j] += t.L[2][3 + j] * s[2] + t.L[3][3 + j] * s[3];
 }
 
+inline void add_powers(const Pack (&D)[5][5], double z, bool symmetric, Stiffness& k) {
+  double power = 1;
+  for (int m = 0; m < 5; ++m, power *= z)
+    for (int i = 0; i < 3; ++i) {
+      for (int j = symmetric ? i : 0; j < 3; ++j) k.Z[m][i][j] += Pack(power) * D[i][j];
+      if (m < 3)
+        for (int j = 0; j < 2; ++j) {
+          k.in_g[m][i][j] += Pack(power) * D[i][3 + j];
+          if (!symmetric) k.g_in[m][j][i] += Pack(power) * D[3 + j][i];
+        }
+    }
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) k.g_g[i][j] += D[3 + i][3 + j];
+}
+
 inline void add_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
   Pack CL[5][5], D[5][5];
   for (int i = 0; i < 5; ++i)
@@ -126,18 +141,27 @@ inline void add_tangent(const Transform& t, const double* C, double z, Stiffness
         if (i < 3 || m == 2 || m == 3) c += t.L[m][i] * CL[m][j];
       D[i][j] = c;
     }
-  double power = 1;
-  for (int m = 0; m < 5; ++m, power *= z)
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) k.Z[m][i][j] += Pack(power) * D[i][j];
-      if (m < 3)
-        for (int j = 0; j < 2; ++j) {
-          k.in_g[m][i][j] += Pack(power) * D[i][3 + j];
-          k.g_in[m][j][i] += Pack(power) * D[3 + j][i];
-        }
-    }
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) k.g_g[i][j] += D[3 + i][3 + j];
+  add_powers(D, z, false, k);
+}
+
+// The same of a symmetric law, whose transverse shear is elastic and uncoupled: C13 = C23 = ... = 0. Fills
+// the upper half.
+inline void add_symmetric_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
+  constexpr int in[3] = {0, 1, 4};
+  const auto at = [&](int i, int j) { return t.weight * load(C + (5 * i + j) * lanes); };
+  Pack D[5][5], CL[3][3], shear[2] = {at(2, 2), at(3, 3)};
+  for (int i = 0; i < 3; ++i) {
+    const Pack c[3] = {at(in[i], 0), at(in[i], 1), at(in[i], 4)};
+    for (int j = 0; j < 3; ++j) CL[i][j] = c[0] * t.L[0][j] + c[1] * t.L[1][j] + c[2] * t.L[4][j];
+  }
+  for (int i = 0; i < 5; ++i) {
+    const Pack s2 = shear[0] * t.L[2][i], s3 = shear[1] * t.L[3][i];
+    for (int j = i; j < 5; ++j) D[i][j] = s2 * t.L[2][j] + s3 * t.L[3][j];
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) D[i][j] += t.L[0][i] * CL[0][j] + t.L[1][i] * CL[1][j] + t.L[4][i] * CL[2][j];
+  D[4][3] = D[3][4];
+  add_powers(D, z, true, k);
 }
 
 // Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point, with
@@ -186,7 +210,7 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
     failed |= fabric::batch_function(*point.law, isa_of_this_file)(
         *point.law, at, E, batch.s0 + offset, batch.s1 + offset, S, k != nullptr ? C : nullptr);
     add_stress(t, S, z, r);
-    if (k != nullptr) add_tangent(t, C, z, *k);
+    if (k != nullptr) section.symmetric ? add_symmetric_tangent(t, C, z, *k) : add_tangent(t, C, z, *k);
     if (!section.bends_apart) continue;
     const bool rubs = section.bending_state >= 0;
     const long bending = static_cast<long>(g * section.state_size + section.bending_state) * lanes;

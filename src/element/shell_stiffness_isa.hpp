@@ -39,7 +39,11 @@ inline Pack dot8(const Pack* a, const Pack* b) {
 }
 
 // The 11x11 tangent of the resultants, row i column j.
+template <bool symmetric>
 inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
+  if (symmetric && i < 9 && j < 9 && i % 3 > j % 3)
+    return stiffness_entry<symmetric>(k, i - i % 3 + j % 3, j - j % 3 + i % 3);
+  if (symmetric && i >= 9 && j < 9) return stiffness_entry<symmetric>(k, j, i);
   if (i / 3 == 1 && j / 3 == 1) return k.Z[2][i - 3][j - 3] + k.bending[i - 3][j - 3];
   if (i < 9 && j < 9) return k.Z[i / 3 + j / 3][i % 3][j % 3];
   if (i < 9) return k.in_g[i / 3][i % 3][j - 9];
@@ -63,7 +67,7 @@ template <bool symmetric, int nx, int nd>
 inline void add_material(const Columns<nx, nd>& B, const Stiffness& k, Tangent<nx, nd>& K) {
   Pack D[11][11], on_x[kReach], on_d[kReach];
   for (int i = 0; i < 11; ++i)
-    for (int j = 0; j < 11; ++j) D[i][j] = stiffness_entry(k, i, j);
+    for (int j = 0; j < 11; ++j) D[i][j] = stiffness_entry<symmetric>(k, i, j);
   for (int c = 0; c < nx; ++c) {
     times(D, kOfX, kOfX, B.x[c], on_x);
     for (int r = 0; r < (symmetric ? c + 1 : nx); ++r) K.xx[r][c] += dot8(B.x[r], on_x);
