@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fabricsh::solver {
 
 namespace {
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
 
 bool all_finite(std::span<const double> v) {
   return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
@@ -15,7 +20,7 @@ bool all_finite(std::span<const double> v) {
 
 ArcLength::ArcLength(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern)
     : linear_(std::move(linear)), K_(std::move(pattern)) {
-  for (auto* v : {&r_, &q_, &delta_r_, &delta_t_, &delta_, &increment_}) v->assign(K_.size, 0.0);
+  for (auto* v : {&r_, &trial_r_, &q_, &delta_r_, &delta_t_, &delta_, &increment_}) v->assign(K_.size, 0.0);
 }
 
 // delta_r = K^-1 r, delta_t = K^-1 q.
@@ -47,17 +52,38 @@ ArcLength::Step ArcLength::correction(const PathProblem& problem, const ArcOptio
   return {dt, std::isfinite(dt)};
 }
 
-// delta = delta_r + time delta_t, taken. False: the law failed.
-bool ArcLength::move(PathProblem& problem, double along, double time) {
-  for (std::size_t i = 0; i < delta_.size(); ++i) {
-    delta_[i] = delta_r_[i] + along * delta_t_[i];
-    increment_[i] += delta_[i];
+// Moves by share * delta, the time with it. False: the law failed.
+bool ArcLength::try_share(PathProblem& problem, double from, double step, double share) {
+  problem.aim(from + share * step);
+  problem.retract(delta_, share);
+  return problem.residual(trial_r_) && all_finite(trial_r_);
+}
+
+// delta = delta_r + step delta_t, taken as far as the residual falls: until |g(a)| <= |g(0)| / 2 with g(a) =
+// delta_r . r(a), as Newton's method does; K being the tangent, g(a) = (1 - a) g(0) but for what is not
+// linear, whatever the time's step. The predictor starts in equilibrium and is taken whole. Returns the share
+// taken, 0: the law failed.
+double ArcLength::move(PathProblem& problem, double from, double step, bool search) {
+  for (std::size_t i = 0; i < delta_.size(); ++i) delta_[i] = delta_r_[i] + step * delta_t_[i];
+  const double g0 = dot(delta_r_, r_);
+  double low = 0, g_low = g0, a = 1;
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    if (!try_share(problem, from, step, a)) {
+      if (!search) return 0;
+      a = low + (a - low) / 4;
+      continue;
+    }
+    const double g = dot(delta_r_, trial_r_);
+    const bool crossed = (g > 0) != (g_low > 0);
+    if (!search || std::abs(g) <= std::abs(g0) / 2 || !crossed || attempt == 9) {
+      r_.swap(trial_r_);
+      for (std::size_t i = 0; i < delta_.size(); ++i) increment_[i] += a * delta_[i];
+      problem.accept();
+      return a;
+    }
+    a = std::max(low + (a - low) * g_low / (g_low - g), 0.1 * a);
   }
-  problem.aim(time);
-  problem.retract(delta_, 1);
-  if (!problem.residual(r_) || !all_finite(r_)) return false;
-  problem.accept();
-  return true;
+  return 0;
 }
 
 // Is the solution on the path, and not round the back of the sphere or on another branch far off?
@@ -90,15 +116,17 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
       result.landed = true;
       step.time = arc.landing - result.time;
     }
-    result.time = result.landed ? arc.landing : result.time + step.time;
-    if (!(result.time > 0)) return stop(NewtonStatus::turned_back);
-    if (!move(problem, step.time, result.time)) return stop(NewtonStatus::law_failed);
+    if (!(result.time + step.time > 0)) return stop(NewtonStatus::turned_back);
+    const double share = move(problem, result.time, step.time, options.line_search && i > 0);
+    if (share == 0) return stop(NewtonStatus::law_failed);
+    result.time = result.landed && share == 1 ? arc.landing : result.time + share * step.time;
     if (i == 0) predicted_ = increment_;
     const auto [size, where] = problem.largest(r_);
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.residuals.push_back(relative);
     result.worst = where;
-    const bool balanced = relative <= options.tolerance || size <= problem.rounding_floor(K_);
+    const bool there = !result.landed || result.time == arc.landing;
+    const bool balanced = there && (relative <= options.tolerance || size <= problem.rounding_floor(K_));
     if (balanced) return stop(followed(problem) ? NewtonStatus::converged : NewtonStatus::diverged);
     if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
     if (!problem.tangent_and_rate(K_, q_)) return stop(NewtonStatus::law_failed);

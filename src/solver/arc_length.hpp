@@ -54,11 +54,12 @@ class ArcLength {
   Step predictor(const PathProblem& problem, const ArcOptions& arc, ArcResult& result);
   Step correction(const PathProblem& problem, const ArcOptions& arc, const ArcResult& result) const;
   bool followed(const PathProblem& problem) const;
-  bool move(PathProblem& problem, double along, double time);
+  bool try_share(PathProblem& problem, double from, double step, double share);
+  double move(PathProblem& problem, double from, double step, bool search);
 
   std::unique_ptr<LinearSolver> linear_;
   SparseMatrix K_;
-  std::vector<double> r_, q_, delta_r_, delta_t_, delta_, increment_, direction_, predicted_;
+  std::vector<double> r_, trial_r_, q_, delta_r_, delta_t_, delta_, increment_, direction_, predicted_;
   bool analysed_ = false;
 };
 
