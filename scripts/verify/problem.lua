@@ -83,4 +83,27 @@ function problem.follow(a, read, rows, names)
   return worst
 end
 
+-- Distance of a point from the polygon through the path { {x, y}, ... }, y measured in `scale`.
+function problem.distance(path, x, y, scale)
+  local best = math.huge
+  for i = 2, #path do
+    local ax, ay, bx, by = path[i - 1][1], path[i - 1][2] / scale, path[i][1], path[i][2] / scale
+    local dx, dy, px, py = bx - ax, by - ay, x - ax, y / scale - ay
+    local s = math.min(1, math.max(0, (px * dx + py * dy) / (dx * dx + dy * dy)))
+    best = math.min(best, math.sqrt((px - s * dx) ^ 2 + (py - s * dy) ^ 2))
+  end
+  return best
+end
+
+-- Three plies of a third of the thickness of a fibre-reinforced card, their fibres at the angles given from the model's
+-- warp; transversely isotropic about the fibre.
+function problem.laminate(fibre, across, shear, poisson, thickness, angles)
+  local card = fabric.svk { name = "ply", warp = fibre, weft = across, shear = shear, density = 1000,
+    thickness = thickness / 3, poisson = { poisson, poisson * across / fibre },
+    transverse = { shear, across / (2 * (1 + poisson)) } }
+  local layers = {}
+  for i, angle in ipairs(angles) do layers[i] = { card = card, warp = angle, thickness = thickness / 3 } end
+  return layers
+end
+
 return problem

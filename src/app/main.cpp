@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/command_line.hpp"
+#include "app/environment.hpp"
 #include "base/version.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/prompt.hpp"
@@ -69,6 +70,7 @@ void converse(script::Session& session) {
 }  // namespace
 
 int main(int count, char** words) {
+  app::settle_environment(words);
   const app::CommandLine command = app::read_command_line(count, words);
   if (!command.trouble.empty()) {
     std::cerr << "fabricsh: " << command.trouble << "\n" << app::usage;

@@ -67,6 +67,12 @@ void Mesh::define(const std::string& name, NodeSet ids) {
     if (id < 0 || id >= count)
       throw Error("set '" + name + "': expected node ids from 1 to " + std::to_string(count) + ", got " +
                   std::to_string(id + 1));
+  if (in_use) {
+    const auto known = sets.find(name);
+    if (known != sets.end() && known->second != ids)
+      throw Error("set '" + name +
+                  "': a compiled model uses this mesh, whose sets stay as they were: take another name");
+  }
   sets.insert_or_assign(name, std::move(ids));
 }
 
@@ -78,6 +84,7 @@ void Mesh::define(const std::string& name, const std::function<bool(const Vec3&)
 }
 
 void Mesh::map(const std::function<Vec3(const Vec3&)>& f) {
+  check_unused(*this, "map");
   std::vector<Vec3> moved;
   moved.reserve(nodes.size());
   for (const Vec3& node : nodes) {
@@ -88,6 +95,10 @@ void Mesh::map(const std::function<Vec3(const Vec3&)>& f) {
   }
   nodes = std::move(moved);
   flat = false;
+}
+
+void check_unused(const Mesh& mesh, const char* call) {
+  if (mesh.in_use) throw Error(std::string(call) + ": a compiled model uses this mesh: make a new one");
 }
 
 // The shortest edge, or the smallest height (area over longest edge; twice that for a triangle) where an

@@ -21,18 +21,28 @@ struct Mesh {
                                                // a triangle has -1 in the last place
   std::map<std::string, NodeSet, std::less<>> sets;
   bool flat = false;  // generated in the x-y plane and not mapped since: the warp direction may default to +x
-  std::string origin;  // "rectangle 3x9", "file disc.msh": for messages and the printed model
+  bool in_use = false;  // a compiled model refers to it: nodes, elements and named sets stay as they are
+  std::string origin;   // "rectangle 3x9", "file disc.msh": for messages and the printed model
 
   // The named set. Error: unknown name, with the nearest known one and the list.
   const NodeSet& set(std::string_view name) const;
   // Elements all of whose nodes are in the set.
   std::vector<Index> elements_in(const NodeSet& nodes) const;
-  // New or replaced set; error on an id outside the mesh or an empty list.
+  // New or replaced set; error on an id outside the mesh or an empty list, and on other ids under a known
+  // name once the mesh is in use.
   void define(const std::string& name, NodeSet ids);
   void define(const std::string& name, const std::function<bool(const Vec3&)>& inside);
-  // Move every node; error if a position is not finite. Clears `flat`. On error nothing is moved.
+  // Move every node; error if a position is not finite or the mesh in use. Clears `flat`. On error nothing is
+  // moved.
   void map(const std::function<Vec3(const Vec3&)>& f);
 };
+
+// Error when the mesh is in use: a call that would change it.
+void check_unused(const Mesh& mesh, const char* call);
+
+// Every quadrilateral becomes two triangles: cut along the diagonal from its first corner, or in every other
+// cell of a lattice of `across` columns from its second, so that the cuts make a union jack.
+void split(Mesh& mesh, Index across);
 
 // Structured rectangle in the x-y plane, normal +z, nodes row-major from the origin corner.
 // Sets: left right bottom top boundary corners all. Errors: sizes not positive and finite, cells < 1.

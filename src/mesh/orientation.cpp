@@ -94,6 +94,7 @@ Orientation orientation(const Mesh& mesh, const std::vector<Edge>& sorted) {
 }
 
 Index orient(Mesh& mesh, const Vec3& direction) {
+  check_unused(mesh, "orient");
   const Orientation found = orientation(mesh, edges(mesh));
   const auto one_sided = std::find(found.one_sided.begin(), found.one_sided.end(), 1);
   if (one_sided != found.one_sided.end())

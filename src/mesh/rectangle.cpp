@@ -45,4 +45,22 @@ Mesh rectangle(double width, double height, Index nx, Index ny, const Vec3& orig
   return mesh;
 }
 
+void split(Mesh& mesh, Index across) {
+  std::vector<std::array<Index, 4>> triangles;
+  triangles.reserve(2 * mesh.elements.size());
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto [a, b, c, d] = mesh.elements[e];
+    const auto cell = static_cast<Index>(e);
+    if ((cell % across + cell / across) % 2 == 0) {
+      triangles.push_back({a, b, c, -1});
+      triangles.push_back({a, c, d, -1});
+    } else {
+      triangles.push_back({a, b, d, -1});
+      triangles.push_back({b, c, d, -1});
+    }
+  }
+  mesh.elements = std::move(triangles);
+  mesh.origin += " in triangles";
+}
+
 }  // namespace fabricsh::mesh

@@ -149,7 +149,8 @@ class Model {
   // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at
   // once; what work_out_ties refuses.
   void validate() const;
-  void seal() { sealed_ = true; }  // by the analysis that compiles it: any change after that is an Error
+  // By the analysis that compiles it: any change of it or its mesh after that is an Error.
+  void seal() { sealed_ = mesh_->in_use = true; }
 
   const mesh::Mesh& mesh() const { return *mesh_; }
   std::shared_ptr<const mesh::Mesh> mesh_pointer() const { return mesh_; }

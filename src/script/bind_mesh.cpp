@@ -43,6 +43,7 @@ Vec3 origin_of(const Call& call) {
 int rectangle(Call& call) {
   auto mesh = mesh::rectangle(call.number("width"), call.number("height"), call.integer("nx"),
                               call.integer("ny"), origin_of(call));
+  if (call.flag("triangles")) mesh::split(mesh, call.integer("nx"));
   push_object(call.L(), std::make_shared<Mesh>(std::move(mesh)));
   return 1;
 }
@@ -212,7 +213,9 @@ std::vector<Entry> rows() {
         number_("height", "m", positive, "size along y").usually(1e-3, 20, ask),
         integer_("nx", from_one, "elements along x"), integer_("ny", from_one, "elements along y"),
         Argument{"origin", numbers, "m", everything, "corner of smallest x and y, {x, y} or {x, y, z}"}
-            .optional()},
+            .optional(),
+        value_("triangles", boolean, "cut every cell into two triangles, the cuts turning from cell to cell")
+            .or_else(false)},
        "A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin "
        "corner; sets left, "
        "right, bottom, top, boundary, corners, all.",

@@ -12,6 +12,17 @@ local x = disk.nodes[disk:set("centre")[1]]
 assert(math.abs(x[1]) < 1e-15 and math.abs(x[2]) < 1e-15 and x[3] == 0)
 fabric.model{ mesh = disk, card = fabric.card "blend" }
 
+local cut = fabric.mesh.rectangle{ width = 0.1, height = 0.1, nx = 2, ny = 2, triangles = true }
+assert(#cut.elements == 8 and #cut.elements[1] == 3 and #cut:set "left" == 3)
+
+local held = fabric.model{ mesh = cut, card = fabric.card "blend" }
+held:fix("left", "x y z rotation")
+cut:set("late", { 5 })
+fabric.static{ model = held, duration = 1 }
+cut:set("later", { 5 })
+refused("compiled model", cut.set, cut, "late", { 4 })
+refused("compiled model", cut.map, cut, function(x, y, z) return x, y, z end)
+
 local sleeve = fabric.mesh.cylinder{ radius = 0.04, length = 0.2, around = 12, along = 4 }
 assert(#sleeve:set "bottom" == 12 and #sleeve:set "seam" == 5)
 refused("warp", fabric.model, { mesh = sleeve, card = fabric.card "blend" })

@@ -137,3 +137,38 @@ TEST_CASE("smallest length", "[mesh]") {
   // The right triangle 3-4-5: height 12/5 on the longest side.
   CHECK(smallest_length(triangle, 0) == Approx(2.4).epsilon(1e-14));
 }
+
+TEST_CASE("a rectangle in triangles: two a cell, all counter-clockwise, cuts turning from cell to cell",
+          "[mesh]") {
+  Mesh m = rectangle(0.3, 0.7, 3, 2);
+  mesh::split(m, 3);
+  REQUIRE(m.elements.size() == 12);
+  double sum = 0;
+  for (const auto& e : m.elements) {
+    REQUIRE(e[3] == -1);
+    const double twice = (m.nodes[e[1]] - m.nodes[e[0]]).cross(m.nodes[e[2]] - m.nodes[e[0]]).z();
+    CHECK(twice > 0);
+    sum += twice / 2;
+  }
+  CHECK(sum == Approx(0.21).epsilon(1e-14));
+  // Node 5 (second column, second row) is where four cuts meet; its neighbour on the right has none but
+  // edges.
+  const auto meeting = [&](Index n) {
+    return std::count_if(m.elements.begin(), m.elements.end(),
+                         [&](const auto& e) { return e[0] == n || e[1] == n || e[2] == n; });
+  };
+  CHECK(meeting(5) == 8);
+  CHECK(meeting(6) == 4);
+}
+
+TEST_CASE("a mesh in use keeps its nodes and its sets; new sets may come", "[mesh]") {
+  Mesh m = rectangle(1, 1, 2, 2);
+  m.in_use = true;
+  m.define("middle", NodeSet{4});
+  m.define("middle", NodeSet{4});
+  CHECK(message_of([&] { m.define("middle", NodeSet{5}); }) ==
+        "set 'middle': a compiled model uses this mesh, whose sets stay as they were: take another name");
+  CHECK(message_of([&] { m.map([](const Vec3& X) { return X; }); }) ==
+        "map: a compiled model uses this mesh: make a new one");
+  CHECK(m.set("middle") == NodeSet{4});
+}

@@ -7,8 +7,8 @@ using namespace fabricsh::test;
 
 namespace {
 
-// An arch 200 mm wide and 20 mm high, 50 mm deep, clamped at both feet; its crown is pushed down by a force or
-// moved down.
+// An arch 200 mm wide and 20 mm high, 50 mm deep, clamped at both feet; its crown is pushed down by a force
+// or moved down.
 struct Arch {
   std::shared_ptr<model::Model> model;
   mesh::Index crown;
@@ -16,7 +16,8 @@ struct Arch {
 
 Arch make_arch(double force, double move) {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.2, 0.05, 8, 2));
-  mesh->map([](const Vec3& X) { return Vec3(X.x(), X.y(), 0.02 * std::sin(std::numbers::pi * X.x() / 0.2)); });
+  mesh->map(
+      [](const Vec3& X) { return Vec3(X.x(), X.y(), 0.02 * std::sin(std::numbers::pi * X.x() / 0.2)); });
   mesh->define("crown", [](const Vec3& X) { return std::abs(X.x() - 0.1) < 1e-9; });
   model::Options options;
   options.warp = [](const Vec3&) { return model::Direction(Vec3(Vec3::UnitX())); };
@@ -35,7 +36,8 @@ Arch make_arch(double force, double move) {
 
 TEST_CASE("an arch of cloth is pushed through along the arc, without a cut at every yarn that switches") {
   const Arch arch = make_arch(-2, 0);
-  analysis::Static a(arch.model, {.duration = 1, .step = 0.05, .control = analysis::Control::arc}, std::make_shared<Notices>());
+  analysis::Static a(arch.model, {.duration = 1, .step = 0.05, .control = analysis::Control::arc},
+                     std::make_shared<Notices>());
   double last = 0;
   bool turned = false;
   a.every_step([&](analysis::Static& run) {
