@@ -132,5 +132,5 @@ fabric.expect {
   { "thick: deflection at the last published force", final, 29.374, relative = 0.01 },
   { "thick: largest difference of P/Pmax", worst, 0, absolute = 0.015 },
   { "thin: largest distance from the path", off, 0, absolute = 0.01 },
-  { "plies: largest distance from the path", layered, 0, absolute = 0.02 },
+  { "plies: largest distance from the path", layered, 0, absolute = 0.01 },
 }
