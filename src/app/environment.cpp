@@ -12,7 +12,8 @@ namespace fabricsh::app {
 
 namespace {
 
-// Name of the kernels that OpenBLAS should rather take; null: its own choice is good, or another BLAS is there.
+// Name of the kernels that OpenBLAS should rather take; null: its own choice is good, or another BLAS is
+// there.
 const char* better_kernels() {
   using CoreName = char* (*)();
   const auto name = reinterpret_cast<CoreName>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
