@@ -28,7 +28,7 @@ model::Components along_x(double value) {
 model::Freedoms tied(const char* words) { return model::parse_freedoms(words, "tie"); }
 
 // Every other element (or each, with 1) becomes two triangles.
-void split(mesh::Mesh& mesh, std::size_t every) {
+void cut_some(mesh::Mesh& mesh, std::size_t every) {
   const auto whole = mesh.elements;
   mesh.elements.clear();
   for (std::size_t e = 0; e < whole.size(); ++e) {
@@ -49,7 +49,7 @@ std::shared_ptr<model::Model> loaded_sheet(const std::function<void(model::Model
   mesh->map([=](const Vec3& X) {
     return Vec3(X.x(), X.y(), height * std::sin(150 * X.x()) * std::cos(90 * X.y()));
   });
-  if (triangles) split(*mesh, 2);
+  if (triangles) cut_some(*mesh, 2);
   model::Options options;
   options.offset = offset;
   options.warp = [](const Vec3&) { return model::Direction(20.0); };
@@ -260,7 +260,7 @@ TEST_CASE("patch test of mixed meshes: a homogeneous strain leaves no force insi
       const auto k = static_cast<double>(n);
       mesh->nodes[n] += 0.005 * Vec3(std::sin(5 * k), std::cos(3 * k), 0);
     }
-    split(*mesh, every);
+    cut_some(*mesh, every);
     model::Model m(mesh, svk(), {});
     assembly::Assembly a(m);
     Mat3 F;
