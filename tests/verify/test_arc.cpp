@@ -40,7 +40,7 @@ TEST_CASE("an arch of cloth is pushed through along the arc, without a cut at ev
                      std::make_shared<Notices>());
   double last = 0;
   bool turned = false;
-  a.every_step([&](analysis::Static& run) {
+  a.every_step([&](analysis::Run& run) {
     turned = turned || run.time() < last;
     last = run.time();
   });
