@@ -169,6 +169,7 @@ void bind_all(Session& session) {
   bind_check(session);
   bind_table(session);
   bind_lab(session);
+  bind_track(session);
   bind_identify(session);
   bind_sample(session);
 }

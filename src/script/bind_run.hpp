@@ -69,6 +69,7 @@ void bind_outputs(Session& session);
 void bind_check(Session& session);
 void bind_table(Session& session);
 void bind_lab(Session& session);
+void bind_track(Session& session);
 void bind_identify(Session& session);
 void bind_sample(Session& session);
 

@@ -1,0 +1,209 @@
+#include "lab/dots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace fabricsh::lab {
+
+using files::Image;
+
+namespace {
+
+Image smoothed(const Image& in, const std::vector<double>& kernel) {
+  const int reach = static_cast<int>(kernel.size() / 2);
+  Image half = in, out = in;
+  const auto pass = [&](const Image& from, Image& to, bool across) {
+    for (int row = 0; row < in.height; ++row)
+      for (int column = 0; column < in.width; ++column) {
+        double sum = 0;
+        for (int k = -reach; k <= reach; ++k) {
+          const int c = std::clamp(across ? column + k : column, 0, in.width - 1);
+          const int r = std::clamp(across ? row : row + k, 0, in.height - 1);
+          sum += kernel[static_cast<std::size_t>(k + reach)] * from.at(c, r);
+        }
+        to.at(column, row) = static_cast<float>(sum);
+      }
+  };
+  pass(in, half, true);
+  pass(half, out, false);
+  return out;
+}
+
+// The brightness that parts a picture into two kinds best [otsu1979].
+double threshold(const Image& image) {
+  std::array<double, 256> count{};
+  for (const float p : image.pixels)
+    count[static_cast<std::size_t>(std::clamp(p * 255.0F, 0.0F, 255.0F))] += 1;
+  double total = 0, all = 0, below = 0, sum = 0, best = -1, at = 0.5;
+  for (std::size_t i = 0; i < 256; ++i) total += count[i], all += count[i] * static_cast<double>(i);
+  for (std::size_t i = 0; i < 255; ++i) {
+    below += count[i];
+    sum += count[i] * static_cast<double>(i);
+    if (below == 0 || below == total) continue;
+    const double gap = sum / below - (all - sum) / (total - below);
+    const double between = below * (total - below) * gap * gap;
+    if (between > best) best = between, at = (static_cast<double>(i) + 1) / 255;
+  }
+  return at;
+}
+
+struct Spot {
+  int left, right, top, bottom;  // columns and rows, inclusive
+  std::size_t area;
+};
+
+// Connected pixels (four neighbours) that are inside.
+std::vector<Spot> spots(const std::vector<char>& inside, int width, int height) {
+  std::vector<char> seen(inside.size(), 0);
+  std::vector<Spot> out;
+  std::vector<int> stack;
+  for (int start = 0; start < width * height; ++start) {
+    if (!inside[static_cast<std::size_t>(start)] || seen[static_cast<std::size_t>(start)]) continue;
+    Spot spot{width, -1, height, -1, 0};
+    stack.assign(1, start);
+    seen[static_cast<std::size_t>(start)] = 1;
+    while (!stack.empty()) {
+      const int at = stack.back(), c = at % width, r = at / width;
+      stack.pop_back();
+      spot = {std::min(spot.left, c), std::max(spot.right, c), std::min(spot.top, r),
+              std::max(spot.bottom, r), spot.area + 1};
+      for (const auto& [dc, dr] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        if (c + dc < 0 || c + dc >= width || r + dr < 0 || r + dr >= height) continue;
+        const auto next = static_cast<std::size_t>((r + dr) * width + c + dc);
+        if (!inside[next] || seen[next]) continue;
+        seen[next] = 1;
+        stack.push_back(static_cast<int>(next));
+      }
+    }
+    out.push_back(spot);
+  }
+  return out;
+}
+
+double quantile(std::vector<float> values, double part) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// Brightness of the ground (median of the rim of the window) and of the dot (median of its core).
+std::pair<double, double> levels(const Image& image, const Spot& w, double sign) {
+  std::vector<float> rim, core;
+  const double cx = (w.left + w.right) / 2.0, cy = (w.top + w.bottom) / 2.0;
+  const double a = std::max(1.0, (w.right - w.left) / 4.0 - 1),
+               b = std::max(1.0, (w.bottom - w.top) / 4.0 - 1);
+  for (int r = w.top; r <= w.bottom; ++r)
+    for (int c = w.left; c <= w.right; ++c) {
+      const auto value = static_cast<float>(sign * image.at(c, r));
+      if (r == w.top || r == w.bottom || c == w.left || c == w.right) rim.push_back(value);
+      if (std::hypot((c - cx) / a, (r - cy) / b) < 0.7) core.push_back(value);
+    }
+  return {quantile(rim, 0.5), core.empty() ? quantile(rim, 0.5) : quantile(core, 0.5)};
+}
+
+// The window is the spot with a margin; pixels of neighbours in it are left out by `mine`.
+Dot measured(const Image& image, const Spot& w, double sign) {
+  const auto [ground, core] = levels(image, w, sign);
+  Dot dot{0, 0, 0, ground - core};
+  for (int r = w.top; r <= w.bottom; ++r)
+    for (int c = w.left; c <= w.right; ++c) {
+      const double part = (ground - sign * image.at(c, r)) / dot.contrast;
+      const double weight = std::clamp((part - 0.15) / 0.7, 0.0, 1.0);
+      dot.area += weight;
+      dot.x += weight * c;
+      dot.y += weight * r;
+    }
+  dot.x /= dot.area;
+  dot.y /= dot.area;
+  return dot;
+}
+
+}  // namespace
+
+std::vector<Dot> find_dots(const Image& image, const DotOptions& options) {
+  const double sign = options.dark ? 1 : -1;
+  const Image smooth = smoothed(image, {0.25, 0.5, 0.25});
+  const double limit = threshold(smooth);
+  std::vector<char> inside(image.pixels.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = sign * smooth.pixels[i] < sign * limit;
+  std::vector<Dot> out;
+  for (Spot s : spots(inside, image.width, image.height)) {
+    const auto area = static_cast<double>(s.area);
+    if (area < options.smallest || area > options.largest) continue;
+    constexpr int margin = 4;
+    s = {s.left - margin, s.right + margin, s.top - margin, s.bottom + margin, s.area};
+    if (s.left < 0 || s.top < 0 || s.right >= image.width || s.bottom >= image.height) continue;
+    const Dot dot = measured(image, s, sign);
+    if (dot.contrast >= options.contrast) out.push_back(dot);
+  }
+  return out;
+}
+
+namespace {
+
+std::array<double, 2> reference(const Scene& s, std::size_t dot) {
+  const double c = static_cast<double>(dot % s.columns) - static_cast<double>(s.columns - 1) / 2;
+  const double r = static_cast<double>(dot / s.columns) - static_cast<double>(s.rows - 1) / 2;
+  return {c * s.pitch, r * s.pitch};
+}
+
+std::vector<double> gaussian(double deviation) {
+  const int reach = std::max(1, static_cast<int>(std::ceil(4 * deviation)));
+  std::vector<double> kernel;
+  double sum = 0;
+  for (int k = -reach; k <= reach; ++k) {
+    kernel.push_back(deviation > 0 ? std::exp(-k * k / (2 * deviation * deviation)) : k == 0 ? 1.0 : 0.0);
+    sum += kernel.back();
+  }
+  for (double& k : kernel) k /= sum;
+  return kernel;
+}
+
+// Part of a pixel that a dot of the grid covers, by 8 x 8 samples.
+double covered(const Scene& s, const std::array<double, 4>& inverse, int column, int row) {
+  int hits = 0;
+  for (int i = 0; i < 64; ++i) {
+    const double x = column + (i % 8 + 0.5) / 8 - 0.5 - (s.width - 1) / 2.0,
+                 y = row + (i / 8 + 0.5) / 8 - 0.5 - (s.height - 1) / 2.0;
+    const double X = inverse[0] * x + inverse[1] * y, Y = inverse[2] * x + inverse[3] * y;
+    const double c = std::clamp(std::round(X / s.pitch + static_cast<double>(s.columns - 1) / 2), 0.0,
+                                static_cast<double>(s.columns - 1));
+    const double r = std::clamp(std::round(Y / s.pitch + static_cast<double>(s.rows - 1) / 2), 0.0,
+                                static_cast<double>(s.rows - 1));
+    const auto centre = reference(s, static_cast<std::size_t>(r) * s.columns + static_cast<std::size_t>(c));
+    if (std::hypot(X - centre[0], Y - centre[1]) < s.radius) ++hits;
+  }
+  return hits / 64.0;
+}
+
+}  // namespace
+
+std::vector<double> true_positions(const Scene& s) {
+  std::vector<double> out;
+  for (std::size_t dot = 0; dot < s.rows * s.columns; ++dot) {
+    const auto X = reference(s, dot);
+    out.push_back((s.width - 1) / 2.0 + s.F[0] * X[0] + s.F[1] * X[1]);
+    out.push_back((s.height - 1) / 2.0 + s.F[2] * X[0] + s.F[3] * X[1]);
+  }
+  return out;
+}
+
+files::Image photograph(const Scene& s) {
+  const double det = s.F[0] * s.F[3] - s.F[1] * s.F[2];
+  const std::array<double, 4> inverse{s.F[3] / det, -s.F[1] / det, -s.F[2] / det, s.F[0] / det};
+  Image image{s.width, s.height,
+              std::vector<float>(static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height))};
+  for (int row = 0; row < s.height; ++row)
+    for (int column = 0; column < s.width; ++column)
+      image.at(column, row) =
+          static_cast<float>(s.ground + (s.ink - s.ground) * covered(s, inverse, column, row));
+  image = smoothed(image, gaussian(s.blur));
+  std::mt19937_64 random(s.seed);
+  std::normal_distribution<double> normal(0, s.noise);
+  for (float& p : image.pixels)
+    p = static_cast<float>(std::clamp(std::round(255 * (p + normal(random))) / 255, 0.0, 1.0));
+  return image;
+}
+
+}  // namespace fabricsh::lab

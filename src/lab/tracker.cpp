@@ -1,0 +1,120 @@
+#include "lab/tracker.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/error.hpp"
+
+namespace fabricsh::lab {
+
+namespace {
+
+using Map = std::array<double, 6>;
+
+std::pair<double, double> moved(const Map& m, double x, double y) {
+  return {m[0] * x + m[1] * y + m[2], m[3] * x + m[4] * y + m[5]};
+}
+
+}  // namespace
+
+Tracker::Tracker(std::size_t rows, std::size_t columns, const std::vector<Dot>& first) {
+  if (first.size() != rows * columns)
+    throw Error("track: expected " + std::to_string(rows * columns) +
+                " dots on the first photograph, found " + std::to_string(first.size()));
+  tracks_.rows = rows;
+  tracks_.columns = columns;
+  auto dots = first;
+  std::sort(dots.begin(), dots.end(), [](const Dot& a, const Dot& b) { return a.y > b.y; });
+  for (std::size_t r = 0; r < rows; ++r) {
+    const auto begin = dots.begin() + static_cast<std::ptrdiff_t>(r * columns);
+    std::sort(begin, begin + static_cast<std::ptrdiff_t>(columns),
+              [](const Dot& a, const Dot& b) { return a.x < b.x; });
+  }
+  for (const Dot& d : dots) last_.push_back({d.x, d.y, d.area});
+  record(last_);
+}
+
+void Tracker::record(const std::vector<Place>& places) {
+  for (const Place& p : places) {
+    tracks_.x.push_back(p.x);
+    tracks_.y.push_back(-p.y);
+  }
+  ++tracks_.frames;
+}
+
+double Tracker::spacing() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < last_.size(); ++i)
+    for (std::size_t j = i + 1; j < last_.size(); ++j)
+      least = std::min(least, std::hypot(last_[i].x - last_[j].x, last_[i].y - last_[j].y));
+  return least;
+}
+
+namespace {
+
+using Matches = std::vector<std::optional<std::size_t>>;
+
+// Places of one kind or another with x and y.
+template <class Places>
+Matches nearest(const Places& last, const std::vector<Dot>& dots, const Map& map, double gate) {
+  Matches out(last.size());
+  for (std::size_t m = 0; m < last.size(); ++m) {
+    const auto [x, y] = moved(map, last[m].x, last[m].y);
+    double best = gate;
+    for (std::size_t d = 0; d < dots.size(); ++d)
+      if (const double away = std::hypot(dots[d].x - x, dots[d].y - y); away < best) best = away, out[m] = d;
+  }
+  return out;
+}
+
+// The affine map of the matched markers; the old one when too few are matched.
+template <class Places>
+Map affine(const Places& last, const std::vector<Dot>& dots, const Matches& matches, const Map& old) {
+  const auto n = std::count_if(matches.begin(), matches.end(), [](const auto& m) { return m.has_value(); });
+  if (n < 4) return old;
+  Eigen::MatrixXd A(n, 3), b(n, 2);
+  Eigen::Index row = 0;
+  for (std::size_t m = 0; m < matches.size(); ++m) {
+    if (!matches[m]) continue;
+    A.row(row) << last[m].x, last[m].y, 1;
+    b.row(row++) << dots[*matches[m]].x, dots[*matches[m]].y;
+  }
+  const Eigen::MatrixXd s = A.colPivHouseholderQr().solve(b);
+  return {s(0, 0), s(1, 0), s(2, 0), s(0, 1), s(1, 1), s(2, 1)};
+}
+
+}  // namespace
+
+void Tracker::add(const std::vector<Dot>& dots) {
+  const double gate = 0.4 * spacing();
+  Matches matches = nearest(last_, dots, step_, gate);
+  for (int turn = 0; turn < 2; ++turn) {
+    step_ = affine(last_, dots, matches, step_);
+    matches = nearest(last_, dots, step_, gate);
+  }
+  std::vector<int> claims(dots.size(), 0);
+  for (const auto& m : matches)
+    if (m) ++claims[*m];
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Place> seen;
+  for (std::size_t m = 0; m < last_.size(); ++m) {
+    const auto [x, y] = moved(step_, last_[m].x, last_[m].y);
+    if (!matches[m] || claims[*matches[m]] > 1) {
+      doubts_.push_back({tracks_.frames, m, true});
+      seen.push_back({nan, nan, last_[m].area});
+      last_[m] = {x, y, last_[m].area};
+      continue;
+    }
+    const Dot& dot = dots[*matches[m]];
+    const double change = dot.area / last_[m].area;
+    if (change > 1.4 || change < 1 / 1.4) doubts_.push_back({tracks_.frames, m, false});
+    seen.push_back({dot.x, dot.y, dot.area});
+    last_[m] = seen.back();
+  }
+  record(seen);
+}
+
+}  // namespace fabricsh::lab

@@ -1,0 +1,128 @@
+// The tracker against photographs of a known field.
+#include <cmath>
+#include <optional>
+
+#include "lab/tracker.hpp"
+#include "message_of.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::lab;
+
+namespace {
+
+// Pulled by E along y, contracting by half of it, and turned by the angle.
+std::array<double, 4> pulled(double E, double angle) {
+  const double along = std::sqrt(1 + 2 * E), across = std::sqrt(1 - E), c = std::cos(angle),
+               s = std::sin(angle);
+  return {c * across, -s * along, s * across, c * along};
+}
+
+// 100 pixels a centimetre, dots of 2 mm every centimetre.
+Scene scene() {
+  Scene s;
+  s.width = 900;
+  s.height = 1000;
+  s.rows = 6;
+  s.columns = 4;
+  s.pitch = 100;
+  s.radius = 10;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("a dot's middle to a hundredth of a pixel", "[lab]") {
+  for (const double blur : {0.7, 1.0, 2.0}) {
+    Scene s = scene();
+    s.blur = blur;
+    s.F = pulled(0.2, 0.3);
+    const auto dots = find_dots(photograph(s), {});
+    const auto truth = true_positions(s);
+    REQUIRE(dots.size() == 24);
+    double squares = 0;
+    for (const Dot& d : dots) {
+      double best = 1e9;
+      for (std::size_t m = 0; m < 24; ++m)
+        best = std::min(best, std::hypot(d.x - truth[2 * m], d.y - truth[2 * m + 1]));
+      squares += best * best / 24;
+      CHECK(std::abs(d.contrast - 0.7) < 0.02);
+    }
+    INFO("blur " << blur << ": rms " << std::sqrt(squares) << " px");
+    CHECK(std::sqrt(squares) < 0.01);
+  }
+}
+
+TEST_CASE("strain to 2e-4 through 50 % and 30 degrees", "[lab]") {
+  constexpr int frames = 16;
+  std::optional<Tracker> tracker;
+  std::vector<std::array<double, 4>> truth;
+  for (int f = 0; f < frames; ++f) {
+    Scene s = scene();
+    const double part = f / (frames - 1.0);
+    truth.push_back(pulled(0.5 * part, 0.5235987755982988 * part));
+    s.F = truth.back();
+    s.seed = static_cast<std::uint64_t>(f + 1);
+    const auto dots = find_dots(photograph(s), {});
+    if (!tracker)
+      tracker.emplace(s.rows, s.columns, dots);
+    else
+      tracker->add(dots);
+  }
+  CHECK(tracker->doubts().empty());
+  const Tracks& t = tracker->tracks();
+  double squares = 0, worst = 0, mean_worst = 0, n = 0;
+  for (std::size_t f = 1; f < t.frames; ++f) {
+    std::array<double, 3> mean{};
+    for (std::size_t b = 0; b < t.boxes(); ++b) {
+      const auto F = box_gradient(t, b, f);
+      const auto& G = truth[f];
+      const std::array<double, 3> miss{(F[0] * F[0] + F[2] * F[2] - G[0] * G[0] - G[2] * G[2]) / 2,
+                                       (F[1] * F[1] + F[3] * F[3] - G[1] * G[1] - G[3] * G[3]) / 2,
+                                       (F[0] * F[1] + F[2] * F[3] - G[0] * G[1] - G[2] * G[3]) / 2};
+      for (std::size_t k = 0; k < 3; ++k) {
+        squares += miss[k] * miss[k];
+        worst = std::max(worst, std::abs(miss[k]));
+        mean[k] += miss[k] / static_cast<double>(t.boxes());
+        n += 1;
+      }
+    }
+    for (const double m : mean) mean_worst = std::max(mean_worst, std::abs(m));
+  }
+  INFO("strain error of a box: rms " << std::sqrt(squares / n) << ", largest " << worst
+                                     << "; of the grid's mean: largest " << mean_worst);
+  CHECK(std::sqrt(squares / n) < 2e-4);
+  CHECK(mean_worst < 2e-4);
+}
+
+TEST_CASE("lost and changed dots are told, and found again", "[lab]") {
+  const Scene s = scene();
+  const auto dots = find_dots(photograph(s), {});
+  Tracker tracker(s.rows, s.columns, dots);
+  auto fewer = dots;
+  fewer.erase(fewer.begin() + 7);
+  tracker.add(fewer);
+  auto larger = dots;
+  larger[3].area *= 2;
+  tracker.add(larger);
+  REQUIRE(tracker.doubts().size() == 2);
+  CHECK(tracker.doubts()[0].lost);
+  CHECK(tracker.doubts()[0].frame == 1);
+  CHECK_FALSE(tracker.doubts()[1].lost);
+  const Tracks& t = tracker.tracks();
+  const std::size_t m = tracker.doubts()[0].marker;
+  CHECK(std::isnan(t.x[t.markers() + m]));
+  CHECK(t.x[2 * t.markers() + m] == t.x[m]);
+  says(message_of([&] { Tracker(s.rows, s.columns, fewer); }),
+       "expected 24 dots on the first photograph, found 23");
+}
+
+TEST_CASE("light dots on dark cloth, and what is no dot", "[lab]") {
+  Scene s = scene();
+  s.ground = 0.1;
+  s.ink = 0.9;
+  const auto image = photograph(s);
+  CHECK(find_dots(image, {false, 12, 1e5, 0.1}).size() == 24);
+  CHECK(find_dots(image, {false, 1000, 1e5, 0.1}).empty());
+  CHECK(find_dots(image, {false, 12, 100, 0.1}).empty());
+  CHECK(find_dots(image, {false, 12, 1e5, 0.95}).empty());
+}
