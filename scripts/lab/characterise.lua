@@ -3,7 +3,7 @@
 --   fabricsh scripts/lab/characterise.lua [folder] [out]
 --
 -- The folder (default: the synthetic sample data) holds laboratory.lua and the files that lua/fabric/lab/folder.lua describes.
--- Writes into out (default out/characterise): card.lua, warp.svg, weft.svg, shear.svg, report.html.
+-- Writes into out (default out/characterise): card.lua, warp.svg, weft.svg, shear.svg, their -residual.svg, report.html.
 local fabric = require "fabric"
 local folder, report = require "fabric.lab.folder", require "fabric.lab.report"
 

@@ -5,7 +5,7 @@
 --
 -- file: displacement (mm) and force (N); default: the published benchmark curve of a plain-weave glass fabric, 150 x 450 mm
 -- [cao2008], if it lies beside this checkout (../shared/data); the program carries no copy. Writes card.lua, overlay.svg and
--- what was simulated so far (identify.part, taken up again) into out. cells: squares across the width, default 5. The card then runs another specimen, 115 x 230 mm.
+-- what was simulated so far (identify.part, taken up again) into out. cells: squares across the width, default 6. The card then runs another specimen, 115 x 230 mm.
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units
 
@@ -23,7 +23,7 @@ if not file then
 end
 local function size(i, default) return (tonumber(arg[i]) or default) * u.mm end
 local width, length, out = size(2, 150), size(3, 450), arg[4] or "out/identify-bias"
-local cells = math.tointeger(tonumber(arg[5] or 5))
+local cells = math.tointeger(tonumber(arg[5] or 6))
 local other = { width = size(6, 115), length = size(7, 230) }
 if fabric.checking() then return end
 
@@ -61,7 +61,7 @@ local function card_of(p)
 end
 
 local function simulate(card, w, l, displacement, squares)
-  return lab.bias_extension { card = card, width = w, length = l, displacement = displacement, steps = 50, cells = squares or cells,
+  return lab.bias_extension { card = card, width = w, length = l, displacement = displacement, steps = 40, cells = squares or cells,
     tolerance = 1e-7 }.curve
 end
 

@@ -37,7 +37,8 @@ local function one(card, seed)
   for i, P in ipairs(measured) do measured[i] = P + noise * draw.normal() end
   for i, d in ipairs(card.shear.loading) do
     local truth = d / u.MPa
-    parameters[i] = { name = "d" .. i - 1, start = truth * 1.1, low = truth - 0.6 * math.abs(truth), high = truth + 0.6 * math.abs(truth) }
+    local reach = (i == 1 and 0.9 or 4) * math.abs(truth)
+    parameters[i] = { name = "d" .. i - 1, start = truth * 1.1, low = truth - reach, high = truth + reach }
   end
   local Gu = card.shear.unloading / u.MPa
   parameters[#parameters + 1] = { name = "Gu", start = 1.2 * Gu, low = 0.5 * Gu, high = 2 * Gu }

@@ -72,14 +72,14 @@ TEST_CASE("processes answer in order, side by side, and say their trouble", "[la
   const auto answers = in_processes(
       4, 4,
       [](std::size_t i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
         if (i == 2) throw Error("no such cloth");
         return std::vector<double>(10000 * i + 1, static_cast<double>(getpid()));
       },
       [&](std::size_t) { ++told; });
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   CHECK(told == 4);
-  CHECK(spent.count() < 1.1);  // one after the other takes 1.2
+  CHECK(spent.count() < 1.9);  // one after the other takes 2
   for (const std::size_t i : {0u, 1u, 3u}) {
     CHECK(answers[i].values.size() == 10000 * i + 1);
     CHECK(answers[i].values[0] != own);

@@ -44,24 +44,44 @@ local function measured(part, i)
   return E, S
 end
 
--- Root of the mean squared difference of measured and simulated stress over the largest measured one.
+-- Differences of measured and simulated stress over the largest measured one, a curve per specimen, and the root of their mean
+-- square.
 local function residual(part, E, S)
-  local sum, n, largest = 0, 0, 0
+  local sum, n, largest, curves = 0, 0, 0, {}
   for i = 1, #part.tests do
     local e, s = measured(part, i)
+    curves[i] = { x = {}, y = {}, label = "specimen " .. i }
     for k = 1, #e do
       largest = math.max(largest, s[k])
       local model = interpolate(E, S, e[k])
-      if model then sum, n = sum + (s[k] - model) ^ 2, n + 1 end
+      if model then
+        table.insert(curves[i].x, e[k])
+        table.insert(curves[i].y, s[k] - model)
+        sum, n = sum + (s[k] - model) ^ 2, n + 1
+      end
     end
   end
-  return math.sqrt(sum / n) / largest
+  for _, curve in ipairs(curves) do
+    for k, y in ipairs(curve.y) do curve.y[k] = 100 * y / largest end
+  end
+  return math.sqrt(sum / n) / largest, curves
 end
 
 local function scaled(values, factor)
   local out = {}
   for i, v in ipairs(values) do out[i] = v * factor end
   return out
+end
+
+-- Where specimens yielded or failed, as points of a figure.
+local function marked(part, what)
+  local points = { x = {}, y = {}, label = what, style = "points" }
+  for _, test in ipairs(part.tests) do
+    if test.failure and test[what] then
+      points.x[#points.x + 1], points.y[#points.y + 1] = test.E[test[what]], test.S[test[what]] / u.MPa
+    end
+  end
+  return points
 end
 
 local function overlay(result, name, out)
@@ -73,10 +93,18 @@ local function overlay(result, name, out)
     curves[i] = { x = e, y = scaled(s, 1 / u.MPa), label = "specimen " .. i, style = "points" }
   end
   curves[#curves + 1] = { x = E, y = scaled(S, 1 / u.MPa), label = "card, simulated" }
+  for _, mark in ipairs { "yield", "failure" } do
+    local points = marked(part, mark)
+    if #points.x > 0 then curves[#curves + 1] = points end
+  end
   local file = out .. "/" .. name .. ".svg"
   fabric.plot { file = file, title = result.about.name .. ", " .. name, curves = curves,
     xlabel = name == "shear" and "E12" or "Green-Lagrange strain E", ylabel = "second Piola-Kirchhoff stress, MPa" }
-  return { file = file, residual = residual(part, E, S) }
+  local rest, differences = residual(part, E, S)
+  local below = out .. "/" .. name .. "-residual.svg"
+  fabric.plot { file = below, title = "measured less simulated", curves = differences, xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
+    ylabel = "per cent of the peak" }
+  return { files = { file, below }, residual = rest }
 end
 
 local function parameters(result)
@@ -118,7 +146,7 @@ local function html(result, figures, rows, out)
   for _, name in ipairs { "warp", "weft", "shear" } do
     parts[#parts + 1] = ("<h2>%s</h2><p>Residual of the simulated curve: %.2f %% of the peak.</p><pre>%s</pre>"):format(
       name, 100 * figures[name].residual, escaped(result[name].fit.text or ""))
-    parts[#parts + 1] = (content(figures[name].file):gsub("^.-<svg", "<svg"))
+    for _, file in ipairs(figures[name].files) do parts[#parts + 1] = (content(file):gsub("^.-<svg", "<svg")) end
   end
   parts[#parts + 1] = "<h2>Card check</h2><pre>" .. escaped(tostring(result.card:check())) .. "</pre>"
   local f <close> = assert(io.open(out .. "/report.html", "w"))
