@@ -2,10 +2,13 @@
 add_library(fabricsh_flags INTERFACE)
 target_include_directories(fabricsh_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/generated)
 # GNU: a constructor may name its arguments as its members; -Wrestrict is wrong about std::string in GCC 12.
-target_compile_options(fabricsh_flags INTERFACE -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno -ffp-contract=off
+target_compile_options(fabricsh_flags INTERFACE -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno
   "$<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local;-Wno-restrict,-Wshadow>"
   $<$<BOOL:${FABRICSH_WERROR}>:-Werror>
   "$<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined;-fno-omit-frame-pointer>")
+# Sums are rounded as written, the same on every machine; the kernels of an instruction set with fused
+# multiply-add use it.
+target_compile_options(fabricsh_flags INTERFACE "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:FABRICSH_FUSED>>>:-ffp-contract=off>")
 target_link_options(fabricsh_flags INTERFACE $<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined>)
 target_link_libraries(fabricsh_flags INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX)
 
@@ -22,8 +25,10 @@ function(fabricsh_isa_sources target)
       if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
         if(isa STREQUAL "avx2")
           target_compile_options(${lib} PRIVATE -mavx2 -mfma -ffp-contract=fast)
+          set_target_properties(${lib} PROPERTIES FABRICSH_FUSED ON)
         elseif(isa STREQUAL "avx512")
           target_compile_options(${lib} PRIVATE -mavx512f -mavx512dq -mavx512vl -mavx512bw -mfma -mprefer-vector-width=512 -ffp-contract=fast)
+          set_target_properties(${lib} PROPERTIES FABRICSH_FUSED ON)
         endif()
       endif()
       target_sources(${target} PRIVATE $<TARGET_OBJECTS:${lib}>)

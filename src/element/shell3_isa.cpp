@@ -280,7 +280,9 @@ unsigned inverted(const ShellBatch& batch) {
 
 }  // namespace
 
-Shell4Kernels shell3_kernels_of_isa() { return {&force, &tangent, &strain, &curvature, &inverted}; }
+Shell4Kernels shell3_kernels_of_isa() {
+  return kernels_of_parts<force, tangent, strain, curvature, inverted>();
+}
 
 }  // namespace FABRICSH_ISA
 }  // namespace fabricsh::element

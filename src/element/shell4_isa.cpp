@@ -316,7 +316,9 @@ unsigned inverted(const Shell4Batch& batch) {
 
 }  // namespace
 
-Shell4Kernels shell4_kernels_of_isa() { return {&force, &tangent, &strain, &curvature, &inverted}; }
+Shell4Kernels shell4_kernels_of_isa() {
+  return kernels_of_parts<force, tangent, strain, curvature, inverted>();
+}
 
 }  // namespace FABRICSH_ISA
 }  // namespace fabricsh::element

@@ -2,13 +2,13 @@
 // material ones and back, the law through the thickness. Included by the *_isa.cpp of this room only.
 #pragma once
 #include "element/shell4.hpp"
+#include "fabric/part.hpp"
 #include "tensor/pack.hpp"
 
 namespace fabricsh::element {
 inline namespace FABRICSH_ISA {
 namespace {
 
-constexpr Isa isa_of_this_file = Isa::FABRICSH_ISA;
 constexpr int transform_size = 8;  // T11 T12 T21 T22 q1 q2 s w
 
 struct V3 {
@@ -207,8 +207,8 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
     const double z = height(section, i);
     material_strain(p, t, z, E);
     const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
-    failed |= fabric::batch_function(*point.law, isa_of_this_file)(
-        *point.law, at, E, batch.s0 + offset, batch.s1 + offset, S, k != nullptr ? C : nullptr);
+    failed |= fabric::part_for(*point.law)(*point.law, at, E, batch.s0 + offset, batch.s1 + offset, S,
+                                           k != nullptr ? C : nullptr);
     add_stress(t, S, z, r);
     if (k != nullptr) section.symmetric ? add_symmetric_tangent(t, C, z, *k) : add_tangent(t, C, z, *k);
     if (!section.bends_apart) continue;
@@ -218,6 +218,31 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
                 r, k);
   }
   return failed;
+}
+
+// Kernels of a part as kernels of the whole batch.
+inline ShellBatch part(const ShellBatch& batch, int first) {
+  const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
+  return {from(batch.geometry), from(batch.x), from(batch.d), from(batch.b), from(batch.s0), from(batch.s1)};
+}
+
+template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4Curvature curvature,
+          Shell4Inverted inverted>
+Shell4Kernels kernels_of_parts() {
+  using section::Section;
+  return {[](const Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f) {
+            return at_parts([&](int i) { return force(section, at, part(batch, i), f + i); });
+          },
+          [](const Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f, double* K) {
+            return at_parts([&](int i) { return tangent(section, at, part(batch, i), f + i, K + i); });
+          },
+          [](const Section& section, const ShellBatch& batch, double* E) {
+            for (int i = 0; i < lanes; i += pack_width) strain(section, part(batch, i), E + i);
+          },
+          [](const Section& section, const ShellBatch& batch, double* kappa) {
+            for (int i = 0; i < lanes; i += pack_width) curvature(section, part(batch, i), kappa + i);
+          },
+          [](const ShellBatch& batch) { return at_parts([&](int i) { return inverted(part(batch, i)); }); }};
 }
 
 }  // namespace

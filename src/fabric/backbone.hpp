@@ -76,6 +76,12 @@ BackboneValue<T> backbone_at(const Backbone& curve, T x) {
   return curve.terms == 4 ? backbone_terms<4>(curve, x) : backbone_terms<max_terms>(curve, x);
 }
 
+template <class T>
+BackboneValue<T> backbone_at(const CubicBackbone& curve, T x) {
+  const T inside = min(x, T(curve.limit));
+  return extended<4>(curve, inside, x - inside);
+}
+
 // D and dD/dx at x >= 0; beyond the limit dD/dx = 0.
 template <class T>
 struct BackboneSlope {

@@ -1,4 +1,5 @@
 // The batch kernels: compiled once per instruction set, picked at run time by batch_function().
+#include "fabric/part.hpp"
 #include "fabric/update.hpp"
 
 namespace fabricsh::fabric {
@@ -6,8 +7,8 @@ inline namespace FABRICSH_ISA {
 
 // most: the longest state of this law, so that the copy on the stack stays small.
 template <int most, class Kernel>
-unsigned run_batch(int state, const double* E, const double* s0, double* s1, double* S, double* C,
-                   Kernel kernel) {
+unsigned run_part(int state, const double* E, const double* s0, double* s1, double* S, double* C,
+                  Kernel kernel) {
   Pack e[5], old[most] = {}, trial[most];
   for (int i = 0; i < 5; ++i) e[i] = load(E + i * lanes);
   for (int i = 0; i < state; ++i) old[i] = load(s0 + i * lanes);
@@ -15,43 +16,59 @@ unsigned run_batch(int state, const double* E, const double* s0, double* s1, dou
   for (int i = 0; i < state; ++i) store(s1 + i * lanes, trial[i]);
   for (int i = 0; i < 5; ++i) store(S + i * lanes, out.S[i]);
   if (C != nullptr) put_tangent(out, [C](int entry, Pack value) { store(C + entry * lanes, value); });
-  return bits(!healthy(e, out)) & ((1u << lanes) - 1u);
+  return bits(!healthy(e, out));
 }
 
-[[gnu::flatten]] unsigned potential_batch(const Law& law, AtSwitch at, const double* E, const double* s0,
-                                          double* s1, double* S, double* C) {
-  return run_batch<potential_state::count + 2>(law.state_size, E, s0, s1, S, C,
-                                               [&](const Pack* e, const Pack* old, Pack* trial) {
-                                                 return potential_update(law.woven, at, e, old, trial);
-                                               });
+[[gnu::flatten]] unsigned potential_part(const Law& law, AtSwitch at, const double* E, const double* s0,
+                                         double* s1, double* S, double* C) {
+  return run_part<potential_state::count + 2>(law.state_size, E, s0, s1, S, C,
+                                              [&](const Pack* e, const Pack* old, Pack* trial) {
+                                                return potential_update(law.woven, at, e, old, trial);
+                                              });
+}
+
+[[gnu::flatten]] unsigned plain_part(const Law& law, AtSwitch at, const double* E, const double* s0,
+                                     double* s1, double* S, double* C) {
+  return run_part<potential_state::count>(potential_state::count, E, s0, s1, S, C,
+                                          [&](const Pack* e, const Pack* old, Pack* trial) {
+                                            return potential_update(law.plain, at, e, old, trial);
+                                          });
 }
 
 template <bool exact>
-[[gnu::flatten]] unsigned rate_batch(const Law& law, AtSwitch at, const double* E, const double* s0,
-                                     double* s1, double* S, double* C) {
-  return run_batch<rate_state::count>(law.state_size, E, s0, s1, S, C,
-                                      [&](const Pack* e, const Pack* old, Pack* trial) {
-                                        return rate_update<exact>(law.woven, at, e, old, trial);
-                                      });
+[[gnu::flatten]] unsigned rate_part(const Law& law, AtSwitch at, const double* E, const double* s0,
+                                    double* s1, double* S, double* C) {
+  return run_part<rate_state::count>(law.state_size, E, s0, s1, S, C,
+                                     [&](const Pack* e, const Pack* old, Pack* trial) {
+                                       return rate_update<exact>(law.woven, at, e, old, trial);
+                                     });
 }
 
-unsigned elastic_batch(const Law& law, AtSwitch, const double* E, const double* s0, double* s1, double* S,
-                       double* C) {
-  return run_batch<1>(0, E, s0, s1, S, C,
-                      [&](const Pack* e, const Pack*, Pack*) { return elastic_update(law.elastic, e); });
+unsigned elastic_part(const Law& law, AtSwitch, const double* E, const double* s0, double* s1, double* S,
+                      double* C) {
+  return run_part<1>(0, E, s0, s1, S, C,
+                     [&](const Pack* e, const Pack*, Pack*) { return elastic_update(law.elastic, e); });
 }
 
-BatchFunction batch_for(const Law& law) {
+BatchFunction part_for(const Law& law) {
   switch (law.kind) {
     case Kind::potential:
-      return potential_batch;
+      return law.is_plain ? plain_part : potential_part;
     case Kind::incremental:
-      return rate_batch<true>;
+      return rate_part<true>;
     case Kind::thesis:
-      return rate_batch<false>;
+      return rate_part<false>;
     default:
-      return elastic_batch;
+      return elastic_part;
   }
+}
+
+unsigned batch(const Law& law, AtSwitch at, const double* E, const double* s0, double* s1, double* S,
+               double* C) {
+  const auto part = part_for(law);
+  return at_parts([=, &law](int i) {
+    return part(law, at, E + i, s0 + i, s1 + i, S + i, C == nullptr ? nullptr : C + i);
+  });
 }
 
 }  // namespace FABRICSH_ISA

@@ -1,5 +1,7 @@
 // From a card to a compiled law; refuses what PHYSICS section 4 refuses.
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 #include "fabric/curve.hpp"
@@ -97,6 +99,32 @@ int woven_state(const Law& law) {
   return potential_state::count + (law.woven.shear.fading ? 1 : 0) + (law.woven.biaxial.on ? 1 : 0);
 }
 
+std::optional<CubicBackbone> cubic(const Backbone& curve) {
+  const Piece& piece = curve.piece[0];
+  if (curve.pieces != 1 || curve.terms != 4 || piece.start != 0 || piece.P0 != 0 || piece.U0 != 0) return {};
+  CubicBackbone c;
+  c.limit = curve.limit;
+  std::copy_n(piece.d, 4, c.d);
+  std::copy_n(piece.p, 4, c.p);
+  std::copy_n(piece.u, 4, c.u);
+  return c;
+}
+
+void compile_plain(Law& law) {
+  const WovenData& w = law.woven;
+  const auto warp = cubic(w.axis[0].curve), weft = cubic(w.axis[1].curve), shear = cubic(w.shear.curve);
+  law.is_plain = law.kind == Kind::potential && warp && weft && shear && !w.shear.fading && !w.biaxial.on;
+  if (!law.is_plain) return;
+  const auto axis = [&](int i, const CubicBackbone& curve) {
+    const AxisData& a = w.axis[i];
+    return AxisOf<CubicBackbone>{curve, a.unloading, a.softness, a.poisson, a.slack};
+  };
+  law.plain = {{axis(0, *warp), axis(1, *weft)},
+               {*shear, w.shear.unloading, w.shear.softness, false, true},
+               w.coupling,
+               w.transverse};
+}
+
 void compile_tested(const card::Card& card, const card::Tested& tested) {
   for (const auto& [field, value] :
        {std::pair{"tested.warp", tested.warp}, {"tested.weft", tested.weft}, {"tested.shear", tested.shear}})
@@ -123,8 +151,12 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
   }
   if (law.kind == Kind::potential && woven.biaxial)
     compile_biaxial(card, *woven.biaxial, w.biaxial, law.biaxial_pieces);
+  w.axis[0].softness = 1 / w.axis[0].unloading;
+  w.axis[1].softness = 1 / w.axis[1].unloading;
+  w.shear.softness = 1 / w.shear.unloading;
   law.symmetric = law.kind == Kind::potential;
   law.state_size = woven_state(law);
+  compile_plain(law);
 }
 
 // C11 = d / (1 - nn), C22 = k / (1 - nn), C12 = sqrt(nn d k) / (1 - nn): keeps both moduli and nn.

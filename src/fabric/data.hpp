@@ -28,19 +28,33 @@ struct Backbone {
   double initial = 0;  // D(0)
 };
 
-struct AxisData {
-  Backbone curve;
+// A backbone of one piece from zero with four terms, as most cards have: the piece's constants are known to
+// be zero, and the batch kernels need no loop and no branch.
+struct CubicBackbone {
+  static constexpr double start = 0, P0 = 0, U0 = 0;
+  double limit = 0;
+  double d[4] = {}, p[4] = {}, u[4] = {};
+};
+
+template <class Curve>
+struct AxisOf {
+  Curve curve;
   double unloading = 0;  // Du, Pa
+  double softness = 0;   // 1 / Du
   double poisson = 0;    // nu12 on the warp, nu21 on the weft
   double slack = 0;      // h, Pa
 };
+using AxisData = AxisOf<Backbone>;
 
-struct ShearData {  // in gamma = 2 E12
-  Backbone curve;
+template <class Curve>
+struct ShearOf {  // in gamma = 2 E12
+  Curve curve;
   double unloading = 0;  // Gu, Pa
+  double softness = 0;   // 1 / Gu
   bool fading = false;
   bool hysteresis = true;
 };
+using ShearData = ShearOf<Backbone>;
 
 struct BiaxialData {
   bool on = false;
@@ -56,6 +70,13 @@ struct WovenData {
   double coupling = 0;    // c, Pa
   double transverse = 0;  // G_t, Pa
   bool follow = false;    // transverse shear follows the in-plane switch [williams2010, eq. 6.30]
+};
+
+// What law "potential" needs of a card whose three backbones are cubic, without biaxial spring or fading.
+struct PlainWoven {
+  AxisOf<CubicBackbone> axis[2];
+  ShearOf<CubicBackbone> shear;
+  double coupling = 0, transverse = 0;  // Pa
 };
 
 struct ElasticData {  // constant symmetric tangent, Pa
@@ -76,6 +97,8 @@ class Law {
   bool symmetric = true;
   WovenData woven;
   ElasticData elastic;
+  bool is_plain = false;  // law "potential", and `plain` says all of it
+  PlainWoven plain;
   std::vector<Piece> warp_pieces, weft_pieces, shear_pieces, biaxial_pieces;  // what the backbones point to
 };
 

@@ -21,7 +21,7 @@ struct YarnPoint {
 
 YarnPoint yarn_point(const AxisData& axis, double coupling, double E, double m) {
   const auto curve = backbone_at(axis.curve, max(E, m));
-  const double residual = max(E, m) - curve.P / axis.unloading;
+  const double residual = max(E, m) - curve.P * axis.softness;
   return {yarn_stored(axis, coupling, E, residual), branch_loss(curve, axis.unloading), residual};
 }
 
@@ -79,8 +79,8 @@ Internal rate_internal(const WovenData& w, const double E[5], const double* s) {
     return x >= m - switch_width ? Branch::virgin : x < 0 ? Branch::slack : Branch::unloading;
   };
   Internal out;
-  out.residual1 = s[m1] - backbone_at(w.axis[0].curve, s[m1]).P / w.axis[0].unloading;
-  out.residual2 = s[m2] - backbone_at(w.axis[1].curve, s[m2]).P / w.axis[1].unloading;
+  out.residual1 = s[m1] - backbone_at(w.axis[0].curve, s[m1]).P * w.axis[0].softness;
+  out.residual2 = s[m2] - backbone_at(w.axis[1].curve, s[m2]).P * w.axis[1].softness;
   out.slack1 = max(-E[0], 0.0);
   out.slack2 = max(-E[1], 0.0);
   out.warp = yarn(E[0], s[m1]);

@@ -9,27 +9,27 @@ namespace fabricsh::fabric {
 
 // The copies that batch_isa.cpp makes.
 namespace avx2 {
-BatchFunction batch_for(const Law& law);
+unsigned batch(const Law&, AtSwitch, const double*, const double*, double*, double*, double*);
 }
 namespace avx512 {
-BatchFunction batch_for(const Law& law);
+unsigned batch(const Law&, AtSwitch, const double*, const double*, double*, double*, double*);
 }
 inline namespace baseline {
-BatchFunction batch_for(const Law& law);
+unsigned batch(const Law&, AtSwitch, const double*, const double*, double*, double*, double*);
 }
 
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
 bool linear(const Law& law) { return law.kind == Kind::elastic; }
 
-BatchFunction batch_function(const Law& law, Isa isa) {
+BatchFunction batch_function(Isa isa) {
   switch (isa) {
     case Isa::avx512:
-      return avx512::batch_for(law);
+      return avx512::batch;
     case Isa::avx2:
-      return avx2::batch_for(law);
+      return avx2::batch;
     default:
-      return baseline::batch_for(law);
+      return baseline::batch;
   }
 }
 

@@ -34,7 +34,7 @@ enum class AtSwitch { loading, unloading };
 // Row-major C: entry (i, j) of lane l at [(5 * i + j) * lanes + l].
 using BatchFunction = unsigned (*)(const Law& law, AtSwitch at, const double* E, const double* s0, double* s1,
                                    double* S, double* C);
-BatchFunction batch_function(const Law& law, Isa isa);
+BatchFunction batch_function(Isa isa);
 
 // One point, plain arrays. Returns false where it failed.
 bool evaluate(const Law& law, AtSwitch at, const double E[5], const double* s0, double* s1, double S[5],

@@ -7,20 +7,20 @@
 namespace fabricsh::fabric {
 inline namespace FABRICSH_ISA {
 
-template <class T>
-ShearState<T> load_shear(const ShearData& shear, const T* s0) {
+template <class Curve, class T>
+ShearState<T> load_shear(const ShearOf<Curve>& shear, const T* s0) {
   using namespace potential_state;
-  return {s0[g0], s0[gp], s0[sg], s0[lost], shear.fading ? s0[count] : T(0.0)};
+  return {s0[g0], s0[gp], s0[sg], s0[lost], fades(shear) ? s0[count] : T(0.0)};
 }
 
-template <class T>
-void save_shear(const ShearData& shear, const ShearState<T>& s, T* s1) {
+template <class Curve, class T>
+void save_shear(const ShearOf<Curve>& shear, const ShearState<T>& s, T* s1) {
   using namespace potential_state;
   s1[g0] = s.origin;
   s1[gp] = s.peak;
   s1[sg] = s.sign;
   s1[lost] = s.lost;
-  if (shear.fading) s1[count] = s.faded;
+  if (fades(shear)) s1[count] = s.faded;
 }
 
 // Where the biaxial peak stands in the state, if there is one.
@@ -28,6 +28,7 @@ inline int biaxial_slot(const WovenData& law) { return potential_state::count + 
 
 template <class T>
 void add_biaxial(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T* s1, Response<T>& out) {
+  if (!law.biaxial.on) return;
   const int slot = biaxial_slot(law);
   const T alpha(law.biaxial.alpha);
   s1[slot] = s0[slot];
@@ -41,7 +42,11 @@ void add_biaxial(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T
 }
 
 template <class T>
-Response<T> potential_update(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
+void add_biaxial(const PlainWoven&, AtSwitch, const T*, const T*, T*, Response<T>&) {}
+
+// Woven: WovenData, or PlainWoven where the law is that plain.
+template <class Woven, class T>
+Response<T> potential_update(const Woven& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
   using namespace potential_state;
   Response<T> out;
   const T c(law.coupling);
@@ -60,7 +65,7 @@ Response<T> potential_update(const WovenData& law, AtSwitch at, const T E[5], co
   out.C12 = out.C21 = c;
   out.C55 = shear.C;
   transverse_elastic(T(law.transverse), T(law.transverse), E, out);
-  if (law.biaxial.on) add_biaxial(law, at, E, s0, s1, out);
+  add_biaxial(law, at, E, s0, s1, out);
   return out;
 }
 

@@ -22,13 +22,13 @@ struct SpringValue {
 };
 
 // H(E) of one yarn; m: in the committed, out the trial largest strain.
-template <class T>
-SpringValue<T> yarn_spring(const AxisData& axis, double coupling, AtSwitch at, T E, T& m) {
+template <class Curve, class T>
+SpringValue<T> yarn_spring(const AxisOf<Curve>& axis, double coupling, AtSwitch at, T E, T& m) {
   const T m0 = m;
   m = max(E, m0);
   const auto curve = backbone_at(axis.curve, m);
   const T Du(axis.unloading), h(axis.slack), cross(coupling * axis.poisson);
-  const T residual = m - curve.P / Du;
+  const T residual = m - curve.P * T(axis.softness);
   const auto is_virgin = E >= m0;
   const auto is_slack = E < residual;
   const T unloading = Du * (E - residual);
@@ -41,6 +41,10 @@ SpringValue<T> yarn_spring(const AxisData& axis, double coupling, AtSwitch at, T
                                : is_slack | ((m <= T(switch_width)) & (E <= T(switch_width)));
   return {select(is_slack, slack, yarn), select(slack_slope, h, slope)};
 }
+
+// Does the shear spring remember the branch left behind? Never with a plain law.
+inline bool fades(const ShearData& shear) { return shear.fading; }
+constexpr bool fades(const ShearOf<CubicBackbone>&) { return false; }
 
 // State of the in-plane shear spring. sign 0 (virgin) counts as +1.
 template <class T>
@@ -56,8 +60,8 @@ T branch_loss(const BackboneValue<T>& at_peak, T Gu) {
 }
 
 // The branch that a reversal of stress opens: at zero stress, with the peak that memory leaves it.
-template <class T>
-ShearState<T> reversed(const ShearData& shear, T gamma, const ShearState<T>& old,
+template <class Curve, class T>
+ShearState<T> reversed(const ShearOf<Curve>& shear, T gamma, const ShearState<T>& old,
                        const BackboneValue<T>& at_peak, T zero, T beyond) {
   const T Gu(shear.unloading);
   ShearState<T> s;
@@ -66,11 +70,11 @@ ShearState<T> reversed(const ShearData& shear, T gamma, const ShearState<T>& old
   s.peak = T(0.0);
   s.faded = old.peak;
   T start(0.0);
-  if (shear.fading) {
+  if (fades(shear)) {
     s.peak = max(old.faded - zero, T(0.0));
     const auto again = backbone_at(shear.curve, s.peak);
     s.lost = s.lost - branch_loss(again, Gu);
-    start = s.peak - again.P / Gu;
+    start = s.peak - again.P * T(shear.softness);
   }
   s.origin = gamma - s.sign * (start + beyond);
   return s;
@@ -83,17 +87,17 @@ ShearState<T> choose(decltype(T() < T()) c, const ShearState<T>& a, const ShearS
 }
 
 // S12(gamma), with at most one reversal per call.
-template <class T>
-SpringValue<T> shear_spring(const ShearData& shear, AtSwitch at, T gamma, ShearState<T>& s) {
+template <class Curve, class T>
+SpringValue<T> shear_spring(const ShearOf<Curve>& shear, AtSwitch at, T gamma, ShearState<T>& s) {
   const T Gu(shear.unloading), width(switch_width);
   s.sign = select(s.sign < T(0.0), T(-1.0), T(1.0));
   const T r_old = s.sign * (gamma - s.origin);
   const auto at_peak = backbone_at(shear.curve, s.peak);
-  const T zero = s.peak - at_peak.P / Gu;
+  const T zero = s.peak - at_peak.P * T(shear.softness);
   // Unloading to zero stress is no crossing; only a branch that has a peak can be unloaded.
   const T slop = select(s.peak > width, width, T(0.0));
   const auto flip = r_old < zero - slop;
-  s = choose(flip, reversed(shear, gamma, s, at_peak, zero, zero - r_old), s);
+  if (any(flip)) s = choose(flip, reversed(shear, gamma, s, at_peak, zero, zero - r_old), s);
 
   const T r = s.sign * (gamma - s.origin);
   const T peak0 = s.peak;

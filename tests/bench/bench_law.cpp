@@ -63,7 +63,7 @@ double best_time(int repeats, Data& d, Step step) {
 double batch_time(const fabric::Law& law, Isa isa, bool tangent, int repeats) {
   Data d(fabric::state_size(law));
   fill_batches(d);
-  const auto run = fabric::batch_function(law, isa);
+  const auto run = fabric::batch_function(isa);
   return best_time(repeats, d, [&](int k) {
     for (int b = 0; b < points; b += lanes)
       run(law, fabric::AtSwitch::loading, &d.E[(k * points + b) * 5], d.s0.data() + b * d.state,

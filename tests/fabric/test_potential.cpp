@@ -207,8 +207,8 @@ TEST_CASE("a batch gives what single points give, on every instruction set", "[l
             for (int i = 0; i < n; ++i) s0[i * lanes + l] = points[l].s[i];
             points[l].go(e);
           }
-          const unsigned failed = fabric::batch_function(law, isa)(law, fabric::AtSwitch::loading, E.data(),
-                                                                   s0.data(), s1.data(), S.data(), C.data());
+          const unsigned failed = fabric::batch_function(isa)(law, fabric::AtSwitch::loading, E.data(),
+                                                              s0.data(), s1.data(), S.data(), C.data());
           REQUIRE(failed == 0);
           for (int l = 0; l < lanes; ++l) {
             for (int i = 0; i < 5; ++i)

@@ -1,0 +1,195 @@
+// The central-difference loop of a free woven sheet in violent motion: forces, commit, nodal update.
+//   bench_explicit                       every instruction set of this machine, one and two threads
+//   bench_explicit one <n> <points> <threads> [warped]   one case; points 0: separate bending
+// Nanoseconds per element and step, least of several windows (process CPU time for one thread, else wall
+// time), and the shares of the law's branches, which must all occur.
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "assembly/assembly.hpp"
+#include "fabric/data.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+
+namespace {
+
+constexpr double side = 1.0;  // m
+constexpr int warm_up = 150, window = 30, windows = 8;
+
+struct Case {
+  int n = 100, points = 3, threads = 1;
+  bool warped = false;  // a wavy sheet of irregular elements instead of a flat grid
+};
+
+std::shared_ptr<model::Model> make_sheet(const Case& c) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(side, side, c.n, c.n));
+  if (c.warped)
+    mesh->map([](const Vec3& X) {
+      return Vec3(X.x() + 0.01 * std::sin(20 * X.y()), X.y() + 0.01 * std::sin(17 * X.x()),
+                  0.02 * std::sin(9 * X.x()) * std::cos(8 * X.y()));
+    });
+  auto card = test::blend();
+  if (c.points == 0) card.bending = card::Bending{15e-6, 12e-6, 5e-6, {}, {}};
+  model::Options options;
+  if (c.points > 0) options.points = c.points;
+  return std::make_shared<model::Model>(mesh, card, options);
+}
+
+// Branches of all law points, sampled between steps.
+struct Branches {
+  double points = 0, virgin = 0, unloading = 0, slack = 0, shear_virgin = 0, shear_unloading = 0;
+  double flips = 0, pairs = 0;  // of the shear branch's sign between two samples one step apart
+  std::vector<signed char> sign;
+};
+
+class Sheet {
+ public:
+  explicit Sheet(const Case& c) : model_(make_sheet(c)), assembly_(*model_) {
+    const auto n = static_cast<std::size_t>(assembly_.unknowns());
+    mass_.assign(n, 0);
+    rate_.assign(n, 0);
+    residual_.assign(n, 0);
+    const double h = side / c.n, t = model_->section().thickness;
+    const auto& law = *model_->section().points[0].law;
+    step_ = 0.6 * h / std::sqrt(fabric::stiffest(law) / model_->section().points[0].density);
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 1);
+    for (std::size_t i = 0; i < assembly_.reference().size(); ++i) {
+      const Vec3& X = assembly_.reference()[i];
+      const double m = assembly_.nodal_mass()[i];
+      const Vec3 v(16 * std::sin(25 * X.x()) * std::cos(9 * X.y()) + 12 * std::sin(21 * X.y()),
+                   9 * std::sin(23 * X.y()) + 14 * std::sin(19 * X.x() + 5 * X.y()),
+                   3 * std::sin(11 * X.x()) * std::cos(14 * X.y()));
+      for (int k = 0; k < 5; ++k) {
+        const auto equation = assembly_.freedoms().nodes[i].equation[k];
+        mass_[equation] = k < 3 ? m : m * std::max(t * t / 12, h * h / 8);
+        rate_[equation] = k < 3 ? v[k] + noise(random) : 5 * noise(random);
+      }
+    }
+    assembly_.external(0, external_);
+  }
+  void step() {
+    assembly_.begin_iterate();
+    assembly_.retract(rate_, step_, {});
+    forces();
+    assembly_.residual(external_, residual_);
+    for (std::size_t i = 0; i < rate_.size(); ++i) rate_[i] += step_ * residual_[i] / mass_[i];
+    time_ += step_;
+    assembly_.state().commit(time_);
+  }
+  void forces() {
+    if (assembly_.forces(fabric::AtSwitch::loading)) return;
+    std::printf("the law failed at %g s\n", time_);
+    std::exit(1);
+  }
+  void count(Branches& b) const {
+    const bool first = b.sign.empty();
+    std::size_t at = 0;
+    for (assembly::Index e = 0; e < assembly_.elements(); e += 7)
+      assembly_.visit(e, [&](double, const fabric::Law& law, const double* E, const double* state) {
+        const auto i = fabric::internal(law, E, state);
+        for (const auto branch : {i.warp, i.weft}) {
+          b.virgin += branch == fabric::Branch::virgin;
+          b.unloading += branch == fabric::Branch::unloading;
+          b.slack += branch == fabric::Branch::slack;
+        }
+        b.shear_virgin += i.shear == fabric::Branch::virgin;
+        b.shear_unloading += i.shear != fabric::Branch::virgin;
+        b.points += 1;
+        const signed char sign = state[fabric::potential_state::sg] < 0 ? -1 : 1;
+        if (first) {
+          b.sign.push_back(sign);
+          return;
+        }
+        b.flips += sign != b.sign[at];
+        b.sign[at++] = sign;
+        b.pairs += 1;
+      });
+  }
+
+ private:
+  std::shared_ptr<model::Model> model_;
+  assembly::Assembly assembly_;
+  std::vector<double> mass_, rate_, residual_, external_;
+  double step_ = 0, time_ = 0;
+};
+
+double now(int threads) {
+  if (threads == 1) return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <class Act>
+double per_element(const Case& c, int times, Act act) {
+  const double start = now(c.threads);
+  for (int i = 0; i < times; ++i) act();
+  return (now(c.threads) - start) / times / (static_cast<double>(c.n) * c.n) * 1e9;
+}
+
+bool all_occur(const Branches& b) {
+  const double axes = 2 * b.points;
+  std::printf(
+      "   yarns %% virgin %.0f unloading %.0f slack %.0f, shear %% virgin %.0f unloading %.0f, %.2f %% "
+      "flip\n",
+      100 * b.virgin / axes, 100 * b.unloading / axes, 100 * b.slack / axes, 100 * b.shear_virgin / b.points,
+      100 * b.shear_unloading / b.points, 100 * b.flips / b.pairs);
+  for (const double share : {b.virgin / axes, b.unloading / axes, b.slack / axes, b.shear_virgin / b.points,
+                             b.shear_unloading / b.points})
+    if (share < 0.05) return false;
+  return b.flips / b.pairs > 1e-3;
+}
+
+int run(const Case& c) {
+  omp_set_num_threads(c.threads);
+  Sheet sheet(c);
+  for (int i = 0; i < warm_up; ++i) sheet.step();
+  double whole = 1e30, forces = 1e30;
+  Branches branches;
+  for (int w = 0; w < windows; ++w) {
+    whole = std::min(whole, per_element(c, window, [&] { sheet.step(); }));
+    forces = std::min(forces, per_element(c, window / 3, [&] { sheet.forces(); }));
+    for (int i = 0; i < 2; ++i) {
+      branches.sign.clear();
+      sheet.count(branches);
+      sheet.step();
+      sheet.count(branches);
+    }
+  }
+  std::printf("%-8s %d thread%s %3d x %-3d %s %s  step %6.1f  forces %6.1f ns", fabricsh::name(best_isa()),
+              c.threads, c.threads == 1 ? " " : "s", c.n, c.n, c.warped ? "warped" : "flat  ",
+              c.points == 0 ? "bending " : (std::to_string(c.points) + " points").c_str(), whole, forces);
+  return all_occur(branches) ? 0 : (std::printf("a branch of the law did not occur\n"), 1);
+}
+
+int run_all(const char* self) {
+  int status = 0;
+  for (const int n : {100, 400})
+    for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
+      for (const int threads : {1, 2})
+        for (const char* what : {"2", "3", "5", "0", "3 warped"}) {
+          if (isa > best_isa() || threads > omp_get_num_procs()) continue;
+          const std::string points = std::string(what).substr(0, 1);
+          const std::string command = std::string("FABRICSH_ISA=") + fabricsh::name(isa) + " " + self +
+                                      " one " + std::to_string(n) + " " + points + " " +
+                                      std::to_string(threads) + (std::strlen(what) > 1 ? " warped" : "");
+          status |= std::system(command.c_str());
+        }
+  return status != 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 5) return run_all(argv[0]);
+  return run({std::atoi(argv[2]), std::atoi(argv[3]), std::atoi(argv[4]), argc > 5});
+}
