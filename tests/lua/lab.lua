@@ -107,7 +107,8 @@ local function pushed(plane, damping)
   for i = 1, #run.mesh.nodes do rise = math.max(rise, math.abs(run.analysis:node(i).uz)) end
   return rise, run.curve[#run.curve].force
 end
-local rise, push = pushed("free", 1e-6)
+-- With 1e-6 whether Newton gets through the snap hangs on the last digit of the forces.
+local rise, push = pushed("free", 1e-4)
 local flat, hard = pushed("held", false)
 assert(flat == 0 and hard < -10 and rise > 20 * mm and math.abs(push) < 0.1,
        ("rise %g m, push %g N, held flat %g N"):format(rise, push, hard))
