@@ -76,6 +76,7 @@ Assembly::Assembly(const model::Model& model) : model_(model), X_(model.mesh().n
   iterate_.assign(state_->kinematics().begin(), state_->kinematics().end());
   make_geometry(directors);
   make_pattern();
+  make_force_slots();
   force_x_.assign(3 * X_.size(), 0);
   force_d_.assign(3 * X_.size(), 0);
   add_inertia();
@@ -164,9 +165,9 @@ void Assembly::make_geometry(const std::vector<Vec3>& directors) {
   mass_.assign(X_.size(), 0);
   mass_moment_.assign(X_.size(), 0);
   const auto warp = [this](const Vec3& X, const Vec3& n) { return model_.warp_at(X, n); };
-  for (const Batch& batch : batches_)
+  for (Batch& batch : batches_) {
+    double* geometry = geometry_.data() + batch.geometry;
     for (int l = 0; l < lanes; ++l) {
-      double* geometry = geometry_.data() + batch.geometry;
       try {
         if (batch.kind->corners == 3)
           put_geometry<3>(model_.section(), X_, directors, batch.nodes[l], warp, geometry, l);
@@ -179,6 +180,9 @@ void Assembly::make_geometry(const std::vector<Vec3>& directors) {
       }
       if (l < batch.used) add_mass(batch, l);
     }
+    batch.sharing = batch.kind->corners == 3 ? element::shell3_sharing(model_.section(), geometry)
+                                             : element::shell4_sharing(model_.section(), geometry);
+  }
 }
 
 void Assembly::add_mass(const Batch& batch, int lane) {

@@ -1,6 +1,10 @@
-// A model compiled into arrays: element batches in colours, equation numbers, the sparse pattern with fixed
-// slots, the state store. Gives forces and tangents for the trial configuration, the same bits for any number
-// of threads: elements of one colour share no node, and colours follow one another.
+// A model compiled into arrays: element batches, equation numbers, the sparse pattern with fixed slots, the
+// state store. Gives forces and tangents for the trial configuration, the same bits for any number of
+// threads. Forces: each batch writes into slots of its own, and each node sums its elements' slots in their
+// order. Tangents: batches are in colours that share no node, and colours follow one another.
+//
+// An explicit step: move state().x(), d() and b1() (or retract()), state().touch(), aim(time), forces(),
+// read internal_on_x() and internal_on_d(), state().commit(time).
 #pragma once
 #include <memory>
 #include <span>
@@ -10,6 +14,7 @@
 #include "assembly/freedoms.hpp"
 #include "assembly/loads.hpp"
 #include "assembly/state.hpp"
+#include "base/aligned.hpp"
 #include "element/shell3.hpp"
 #include "model/model.hpp"
 #include "solver/sparse.hpp"
@@ -153,9 +158,9 @@ class Assembly {
   void make_slots();
   void add_inertia();
   void gather(const Batch& batch, double* x, double* d, double* b) const;
-  bool run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix* K, std::span<const double> lead,
-           std::span<double> product);
-  void scatter_force(const Batch& batch, const double* f);
+  void make_force_slots();
+  Index evaluate(Index batch, fabric::AtSwitch at, double* trial, double* K);
+  void sum_forces();
   void scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
                        std::span<const double> lead, std::span<double> product);
   void scatter_with_care(const Batch& batch, int lane, const double* K, solver::SparseMatrix& out,
@@ -192,7 +197,7 @@ class Assembly {
   std::vector<Batch> batches_;
   std::vector<Index> colour_start_;  // batches of colour c: [colour_start_[c], colour_start_[c + 1])
   std::vector<Place> place_;         // per element
-  std::vector<double> geometry_;     // per batch, contiguous
+  LineVector geometry_;              // per batch, contiguous
   solver::SparseMatrix pattern_;
   // Per batch and lane: slots of each column's first row of each node (4 x 20, the column first), -1: none;
   // what is added to them for the node's five rows, -1: no unknown; what a scatter must mind besides.
@@ -200,6 +205,14 @@ class Assembly {
   std::vector<Index> slots_;
   std::vector<signed char> offsets_;
   std::vector<Care> care_;
+  // Forces of the elements as the kernels write them, and where each node finds its own in there: the entries
+  // of node n are [first_slot_[n], first_slot_[n + 1]), the first of three components `lanes` apart.
+  struct ForceSlot {
+    std::uint32_t on_x, on_d;
+  };
+  LineVector element_force_;
+  std::vector<ForceSlot> force_slots_;
+  std::vector<std::uint32_t> first_slot_;
   std::vector<double> iterate_;  // kinematics
   std::vector<double> force_x_, force_d_, mass_,
       mass_moment_;                  // mass kg, its first moment about the surface kg m

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/aligned.hpp"
+
 namespace fabricsh::assembly {
 
 class StateStore {
@@ -77,7 +79,7 @@ class StateStore {
   std::span<double> part(int k) { return std::span(trial_).subspan(3 * nodes_ * k, 3 * nodes_); }
   std::size_t nodes_;
   std::vector<double> committed_, trial_;  // kinematics
-  std::vector<double> committed_law_, trial_law_;
+  LineVector committed_law_, trial_law_;
   bool evaluated_ = false;  // does the law's trial copy belong to the trial configuration
   double time_ = 0;
   std::uint64_t version_ = 1;

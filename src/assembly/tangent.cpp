@@ -1,5 +1,4 @@
-// Forces and tangents of all elements: batches of a colour in parallel, colours one after the other, fixed
-// slots.
+// Tangents of all elements: batches of a colour in parallel, colours one after the other, fixed slots.
 #include <algorithm>
 #include <cmath>
 
@@ -98,40 +97,6 @@ void Assembly::make_slots() {
           slot[4 * c + a] = std::lower_bound(begin, end, first[a]) - pattern_.row.begin();
         }
     }
-}
-
-void Assembly::gather(const Batch& batch, double* x, double* d, double* b) const {
-  const auto& s = std::as_const(*state_);
-  const double* px = s.x().data();
-  const double* pd = s.d().data();
-  const double* pb = px + 6 * X_.size();
-  const int corners = batch.kind->corners;
-  for (int l = 0; l < lanes; ++l)
-    for (int a = 0; a < corners; ++a) {
-      const Index n = 3 * batch.nodes[l][a];
-      for (int i = 0; i < 3; ++i) {
-        x[(3 * a + i) * lanes + l] = px[n + i];
-        d[(3 * a + i) * lanes + l] = pd[n + i];
-      }
-      if (b == nullptr) continue;
-      const Eigen::Map<const Vec3> dd(pd + n), b1(pb + n);
-      const Vec3 b2 = dd.cross(b1);
-      for (int i = 0; i < 3; ++i) {
-        b[(6 * a + i) * lanes + l] = b1[i];
-        b[(6 * a + 3 + i) * lanes + l] = b2[i];
-      }
-    }
-}
-
-void Assembly::scatter_force(const Batch& batch, const double* f) {
-  const int corners = batch.kind->corners;
-  for (int l = 0; l < batch.used; ++l)
-    for (int a = 0; a < corners; ++a)
-      for (int i = 0; i < 3; ++i) {
-        const Index n = 3 * batch.nodes[l][a] + i;
-        force_x_[n] += f[(3 * a + i) * lanes + l];
-        force_d_[n] += f[(3 * (corners + a) + i) * lanes + l];
-      }
 }
 
 namespace {
@@ -265,43 +230,26 @@ void Assembly::add_load_stiffness(solver::SparseMatrix& K, std::span<const doubl
   loads_->add_stiffness(s.x(), s.d(), state_->b1(), on_x, on_q);
 }
 
-bool Assembly::run(fabric::AtSwitch at, bool with_tangent, solver::SparseMatrix* K,
-                   std::span<const double> lead, std::span<double> product) {
-  std::fill(force_x_.begin(), force_x_.end(), 0.0);
-  std::fill(force_d_.begin(), force_d_.end(), 0.0);
-  if (with_tangent) std::fill(K->value.begin(), K->value.end(), 0.0);
+bool Assembly::tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
+                       std::span<double> product) {
+  std::fill(K.value.begin(), K.value.end(), 0.0);
   std::fill(product.begin(), product.end(), 0.0);
-  const auto& section = model_.section();
   double* trial = state_->evaluate_law().data();
-  const double* committed = std::as_const(*state_).committed_law().data();
   Index failed = -1;
   for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
-    // Few batches are done by one thread: waking the others costs more, above all on a busy machine.
 #pragma omp parallel for schedule(static) \
     reduction(max                         \
-              : failed) if (colour_start_[c + 1] - colour_start_[c] >= 16)
+              : failed) if (colour_start_[c + 1] - colour_start_[c] >= few_batches)
     for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
-      alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes], f[24 * lanes], k[kEntries * lanes];
-      const Batch& batch = batches_[b];
-      const auto& kernels = batch.kind->kernels;
-      gather(batch, x, d, basis);
-      const element::Shell4Batch data{
-          geometry_.data() + batch.geometry, x, d, basis, committed + batch.law, trial + batch.law};
-      unsigned bad =
-          with_tangent ? kernels.tangent(section, at, data, f, k) : kernels.force(section, at, data, f);
-      bad &= (1u << batch.used) - 1;
-      if (bad != 0) failed = std::max(failed, batch.element[__builtin_ctz(bad)]);
-      scatter_force(batch, f);
-      if (with_tangent) scatter_tangent(batch, k, *K, lead, product);
+      alignas(64) double k[kEntries * lanes];
+      failed = std::max(failed, evaluate(b, at, trial, k));
+      scatter_tangent(batches_[b], k, K, lead, product);
     }
   }
-  const auto& s = std::as_const(*state_);
-  loads_->add_to_internal(s.x(), s.d(), X_, force_x_, force_d_);
-  if (with_tangent) {
-    scatter_tied(*K, lead, product);
-    add_load_stiffness(*K, lead, product);
-    add_body_stiffness(*K);
-  }
+  sum_forces();
+  scatter_tied(K, lead, product);
+  add_load_stiffness(K, lead, product);
+  add_body_stiffness(K);
   failed_element_ = failed;
   return failed < 0;
 }
@@ -317,13 +265,6 @@ Index Assembly::inverted_element() const {
       if ((lost >> l & 1u) != 0 && (first < 0 || batch.element[l] < first)) first = batch.element[l];
   }
   return first;
-}
-
-bool Assembly::forces(fabric::AtSwitch at) { return run(at, false, nullptr, {}, {}); }
-
-bool Assembly::tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
-                       std::span<double> product) {
-  return run(at, true, &K, lead, product);
 }
 
 }  // namespace fabricsh::assembly

@@ -30,6 +30,9 @@ void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>&
                      const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,
                      int stride);
 
+// As shell4_sharing; `through` at most.
+Sharing shell3_sharing(const section::Section& section, const double* geometry);
+
 // As Shell4Kernels, with 9 + 9 forces, 15x15 tangents and three in-plane points.
 Shell4Kernels shell3_kernels(Isa isa);
 

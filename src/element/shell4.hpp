@@ -47,6 +47,15 @@ struct Shell4Layout {
   int size() const { return point(gauss_points, 0); }
 };
 
+// How far the transforms of an element's points agree, which lets a force kernel read and compute less.
+//   through: one transform through the thickness, since the directors are parallel; kappa, rho, q1, q2 are
+//   zero. element: and one for all in-plane points of a parallelogram, whose enhanced modes see the
+//   differences of opposite chords alone.
+enum class Sharing { none, through, element };
+
+// What all lanes of a batch share, to 1e-11 of the numbers themselves: coordinates carry rounding.
+Sharing shell4_sharing(const section::Section& section, const double* geometry);
+
 // Warp direction at a point with unit normal, global, not yet projected.
 using WarpAt = std::function<Vec3(const Vec3& X, const Vec3& normal)>;
 
@@ -64,6 +73,7 @@ struct ShellBatch {
   const double* b;   // 24 (18): b1 then b2 per node, at 6 A + 3 (alpha) + i; tangent only
   const double* s0;  // committed law states, [gauss][section state]
   double* s1;        // trial law states
+  Sharing sharing = Sharing::none;
 };
 using Shell4Batch = ShellBatch;
 

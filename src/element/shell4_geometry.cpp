@@ -210,4 +210,92 @@ void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>&
   }
 }
 
+namespace {
+
+constexpr double kAgree = 1e-11;
+
+bool agree(double a, double b, double size) { return std::abs(a - b) <= kAgree * size; }
+
+// Where a lane's points begin in its column, and how many in-plane points there are.
+struct Points {
+  const double* column;
+  int first, in_plane;
+};
+
+// Entries of two transforms, their weights apart.
+bool same_transform(const double* a, const double* b) {
+  const double size =
+      std::max({std::abs(b[0]), std::abs(b[lanes]), std::abs(b[2 * lanes]), std::abs(b[3 * lanes])});
+  for (int i = 0; i < 4; ++i)
+    if (!agree(a[i * lanes], b[i * lanes], size)) return false;
+  return agree(a[4 * lanes], 0, size) && agree(a[5 * lanes], 0, size) &&
+         agree(a[6 * lanes], b[6 * lanes], std::abs(b[6 * lanes]));
+}
+
+bool same_through(const section::Section& section, const Points& p, int strains) {
+  const int points = static_cast<int>(section.points.size());
+  constexpr int size = Shell4Layout::transform;
+  for (int g = 0; g < p.in_plane; ++g) {
+    const double* first = p.column + (p.first + size * points * g) * lanes;
+    for (int k = 0; k < points; ++k) {
+      const double* column = first + size * k * lanes;
+      const double w = first[7 * lanes] * section.points[k].weight / section.points[0].weight;
+      if (!same_transform(column, first) || !agree(column[7 * lanes], w, w)) return false;
+    }
+    // Curvatures of the reference, made strains by the thickness and the transform.
+    const double T2 = first[0] * first[0] + first[lanes] * first[lanes] +
+                      first[2 * lanes] * first[2 * lanes] + first[3 * lanes] * first[3 * lanes];
+    for (int i = 0; i < 6; ++i)
+      if (!agree(p.column[(strains + 6 * g + i) * lanes] * T2 * section.thickness *
+                     (i < 3 ? 1 : section.thickness),
+                 0, 1))
+        return false;
+  }
+  return true;
+}
+
+bool same_in_plane(const Points& p, int points) {
+  constexpr int size = Shell4Layout::transform;
+  for (int g = 1; g < p.in_plane; ++g) {
+    const double *column = p.column + (p.first + size * points * g) * lanes,
+                 *first = p.column + p.first * lanes;
+    if (!same_transform(column, first) || !agree(column[7 * lanes], first[7 * lanes], first[7 * lanes]))
+      return false;
+  }
+  return true;
+}
+
+bool is_parallelogram(const double* column) {
+  const auto mode = [&](int i, int k) { return column[(Shell4Layout::modes + kSamples * i + k) * lanes]; };
+  for (int i = 0; i < kEnhanced; ++i) {
+    if (!agree(mode(i, 0), -mode(i, 1), 1) || !agree(mode(i, 2), -mode(i, 3), 1)) return false;
+    for (int k = 4; k < kSamples; ++k)
+      if (!agree(mode(i, k), 0, 1)) return false;
+  }
+  return agree(column[Shell4Layout::distortion * lanes], 0, 1) &&
+         agree(column[(Shell4Layout::distortion + 1) * lanes], 0, 1);
+}
+
+}  // namespace
+
+Sharing shell4_sharing(const section::Section& section, const double* geometry) {
+  const int points = static_cast<int>(section.points.size());
+  const Shell4Layout layout(points);
+  Sharing sharing = Sharing::element;
+  for (int l = 0; l < lanes; ++l) {
+    const Points p{geometry + l, layout.point(0, 0), gauss_points};
+    if (!same_through(section, p, layout.reference(0))) return Sharing::none;
+    if (!is_parallelogram(geometry + l) || !same_in_plane(p, points)) sharing = Sharing::through;
+  }
+  return sharing;
+}
+
+Sharing shell3_sharing(const section::Section& section, const double* geometry) {
+  const Shell3Layout layout(static_cast<int>(section.points.size()));
+  for (int l = 0; l < lanes; ++l)
+    if (!same_through(section, {geometry + l, layout.point(0, 0), shell3_points}, layout.reference(0)))
+      return Sharing::none;
+  return Sharing::through;
+}
+
 }  // namespace fabricsh::element

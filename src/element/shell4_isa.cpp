@@ -11,24 +11,37 @@ constexpr int kVectors = 3, kX = 3 * kVectors, kD = 8;  // mid1 mid2 twist; two 
 using Columns4 = Columns<kX, kD>;
 using Tangent4 = Tangent<kX, kD>;
 
-unsigned force(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f) {
+// The loops over the points are apart, so that the law's stands once and the others are unrolled.
+template <Sharing sharing>
+unsigned force_of(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f) {
   const Kinematics k = kinematics(batch);
   const Shell4Layout layout(static_cast<int>(section.points.size()));
   Pack gamma[4];
   edge_shears(k, batch.geometry, section.thickness, gamma);
-  const Membrane m = membrane(k, batch.geometry);
-  Forces forces;
-  clear(forces);
+  const Membrane m = membrane<sharing>(k, batch.geometry);
+  InPlane p[gauss_points];
+  Resultants r[gauss_points];
+  _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g) p[g] =
+      in_plane<sharing>(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
   unsigned failed = 0;
   for (int g = 0; g < gauss_points; ++g) {
-    const InPlane p = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
-    Resultants r;
-    failed |= integrate(section, at, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, nullptr);
-    add_force(p, r, section.thickness, g, forces);
+    const int first = layout.point(sharing == Sharing::element ? 0 : g, 0);
+    failed |= integrate(section, at, batch, batch.geometry + first * lanes, p[g], g, r[g], nullptr);
   }
-  close(m, batch.geometry, forces);
+  Forces forces;
+  clear(forces);
+  _Pragma("GCC unroll 4") for (int g = 0; g < gauss_points; ++g)
+      add_force<sharing>(p[g], r[g], section.thickness, g, forces);
+  close<sharing>(m, batch.geometry, forces);
   store_forces(on_nodes(k, forces), f);
   return failed;
+}
+
+unsigned force(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f) {
+  if (batch.sharing == Sharing::element && section.plain != nullptr)
+    return force_of<Sharing::element>(section, at, batch, f);
+  if (batch.sharing != Sharing::none) return force_of<Sharing::through>(section, at, batch, f);
+  return force_of<Sharing::none>(section, at, batch, f);
 }
 
 // How the edges' directors follow the rotations: each edge has four columns, two of its first node and two of

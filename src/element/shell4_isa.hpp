@@ -109,6 +109,20 @@ inline Pack mode(const double* geometry, int i, int k) {
   return load(geometry + (Shell4Layout::modes + kSamples * i + k) * lanes);
 }
 
+// Amplitudes of the enhanced modes from samples v.
+template <Sharing sharing = Sharing::none>
+inline void modes_of(const double* geometry, const Pack v[kSamples], Pack alpha[kEnhanced]) {
+  for (int i = 0; i < kEnhanced; ++i) {
+    if constexpr (sharing == Sharing::element) {
+      alpha[i] = mode(geometry, i, 0) * (v[0] - v[1]) + mode(geometry, i, 2) * (v[2] - v[3]);
+    } else {
+      alpha[i] = mode(geometry, i, 0) * v[0];
+      for (int j = 1; j < kSamples; ++j) alpha[i] += mode(geometry, i, j) * v[j];
+    }
+  }
+}
+
+template <Sharing sharing = Sharing::none>
 inline Membrane membrane(const Kinematics& k, const double* geometry) {
   Membrane m;
   const Pack half(0.5);
@@ -118,10 +132,8 @@ inline Membrane membrane(const Kinematics& k, const double* geometry) {
   m.strain[6] = dot(k.mid1, k.mid2);
   m.strain[7] = in_plane_twist(m.strain, m);
   for (int i = 0; i < kSamples; ++i) m.strain[i] -= load(geometry + (Shell4Layout::samples + i) * lanes);
-  for (int i = 0; i < kEnhanced; ++i) {
-    m.alpha[i] = mode(geometry, i, 0) * m.strain[0];
-    for (int j = 1; j < kSamples; ++j) m.alpha[i] += mode(geometry, i, j) * m.strain[j];
-  }
+  modes_of<sharing>(geometry, m.strain, m.alpha);
+  if constexpr (sharing == Sharing::element) return m;
   m.c1 = load(geometry + Shell4Layout::distortion * lanes);
   m.c2 = load(geometry + (Shell4Layout::distortion + 1) * lanes);
   return m;
@@ -143,6 +155,7 @@ inline Carry carry(const Membrane& m, int g) {
 }
 
 // (c11, c22, 2 c12) at point g from samples v and modes alpha: strains, or columns of their operator.
+template <Sharing sharing = Sharing::none>
 inline void membrane_at(const Carry& to, int g, const Pack v[kSamples], const Pack alpha[kEnhanced],
                         Pack out[3]) {
   const double r = kXi[g], s = kEta[g];
@@ -150,7 +163,8 @@ inline void membrane_at(const Carry& to, int g, const Pack v[kSamples], const Pa
   out[0] = Pack((1 + s) / 2) * v[0] + Pack((1 - s) / 2) * v[1] + Pack(s * s - 1) * v[7];
   out[1] = Pack((1 + r) / 2) * v[2] + Pack((1 - r) / 2) * v[3] + Pack(r * r - 1) * v[7];
   out[2] = v[6] + Pack(r / 2) * (v[0] - v[1]) + Pack(s / 2) * (v[2] - v[3]) + Pack(2 * r * s) * v[7];
-  for (int i = 0; i < 3; ++i) out[i] += to.c[i][0] * e[0] + to.c[i][1] * e[1] + to.c[i][2] * e[2];
+  for (int i = 0; i < 3; ++i)
+    out[i] += sharing == Sharing::element ? e[i] : to.c[i][0] * e[0] + to.c[i][1] * e[1] + to.c[i][2] * e[2];
 }
 
 // Everything at one in-plane point that does not depend on the thickness coordinate.
@@ -165,6 +179,7 @@ inline void edge_shears(const Kinematics& k, const double* geometry, double thic
     gamma[e] = Pack(thickness / 2) * dot(k.edge[e].chord, k.edge[e].mean) - load(geometry + e * lanes);
 }
 
+template <Sharing sharing = Sharing::none>
 inline InPlane in_plane(const Kinematics& k, const double* reference, const Membrane& m, const Pack gamma[4],
                         int g) {
   InPlane p;
@@ -173,16 +188,19 @@ inline InPlane in_plane(const Kinematics& k, const double* reference, const Memb
   p.a2 = k.mid2 + Pack(kXi[g]) * k.twist;
   p.b1 = Pack(tie(g, 0)) * e[0].beta + Pack(tie(g, 1)) * e[1].beta;
   p.b2 = Pack(tie(g, 2)) * e[2].beta + Pack(tie(g, 3)) * e[3].beta;
-  p.carry = carry(m, g);
-  membrane_at(p.carry, g, m.strain, m.alpha, p.eps);
+  if constexpr (sharing != Sharing::element) p.carry = carry(m, g);
+  membrane_at<sharing>(p.carry, g, m.strain, m.alpha, p.eps);
   const Pack half(0.5);
-  const auto ref = [&](int i) { return load(reference + i * lanes); };
-  p.kappa[0] = dot(p.a1, p.b1) - ref(0);
-  p.kappa[1] = dot(p.a2, p.b2) - ref(1);
-  p.kappa[2] = dot(p.a1, p.b2) + dot(p.a2, p.b1) - ref(2);
-  p.rho[0] = half * dot(p.b1, p.b1) - ref(3);
-  p.rho[1] = half * dot(p.b2, p.b2) - ref(4);
-  p.rho[2] = dot(p.b1, p.b2) - ref(5);
+  p.kappa[0] = dot(p.a1, p.b1);
+  p.kappa[1] = dot(p.a2, p.b2);
+  p.kappa[2] = dot(p.a1, p.b2) + dot(p.a2, p.b1);
+  p.rho[0] = half * dot(p.b1, p.b1);
+  p.rho[1] = half * dot(p.b2, p.b2);
+  p.rho[2] = dot(p.b1, p.b2);
+  for (int i = 0; i < 3 && sharing == Sharing::none; ++i) {
+    p.kappa[i] -= load(reference + i * lanes);
+    p.rho[i] -= load(reference + (3 + i) * lanes);
+  }
   p.g1 = Pack(tie(g, 0)) * gamma[0] + Pack(tie(g, 1)) * gamma[1];
   p.g2 = Pack(tie(g, 2)) * gamma[2] + Pack(tie(g, 3)) * gamma[3];
   return p;
@@ -205,6 +223,7 @@ inline void clear(Forces& f) {
 }
 
 // The transpose of membrane_at.
+template <Sharing sharing = Sharing::none>
 inline void add_membrane(const InPlane& p, const Resultants& q, int g, Forces& f) {
   const double r = kXi[g], s = kEta[g];
   const Pack* N = q.N;
@@ -215,15 +234,19 @@ inline void add_membrane(const InPlane& p, const Resultants& q, int g, Forces& f
   f.sample[6] += N[2];
   f.sample[7] += Pack(s * s - 1) * N[0] + Pack(r * r - 1) * N[1] + Pack(2 * r * s) * N[2];
   Pack e[3];
-  for (int j = 0; j < 3; ++j) e[j] = p.carry.c[0][j] * N[0] + p.carry.c[1][j] * N[1] + p.carry.c[2][j] * N[2];
+  for (int j = 0; j < 3; ++j)
+    e[j] = sharing == Sharing::element
+               ? N[j]
+               : p.carry.c[0][j] * N[0] + p.carry.c[1][j] * N[1] + p.carry.c[2][j] * N[2];
   f.mode[0] += Pack(r) * e[0];
   f.mode[1] += Pack(s) * e[1];
   f.mode[2] += Pack(r) * e[2];
   f.mode[3] += Pack(s) * e[2];
 }
 
+template <Sharing sharing = Sharing::none>
 inline void add_force(const InPlane& p, const Resultants& r, double thickness, int g, Forces& f) {
-  add_membrane(p, r, g, f);
+  add_membrane<sharing>(p, r, g, f);
   const V3 on_a1 = r.M[0] * p.b1 + r.M[2] * p.b2, on_a2 = r.M[2] * p.b1 + r.M[1] * p.b2;
   f.x[0] += on_a1;
   f.x[1] += on_a2;
@@ -237,9 +260,15 @@ inline void add_force(const InPlane& p, const Resultants& r, double thickness, i
 }
 
 // After all points: the modes work through the samples, q through the others.
+template <Sharing sharing = Sharing::none>
 inline void close(const Membrane& m, const double* geometry, Forces& f) {
   for (int i = 0; i < kEnhanced; ++i)
-    for (int k = 0; k < kSamples; ++k) f.sample[k] += mode(geometry, i, k) * f.mode[i];
+    for (int k = 0; k < (sharing == Sharing::element ? 4 : kSamples); ++k) {
+      const int chord =
+          sharing == Sharing::element ? k / 2 * 2 : k;  // the second chord of two: minus the first
+      const Pack n = mode(geometry, i, chord) * f.mode[i];
+      f.sample[k] += chord == k ? n : -n;
+    }
   for (int k = 0; k < 7; ++k) f.sample[k] += f.sample[7] * m.slope[k];
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include "element/shell4.hpp"
 #include "fabric/part.hpp"
+#include "fabric/potential.hpp"
 #include "tensor/pack.hpp"
 
 namespace fabricsh::element {
@@ -193,9 +194,65 @@ inline double height(const section::Section& section, int k) {
   return section.thickness / 2 * (section.points[k].zeta - section.offset);
 }
 
+// Bending of in-plane point g, with the transform of the section's only point.
+inline void add_bending_at(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch,
+                           const Strains& p, const Transform& t, int g, Resultants& r, Stiffness* k) {
+  const bool rubs = section.bending_state >= 0;
+  const long offset = static_cast<long>(g * section.state_size + section.bending_state) * lanes;
+  add_bending(section, at, p, t, rubs ? batch.s0 + offset : nullptr, rubs ? batch.s1 + offset : nullptr, r,
+              k);
+}
+
+// Law updates through the thickness where one plain law and one transform hold: strains E = e + z k + z^2 q
+// and resultants in material axes. The sum of the stresses shows whether any of them is not finite.
+[[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section, fabric::AtSwitch at,
+                                                         const ShellBatch& batch, const Transform& t,
+                                                         const Strains& p, int g, Resultants& r) {
+  constexpr int row[3] = {0, 1, 4}, states = fabric::potential_state::count;
+  Pack e[3], k[3], q[3], E[5], old[states], trial[states];
+  for (int i = 0; i < 3; ++i) {
+    const Pack* L = t.L[row[i]];
+    e[i] = L[0] * p.eps[0] + L[1] * p.eps[1] + L[2] * p.eps[2];
+    k[i] = L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2];
+    q[i] = L[0] * p.rho[0] + L[1] * p.rho[1] + L[2] * p.rho[2];
+  }
+  for (int i = 2; i < 4; ++i) E[i] = t.L[i][3] * p.g1 + t.L[i][4] * p.g2;
+  Resultants m;  // in material axes
+  clear(m);
+  for (const auto& point : section.points) {
+    const double height = section.thickness / 2 * (point.zeta - section.offset);
+    const Pack z(height), weight(point.weight);
+    for (int i = 0; i < 3; ++i) E[row[i]] = e[i] + z * (k[i] + z * q[i]);
+    const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
+    for (int i = 0; i < states; ++i) old[i] = load(batch.s0 + offset + i * lanes);
+    const auto out = fabric::potential_update(*section.plain, at, E, old, trial);
+    for (int i = 0; i < states; ++i) store(batch.s1 + offset + i * lanes, trial[i]);
+    for (int i = 0; i < 3; ++i) {
+      const Pack S = weight * out.S[row[i]], zS = z * S;
+      m.N[i] += S;
+      m.M[i] += zS;
+      m.K[i] += z * zS;
+    }
+    for (int i = 0; i < 2; ++i) m.Q[i] += weight * out.S[2 + i];
+  }
+  const Pack volume = t.weight * Pack(1 / section.points[0].weight);
+  for (int j = 0; j < 3; ++j) {
+    const Pack L[3] = {volume * t.L[0][j], volume * t.L[1][j], volume * t.L[4][j]};
+    r.N[j] = L[0] * m.N[0] + L[1] * m.N[1] + L[2] * m.N[2];
+    r.M[j] = L[0] * m.M[0] + L[1] * m.M[1] + L[2] * m.M[2];
+    r.K[j] = L[0] * m.K[0] + L[1] * m.K[1] + L[2] * m.K[2];
+  }
+  for (int j = 0; j < 2; ++j) r.Q[j] = volume * (t.L[2][3 + j] * m.Q[0] + t.L[3][3 + j] * m.Q[1]);
+  if (section.bends_apart) add_bending_at(section, at, batch, p, t, g, r, nullptr);
+  const Pack sum = (m.N[0] + m.N[1]) + (m.N[2] + m.Q[0]) + m.Q[1];
+  return bits(!(sum - sum == Pack(0.0)));
+}
+
 // Law evaluations of in-plane point g, all through the thickness; columns: its first transform.
 inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch,
                           const double* columns, const Strains& p, int g, Resultants& r, Stiffness* k) {
+  if (k == nullptr && batch.sharing != Sharing::none && section.plain != nullptr)
+    return integrate_plain(section, at, batch, transform(columns), p, g, r);
   const int n = static_cast<int>(section.points.size());
   alignas(64) double E[5 * lanes], S[5 * lanes], C[25 * lanes];
   unsigned failed = 0;
@@ -223,7 +280,8 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
 // Kernels of a part as kernels of the whole batch.
 inline ShellBatch part(const ShellBatch& batch, int first) {
   const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
-  return {from(batch.geometry), from(batch.x), from(batch.d), from(batch.b), from(batch.s0), from(batch.s1)};
+  return {from(batch.geometry), from(batch.x),  from(batch.d), from(batch.b),
+          from(batch.s0),       from(batch.s1), batch.sharing};
 }
 
 template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4Curvature curvature,

@@ -1,9 +1,11 @@
 #include "section/section.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
+#include "fabric/data.hpp"
 
 namespace fabricsh::section {
 
@@ -70,6 +72,13 @@ void add_bending(Section& s, const card::Bending& bending) {
   s.state_size += 4;
 }
 
+void find_plain(Section& s) {
+  const auto& law = s.points[0].law;
+  const bool one =
+      std::all_of(s.points.begin(), s.points.end(), [&](const Point& p) { return p.law == law; });
+  if (one && law->is_plain) s.plain = &law->plain;
+}
+
 }  // namespace
 
 Section integrated(const card::Card& card, double thickness, int points, double offset) {
@@ -80,6 +89,7 @@ Section integrated(const card::Card& card, double thickness, int points, double 
   s.areal_mass = card.density * thickness;
   add_points(s, card, card.bending ? 1 : points, -1, 1, 0);
   if (card.bending) add_bending(s, *card.bending);
+  find_plain(s);
   return s;
 }
 
@@ -104,6 +114,7 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset) {
     add_points(s, ply.card, points, low, high, ply.angle * std::numbers::pi / 180);
     low = high;
   }
+  find_plain(s);
   return s;
 }
 

@@ -9,6 +9,10 @@
 #include "fabric/bending_spring.hpp"
 #include "fabric/law.hpp"
 
+namespace fabricsh::fabric {
+struct PlainWoven;
+}
+
 namespace fabricsh::section {
 
 // One integration point: zeta in [-1, 1] and weight (the weights sum to 2) over the whole thickness, its law,
@@ -27,8 +31,9 @@ struct Section {
   double areal_mass = 0;  // kg/m^2
   double density = 0;     // kg/m^3
   std::vector<Point> points;
-  int state_size = 0;     // numbers per in-plane integration point, all thickness points together
-  bool symmetric = true;  // is every tangent symmetric
+  int state_size = 0;  // numbers per in-plane integration point, all thickness points together
+  const fabric::PlainWoven* plain = nullptr;  // of the law that all points have, if it is one and that plain
+  bool symmetric = true;                      // is every tangent symmetric
   // Separate bending: one thickness point in the middle, and beside it three springs on the material
   // curvatures k11, k22, 2 k12. With friction two states each (slip, lost) for warp and weft, from
   // bending_state on.

@@ -335,7 +335,20 @@ TEST_CASE("forces and tangent have the same bits for one, two and four threads")
     solver::SparseMatrix K = a.pattern();
     REQUIRE(a.tangent(fabric::AtSwitch::loading, K, {}, {}));
     std::vector<double> all = K.value;
-    all.insert(all.end(), a.internal_on_x().begin(), a.internal_on_x().end());
+    const auto keep = [&] {
+      for (const auto f : {a.internal_on_x(), a.internal_on_d()}) all.insert(all.end(), f.begin(), f.end());
+    };
+    keep();
+    // Explicit steps through the law's branches: forces, commit, move on.
+    for (int i = 1; i < 5; ++i) {
+      REQUIRE(a.forces(fabric::AtSwitch::loading));
+      keep();
+      a.state().commit(i);
+      a.begin_iterate();
+      a.retract(step, std::cos(2.0 * i), {});
+    }
+    const auto law = std::as_const(a.state()).law();
+    all.insert(all.end(), law.begin(), law.end());
     return all;
   };
   const auto one = make(1);

@@ -14,12 +14,14 @@ struct Quadrilateral {
   static constexpr int corners = 4, dofs = element::shell4_dofs, in_plane = element::gauss_points;
   static constexpr auto geometry = element::shell4_geometry;
   static constexpr auto kernels = element::shell4_kernels;
+  static constexpr auto sharing = element::shell4_sharing;
 };
 struct Triangle {
   using Layout = element::Shell3Layout;
   static constexpr int corners = 3, dofs = element::shell3_dofs, in_plane = element::shell3_points;
   static constexpr auto geometry = element::shell3_geometry;
   static constexpr auto kernels = element::shell3_kernels;
+  static constexpr auto sharing = element::shell3_sharing;
 };
 
 template <class Element>
@@ -27,8 +29,10 @@ struct RandomBatch {
   static constexpr int corners = Element::corners, dofs = Element::dofs, in_plane = Element::in_plane;
   section::Section section;
   element::Shell4Kernels kernels;
+  inline static const Vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   std::mt19937 random{12345};
   std::vector<double> geometry, s0, s1;
+  element::Sharing sharing = element::Sharing::none;
   std::array<std::array<Vec3, corners>, lanes> X, D, x, d, b1;
 
   RandomBatch(const card::Card& card, int points, double offset = 0, Isa isa = best_isa())
@@ -37,7 +41,6 @@ struct RandomBatch {
     geometry.assign(layout.size() * lanes, 0);
     s0.assign(in_plane * section.state_size * lanes + 1, 0);
     s1 = s0;
-    static const Vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     for (int l = 0; l < lanes; ++l) {
       for (int a = 0; a < corners; ++a) {
         X[l][a] = 0.01 * (square[a] + 0.15 * vector());
@@ -48,6 +51,26 @@ struct RandomBatch {
           section, X[l], D[l], [&](const Vec3&, const Vec3&) { return warp; }, geometry.data(), l, lanes);
     }
     rest();
+  }
+  // Flat virgin elements, each in a plane of its own, with directors along its normal; parallelograms, or
+  // corners moved in the plane.
+  void flatten(bool parallelograms) {
+    for (int l = 0; l < lanes; ++l) {
+      const Mat3 R = Eigen::AngleAxisd(3 * number(), vector().normalized()).toRotationMatrix();
+      const Vec3 e1 = Vec3::UnitX() + 0.2 * vector(), e2 = Vec3::UnitY() + 0.2 * vector();
+      for (int a = 0; a < corners; ++a) {
+        Vec3 corner = square[a].x() * e1 + square[a].y() * e2;
+        if (!parallelograms) corner += 0.15 * vector();
+        corner.z() = 0;
+        X[l][a] = 0.01 * R * corner;
+        D[l][a] = R.col(2);
+      }
+      const Vec3 warp = R * (Vec3::UnitX() + 0.5 * vector());
+      Element::geometry(
+          section, X[l], D[l], [&](const Vec3&, const Vec3&) { return warp; }, geometry.data(), l, lanes);
+    }
+    rest();
+    sharing = Element::sharing(section, geometry.data());
   }
   double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
   Vec3 vector() { return {number(), number(), number()}; }
@@ -108,7 +131,7 @@ struct RandomBatch {
     const Arrays r = arrays();
     alignas(64) double f[6 * corners * lanes];
     REQUIRE(kernels.force(section, fabric::AtSwitch::loading,
-                          {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data()}, f) == 0);
+                          {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data(), sharing}, f) == 0);
     return project(f);
   }
   Eigen::MatrixXd tangent(int lane, Eigen::MatrixXd* force_out = nullptr) {

@@ -147,6 +147,41 @@ TEMPLATE_TEST_CASE("every instruction set gives the same answer to rounding", ""
   }
 }
 
+TEMPLATE_TEST_CASE("elements whose points share a transform give the force of the general kernel", "",
+                   Quadrilateral, Triangle) {
+  using element::Sharing;
+  auto bending = test::blend();
+  bending.bending = card::Bending{10e-6, 20e-6, 5e-6, card::BendingFriction{1e-4, 20}, {}};
+  for (const auto& card : {test::blend(), test::duck(), bending})
+    for (const bool parallelograms : {true, false})
+      for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+        if (isa > best_isa()) continue;
+        RandomBatch<TestType> shared(card, 3, 0.4, isa);
+        CHECK(TestType::sharing(shared.section, shared.geometry.data()) == Sharing::none);
+        shared.flatten(parallelograms);
+        const bool element = parallelograms && TestType::corners == 4;
+        REQUIRE(shared.sharing == (element ? Sharing::element : Sharing::through));
+        // Rounding of strains of order one, times the stiffest modulus and the section of an edge, N.
+        CHECK(largest(shared.force()) < 16 * 2.2e-16 * 1.6e9 * 0.01 * card.thickness);
+        // Any path, so that yarns load, unload and go slack and shear turns round.
+        for (int step = 0; step < 8; ++step) {
+          shared.deform(0.05);
+          RandomBatch<TestType> general = shared;
+          general.sharing = Sharing::none;
+          const Eigen::MatrixXd want = general.force();
+          CHECK(largest(shared.force() - want) < 1e-12 * largest(want));
+          double worst = 0, size = 0;
+          for (std::size_t i = 0; i < shared.s1.size(); ++i) {
+            worst = std::max(worst, std::abs(shared.s1[i] - general.s1[i]) / (1 + std::abs(general.s1[i])));
+            size = std::max(size, std::abs(general.s1[i]));
+          }
+          CHECK(worst < 1e-12);
+          CHECK(size > 0);
+          shared.s0 = shared.s1;
+        }
+      }
+}
+
 TEMPLATE_TEST_CASE("separate bending: moment B kappa on a rolled strip, none from the membrane", "",
                    Quadrilateral, Triangle) {
   [[maybe_unused]] constexpr int dofs = TestType::dofs;
