@@ -31,18 +31,33 @@ Eigen::Map<const Vec3> at(std::span<const double> v, Index n) {
   return Eigen::Map<const Vec3>(v.data() + 3 * n);
 }
 
+// Of the angle whose square is x: cos, sin / angle, (cos - 1) / x. Below x = 0.01, where the steps of
+// dynamics are, by series that end under rounding.
+struct Turn {
+  double cosine, sine, versed;
+};
+Turn turn_by(double x) {
+  if (x < 0.01)
+    return {1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56))),
+            1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72))),
+            -0.5 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56 * (1 - x / 90))))};
+  const double angle = std::sqrt(x), cosine = std::cos(angle);
+  return {cosine, std::sin(angle) / angle, (cosine - 1) / x};
+}
+
+// v of almost unit length made so: one step of Newton, whose error is the square of the length's.
+void renew(Eigen::Map<Vec3> v) { v *= 1.5 - 0.5 * v.squaredNorm(); }
+
 // d turned by the increment q (tangent to the sphere) along a great circle, b1 carried with it.
 void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
-  const double angle = q.norm();
-  if (angle == 0) return;
-  const Vec3 axis = q / angle;
+  const Turn by = turn_by(q.squaredNorm());
   const Vec3 d0 = d;
-  d = std::cos(angle) * d0 + std::sin(angle) * axis;
-  d.normalize();
-  const double along = b1.dot(axis);
-  b1 += along * ((std::cos(angle) - 1) * axis - std::sin(angle) * d0);
+  d = by.cosine * d0 + by.sine * q;
+  renew(d);
+  const double along = b1.dot(q);
+  b1 += along * (by.versed * q - by.sine * d0);
   b1 -= b1.dot(d) * Vec3(d);
-  b1.normalize();
+  renew(b1);
 }
 
 }  // namespace
@@ -225,9 +240,11 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
   const std::size_t n = X_.size();
   const std::span<const double> base(iterate_);
   const auto step = [&](Index equation) { return equation >= 0 ? scale * delta[equation] : 0.0; };
+#pragma omp parallel for schedule(static) if (X_.size() >= std::size_t{few_batches * lanes})
   for (Index i = 0; i < static_cast<Index>(n); ++i) {
     const NodeFreedoms& node = freedoms_.nodes[i];
-    Vec3 u = node.frame * (at(base, i) - X_[i]);
+    Vec3 u = at(base, i) - X_[i];
+    if (node.oblique) u = node.frame * u;
     for (int c = 0; c < 3; ++c) {
       const Index equation = node.equation[c];
       if (equation >= 0)
@@ -235,7 +252,8 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
       else
         u[c] = equation == held || equation == tied ? 0.0 : targets[motion_of(equation)];
     }
-    at(state_->x(), i) = X_[i] + node.frame.transpose() * u;
+    if (node.oblique) u = node.frame.transpose() * u;
+    at(state_->x(), i) = X_[i] + u;
     at(state_->d(), i) = at(base.subspan(3 * n), i);
     at(state_->b1(), i) = at(base.subspan(6 * n), i);
     if (node.turn_axis) {
