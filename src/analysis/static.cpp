@@ -35,8 +35,6 @@ bool takes_symmetric(const StaticOptions& o, const assembly::Assembly& assembly,
          (o.linear == Linear::automatic && model.section().symmetric && assembly.symmetric_loads());
 }
 
-// Times that the damping of one step is raised, fourfold each.
-constexpr int kRaises = 12;
 // Cuts after which relaxation is tried, where it is allowed.
 constexpr int kPatience = 3;
 
@@ -83,15 +81,7 @@ double Static::plan(double limit) {
 double Static::try_step(double limit, StepReport& report) {
   double size = plan(limit);
   const double whole = size;
-  raised_ = 0;
-  while (true) {
-    const bool converged = attempt(size, report);
-    // A sheet that wrinkles is on no stable path: it is damped until it stands on one.
-    if (converged && problem_->damping().on() && report.negative_pivots > 0 && ++raised_ < kRaises) {
-      problem_->damping().raise();
-      continue;
-    }
-    if (converged) break;
+  while (!attempt(size, report)) {
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
       size = whole;
@@ -125,7 +115,7 @@ bool Static::cut(double size) {
     now_.arc_length = now_.tried_length / 2;
     return last_.status != solver::NewtonStatus::turned_back || now_.arc_length > 0.01 * now_.longest_length;
   }
-  if (problem_->damping().on()) problem_->damping().raise();
+  if (problem_->damping().on() && now_.damping_work < 0.01 * work_.largest()) problem_->damping().raise();
   return now_.step.cut(size - committed_time());
 }
 
@@ -188,9 +178,7 @@ void Static::commit(StepReport& report) {
   dead_ = problem_->external();
   work_.add(*assembly_, dead_);
   now_.damping_work += damped;
-  // After a hard step the next one needs what helped it.
-  if (report.cuts == 0 && raised_ == 0 && last_.iterations <= many_iterations)
-    damping.adapt(damped, work_.total() - before);
+  damping.adapt(damped, work_.total() - before);
   grow(report);
   tell(report);
 }

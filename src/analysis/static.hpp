@@ -75,7 +75,6 @@ class Static final : public Run {
   std::unique_ptr<solver::Newton> newton_;  // each of the three where it is used
   std::unique_ptr<solver::ArcLength> arc_;
   std::unique_ptr<solver::Relaxation> relaxation_;
-  int raised_ = 0;  // times that the damping of the present step was raised
   solver::NewtonResult last_;
   Blame blame_;
   struct Now {  // what changes as the run goes

@@ -99,19 +99,21 @@ check("limit of it", three(5, 3 + 2 / 2 ^ 1.5, 3 + 2 / 8).limit, 3, 1e-12)
 assert(not three(1, 1.1, 1.05).order and not three(1, 1.1, 1.3).order)
 check("spread where there is no order", three(1, 1.1, 1.05).error, 0.1 / 1.05, 1e-12)
 
--- Let back to no displacement with the plane free, the strip buckles in place of being pushed together.
-local function pushed(plane, damping)
-  local run = fabric.lab.uniaxial { card = blend, out_of_plane = plane, unilateral = false, stabilise = damping, cells = { 6, 18 },
-                                    steps = 60, tolerance = 1e-7 }
-  local rise = 0
-  for i = 1, #run.mesh.nodes do rise = math.max(rise, math.abs(run.analysis:node(i).uz)) end
-  return rise, run.curve[#run.curve].force
+-- Let back to no displacement with the plane free, the strip buckles in place of being pushed together: an arch about as high as
+-- the residual strain wants. In motion, since a static run through the snap hangs on the last digit of the forces.
+local function let_back(free)
+  local mesh = fabric.mesh.rectangle { width = 25.4 * mm, height = 76.2 * mm, nx = 3, ny = 9 }
+  local m = fabric.model { mesh = mesh, card = blend, warp = 90 }
+  m:fix("bottom", "x y z rotation"):fix("top", "x z rotation"):move("top", { y = fabric.history { { 0, 0 }, { 0.1, 18 * mm }, { 0.2, 0 } } })
+  if free then m:gravity { 0, 0, -0.1 } else m:fix("all", "z rotation") end
+  local a, rise = fabric.dynamic { model = m, duration = 0.25, damping = { mass = 50 } }:solve(), 0
+  for i = 1, #mesh.nodes do rise = math.max(rise, math.abs(a:node(i).uz)) end
+  return rise, select(2, a:reaction "top"), a.energy.error
 end
--- With 1e-6 whether Newton gets through the snap hangs on the last digit of the forces.
-local rise, push = pushed("free", 1e-4)
-local flat, hard = pushed("held", false)
-assert(flat == 0 and hard < -10 and rise > 20 * mm and math.abs(push) < 0.1,
-       ("rise %g m, push %g N, held flat %g N"):format(rise, push, hard))
+local rise, push, made = let_back(true)
+local flat, hard = let_back(false)
+assert(flat == 0 and hard < -1 and rise > 20 * mm and math.abs(push) < 0.1 and made < 1e-4,
+       ("rise %g m, push %g N, held flat %g N, ledger %g"):format(rise, push, hard, made))
 fabric.expect(rows)
 
 -- What can't be is refused with its field.
