@@ -268,11 +268,7 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
                                            k != nullptr ? C : nullptr);
     add_stress(t, S, z, r);
     if (k != nullptr) section.symmetric ? add_symmetric_tangent(t, C, z, *k) : add_tangent(t, C, z, *k);
-    if (!section.bends_apart) continue;
-    const bool rubs = section.bending_state >= 0;
-    const long bending = static_cast<long>(g * section.state_size + section.bending_state) * lanes;
-    add_bending(section, at, p, t, rubs ? batch.s0 + bending : nullptr, rubs ? batch.s1 + bending : nullptr,
-                r, k);
+    if (section.bends_apart) add_bending_at(section, at, batch, p, t, g, r, k);
   }
   return failed;
 }
