@@ -160,20 +160,33 @@ std::vector<double> gaussian(double deviation) {
   return kernel;
 }
 
-// Part of a pixel that a dot of the grid covers, by 8 x 8 samples.
-double covered(const Scene& s, const std::array<double, 4>& inverse, int column, int row) {
+using Inverse = std::array<double, 4>;
+
+// How far outside the nearest dot's rim a place of the picture lies, in pixels of the undeformed grid.
+double outside_rim(const Scene& s, const Inverse& inverse, double column, double row) {
+  const double x = column - (s.width - 1) / 2.0, y = row - (s.height - 1) / 2.0;
+  const double X = inverse[0] * x + inverse[1] * y, Y = inverse[2] * x + inverse[3] * y;
+  const auto nearest = [&](double along, std::size_t count) {
+    const double last = static_cast<double>(count - 1);
+    return std::clamp(std::floor(along / s.pitch + last / 2 + 0.5), 0.0, last);
+  };
+  const auto r = static_cast<std::size_t>(nearest(Y, s.rows)),
+             c = static_cast<std::size_t>(nearest(X, s.columns));
+  const auto centre = reference(s, r * s.columns + c);
+  const double dx = X - centre[0], dy = Y - centre[1];
+  return std::sqrt(dx * dx + dy * dy) - s.radius;
+}
+
+// Part of a pixel that a dot covers: by 8 x 8 samples where the rim passes near.
+double covered(const Scene& s, const Inverse& inverse, int column, int row) {
+  const double away = outside_rim(s, inverse, column, row);
+  const double reach = std::sqrt(inverse[0] * inverse[0] + inverse[1] * inverse[1] + inverse[2] * inverse[2] +
+                                 inverse[3] * inverse[3]);
+  if (std::abs(away) > reach) return away < 0 ? 1 : 0;
   int hits = 0;
-  for (int i = 0; i < 64; ++i) {
-    const double x = column + (i % 8 + 0.5) / 8 - 0.5 - (s.width - 1) / 2.0,
-                 y = row + (i / 8 + 0.5) / 8 - 0.5 - (s.height - 1) / 2.0;
-    const double X = inverse[0] * x + inverse[1] * y, Y = inverse[2] * x + inverse[3] * y;
-    const double c = std::clamp(std::round(X / s.pitch + static_cast<double>(s.columns - 1) / 2), 0.0,
-                                static_cast<double>(s.columns - 1));
-    const double r = std::clamp(std::round(Y / s.pitch + static_cast<double>(s.rows - 1) / 2), 0.0,
-                                static_cast<double>(s.rows - 1));
-    const auto centre = reference(s, static_cast<std::size_t>(r) * s.columns + static_cast<std::size_t>(c));
-    if (std::hypot(X - centre[0], Y - centre[1]) < s.radius) ++hits;
-  }
+  for (int i = 0; i < 64; ++i)
+    hits +=
+        outside_rim(s, inverse, column + (i % 8 + 0.5) / 8 - 0.5, row + (i / 8 + 0.5) / 8 - 0.5) < 0 ? 1 : 0;
   return hits / 64.0;
 }
 
