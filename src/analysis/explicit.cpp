@@ -20,14 +20,21 @@ constexpr std::size_t kShare = 4096;  // unknowns from which threads share a loo
 
 Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
                    std::shared_ptr<Notices> notices)
-    : Dynamic(std::move(model), options, std::move(notices)), mass_(assembly_->lumped_mass(scaled_)) {
+    : Dynamic(std::move(model), options, std::move(notices)),
+      stiffness_(*assembly_, options_.stiffness_damping),
+      mass_(assembly_->lumped_mass(scaled_)) {
+  // Damping of the masses takes nothing from the stable step; of the stiffness, whose velocity lags half a
+  // step, sqrt(1 + xi^2) - xi with xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
+  const double xi = options_.stiffness_damping / stable_;
+  stable_ *= std::sqrt(1 + xi * xi) - xi;
   choose_step();
   const auto n = mass_.size();
+  for (std::size_t i = 0; i < n; ++i)
+    farthest_.push_back(assembly_->turns(static_cast<assembly::Index>(i)) ? std::numbers::pi / 2 : smallest_);
   for (auto* v : {&motion_.v, &motion_.a, &trial_.v, &trial_.a, &increment_, &residual_}) v->assign(n, 0);
 }
 
 void Explicit::choose_step() {
-  // Damping of the masses takes nothing from the stable step; of the stiffness, sqrt(1 + xi^2) - xi.
   const double usual = kUsual * stable_;
   now_.step = options_.step.value_or(usual);
   if (options_.force || now_.step <= usual * (1 + 1e-12)) return;
@@ -41,9 +48,11 @@ void Explicit::choose_step() {
 
 void Explicit::begin() {
   Dynamic::begin();
-  if (!accelerate(0, dead_))
+  trial_.v = motion_.v;
+  if (!stiffness_.start(driven_rates()) || !accelerate(0, dead_))
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->failed_element());
   motion_.a = trial_.a;
+  motion_.c = trial_.c;
 }
 
 void Explicit::set_motion(const assembly::NodalRates& rates) { motion_.v = assembly_->collect_rates(rates); }
@@ -74,6 +83,10 @@ bool Explicit::accelerate(double dt, const std::vector<double>& dead) {
   assembly_->residual(dead, residual_);
   const double damping = options_.mass_damping, kick = options_.gamma * dt;
   const double effective = 1 + kick * damping;
+  if (stiffness_.on()) {
+    stiffness_.force(trial_.v, trial_.c);
+    for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] -= trial_.c[i];
+  }
 #pragma omp parallel for schedule(static) if (mass_.size() >= kShare)
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     const double a = (residual_[i] / mass_[i] - damping * trial_.v[i]) / effective;
@@ -89,18 +102,15 @@ bool Explicit::attempt(double size, StepReport& report) {
   report.time = now;
   if (dirty_) assembly_->state().rollback();
   dirty_ = true;
-#pragma omp parallel for schedule(static) if (mass_.size() >= kShare)
+  bool away = false;
+#pragma omp parallel for schedule(static) reduction(|| : away) if (mass_.size() >= kShare)
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     increment_[i] = dt * (motion_.v[i] + dt / 2 * motion_.a[i]);
     trial_.v[i] = motion_.v[i] + early * motion_.a[i];
+    away = away || !(std::abs(increment_[i]) < farthest_[i]);
   }
-  ran_away_ = false;
-#pragma omp parallel for schedule(static) reduction(|| : ran_away_) if (mass_.size() >= kShare)
-  for (std::size_t i = 0; i < mass_.size(); ++i)
-    ran_away_ = ran_away_ ||
-                !(std::abs(increment_[i]) <
-                  (assembly_->turns(static_cast<assembly::Index>(i)) ? std::numbers::pi / 2 : smallest_));
-  if (ran_away_) return false;
+  ran_away_ = away;
+  if (ran_away_ || (stiffness_.on() && !stiffness_.start(driven_rates()))) return false;
   assembly_->begin_iterate();
   assembly_->retract(increment_, 1, assembly_->targets(size));
   assembly_->aim(size);
@@ -117,6 +127,9 @@ void Explicit::commit(StepReport& report) {
     now_.damping_work += ordered_sum(mass_.size(), [&](std::size_t i) {
       return damping * mass_[i] * (motion_.v[i] + trial_.v[i]) / 2 * increment_[i];
     });
+  if (stiffness_.on())
+    now_.damping_work += ordered_sum(
+        mass_.size(), [&](std::size_t i) { return (motion_.c[i] + trial_.c[i]) / 2 * increment_[i]; });
   if (damps()) {
     // Work of all forces by the trapezoid, which the kinetic energy does not get.
     const double work = ordered_sum(mass_.size(), [&](std::size_t i) {

@@ -6,6 +6,7 @@
 // keep their components: momentum and angular momentum are kept exactly.
 #pragma once
 #include "analysis/dynamic.hpp"
+#include "analysis/stiffness_damping.hpp"
 
 namespace fabricsh::analysis {
 
@@ -33,8 +34,11 @@ class Explicit final : public Dynamic {
 
   struct Motion {
     std::vector<double> v, a;  // per unknown, m/s and 1/s, m/s^2 and 1/s^2
+    std::vector<double> c;     // N and N m, of stiffness damping; empty without
   };
-  std::vector<double> mass_;  // per unknown, kg and kg m^2
+  StiffnessDamping stiffness_;
+  std::vector<double> mass_;      // per unknown, kg and kg m^2
+  std::vector<double> farthest_;  // per unknown, m or rad: a step beyond is a runaway
   Motion motion_, trial_;
   std::vector<double> increment_, residual_, trial_dead_;
   bool dirty_ = false;  // does the trial state differ from the committed one

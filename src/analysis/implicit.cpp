@@ -5,6 +5,7 @@
 
 #include "analysis/newmark.hpp"
 #include "analysis/number.hpp"
+#include "analysis/stiffness_damping.hpp"
 #include "base/error.hpp"
 #include "base/ordered_sum.hpp"
 
@@ -32,6 +33,7 @@ class Implicit::Problem final : public solver::Problem {
         damping_(options.mass_damping),
         mass_(assembly.nodal_mass()),
         rotary_(assembly.rotary_inertia(scaled)),
+        stiffness_(assembly, options.stiffness_damping),
         r_(assembly.unknowns()),
         product_(assembly.unknowns()),
         lead_(assembly.targets(0).size()) {}
@@ -39,12 +41,22 @@ class Implicit::Problem final : public solver::Problem {
   struct Memory {
     NodalMotion motion;                   // of the committed state
     std::vector<double> driven, balance;  // driven freedoms then; f_ext - f_int - C v then, per unknown
+    std::vector<double> damping;          // b K_M v then, per unknown
     double peak = 0;                      // N, largest nodal force so far
   };
   Memory memory;
   const NodalMotion& trial() const { return trial_; }
   const NewmarkScheme& scheme() const { return scheme_; }
   const std::vector<double>& external() const { return external_; }
+  // J, lost to stiffness damping in the step, by the trapezoid.
+  double stiffness_work() const {
+    if (!stiffness_.on()) return 0;
+    const auto before = assembly_.collect_rates(memory.motion.v), after = assembly_.collect_rates(trial_.v);
+    double sum = 0;
+    for (std::size_t i = 0; i < after.size(); ++i)
+      sum += (memory.damping[i] + damping_force_[i]) / 2 * (before[i] + after[i]) / 2 * dt_;
+    return sum;
+  }
 
   void aim(double time, double dt) {
     dt_ = dt;
@@ -80,6 +92,7 @@ class Implicit::Problem final : public solver::Problem {
     }
     balance(0);
     memory.balance = r_;
+    memory.damping = damping_force_;
     memory.peak = std::max(memory.peak, force_scale());
   }
 
@@ -87,7 +100,9 @@ class Implicit::Problem final : public solver::Problem {
   bool predict(solver::SparseMatrix& K, std::span<double> r) override {
     assembly_.state().rollback();
     assembly_.begin_iterate();
-    for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory.driven[i];
+    for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = (targets_[i] - memory.driven[i]) / dt_;
+    if (!stiffness_.start(lead_)) return false;
+    for (double& l : lead_) l *= dt_;
     if (!assembly_.tangent(fabric::AtSwitch::loading, K, lead_, product_)) return false;
     weigh(r);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= (1 + scheme_.hht) * product_[i];
@@ -129,6 +144,9 @@ class Implicit::Problem final : public solver::Problem {
       on_d_[i] = -rotary_[i / 3] * (damping_ * trial_.v.d[i] + inertia * trial_.a.d[i]);
     }
     assembly_.residual(on_x_, r_, on_d_);
+    if (!stiffness_.on()) return;
+    stiffness_.force(assembly_.collect_rates(trial_.v), damping_force_);
+    for (std::size_t i = 0; i < r_.size(); ++i) r_[i] -= damping_force_[i];
   }
   // r = (1 + alpha) f+ - alpha f - M a+.
   void weigh(std::span<double> r) {
@@ -140,6 +158,7 @@ class Implicit::Problem final : public solver::Problem {
   void add_inertia(solver::SparseMatrix& K) {
     const double alpha = scheme_.hht;
     for (double& k : K.value) k *= 1 + alpha;
+    stiffness_.add((1 + alpha) * scheme_.gamma / scheme_.beta / dt_, K);
     const double c = (1 / scheme_.beta / dt_ + (1 + alpha) * damping_ * scheme_.gamma / scheme_.beta) / dt_;
     std::vector<double> on_x = mass_, on_d = rotary_;
     for (double& m : on_x) m *= c;
@@ -151,7 +170,9 @@ class Implicit::Problem final : public solver::Problem {
   NewmarkScheme scheme_;
   double damping_, dt_ = 0;
   const std::vector<double>&mass_, &rotary_;
+  StiffnessDamping stiffness_;
   NodalMotion trial_;
+  std::vector<double> damping_force_;
   std::vector<double> r_, product_, lead_, targets_, external_, on_x_, on_d_;
 };
 
@@ -225,7 +246,7 @@ void Implicit::commit(StepReport& report) {
     damped -= damping * node_mass * (along(m, before.v.x) + along(m, after.v.x)) / 2 * moved;
     inertia -= node_mass * (along(m, before.a.x) + along(m, after.a.x)) / 2 * moved;
   }
-  now_.damping_work += damped;
+  now_.damping_work += damped + problem_->stiffness_work();
   assembly_->state().commit(report.time);
   problem_->committed();
   if (damps()) now_.damping_work += inertia - ((kinetic() - driven_kinetic()) - kinetic_before);

@@ -76,6 +76,9 @@ class Assembly {
   // product of the coupling block with them, one number per unknown, into `product`.
   bool tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
                std::span<double> product);
+  // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]; forces stay as
+  // they are. lead, product: as tangent().
+  bool material_tangent(solver::SparseMatrix& K, std::span<const double> lead, std::span<double> product);
   Index failed_element() const { return failed_element_; }
   // The first element turned inside out or crushed past zero length, (a1 x a2).d <= 0 at one of its points;
   // -1.
@@ -159,7 +162,9 @@ class Assembly {
   void add_inertia();
   void gather(const Batch& batch, double* x, double* d, double* b) const;
   void make_force_slots();
-  Index evaluate(Index batch, fabric::AtSwitch at, double* trial, double* K);
+  Index evaluate(Index batch, fabric::AtSwitch at, double* trial, double* K, bool law_only = false);
+  Index element_tangents(fabric::AtSwitch at, bool law_only, solver::SparseMatrix& K,
+                         std::span<const double> lead, std::span<double> product);
   void sum_forces();
   void scatter_tangent(const Batch& batch, const double* K, solver::SparseMatrix& out,
                        std::span<const double> lead, std::span<double> product);

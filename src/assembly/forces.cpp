@@ -59,7 +59,7 @@ void Assembly::gather(const Batch& batch, double* x, double* d, double* b) const
 
 // Forces of one batch into its slots, and its tangent if K is not null. Returns an element whose law failed,
 // or -1. trial: the law's trial states.
-Index Assembly::evaluate(Index b, fabric::AtSwitch at, double* trial, double* K) {
+Index Assembly::evaluate(Index b, fabric::AtSwitch at, double* trial, double* K, bool law_only) {
   alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
   const Batch& batch = batches_[b];
   const auto& kernels = batch.kind->kernels;
@@ -71,7 +71,8 @@ Index Assembly::evaluate(Index b, fabric::AtSwitch at, double* trial, double* K)
                                  basis,
                                  committed + batch.law,
                                  trial + batch.law,
-                                 batch.sharing};
+                                 batch.sharing,
+                                 law_only};
   double* f = element_force_.data() + batch.force;
   const unsigned failed = (K == nullptr ? kernels.force(model_.section(), at, data, f)
                                         : kernels.tangent(model_.section(), at, data, f, K)) &

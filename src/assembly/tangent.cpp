@@ -230,8 +230,8 @@ void Assembly::add_load_stiffness(solver::SparseMatrix& K, std::span<const doubl
   loads_->add_stiffness(s.x(), s.d(), state_->b1(), on_x, on_q);
 }
 
-bool Assembly::tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
-                       std::span<double> product) {
+Index Assembly::element_tangents(fabric::AtSwitch at, bool law_only, solver::SparseMatrix& K,
+                                 std::span<const double> lead, std::span<double> product) {
   std::fill(K.value.begin(), K.value.end(), 0.0);
   std::fill(product.begin(), product.end(), 0.0);
   double* trial = state_->evaluate_law().data();
@@ -242,16 +242,28 @@ bool Assembly::tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<c
               : failed) if (colour_start_[c + 1] - colour_start_[c] >= few_batches)
     for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
       alignas(64) double k[kEntries * lanes];
-      failed = std::max(failed, evaluate(b, at, trial, k));
+      failed = std::max(failed, evaluate(b, at, trial, k, law_only));
       scatter_tangent(batches_[b], k, K, lead, product);
     }
   }
+  return failed;
+}
+
+bool Assembly::tangent(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<const double> lead,
+                       std::span<double> product) {
+  failed_element_ = element_tangents(at, false, K, lead, product);
   sum_forces();
   scatter_tied(K, lead, product);
   add_load_stiffness(K, lead, product);
   add_body_stiffness(K);
-  failed_element_ = failed;
-  return failed < 0;
+  return failed_element_ < 0;
+}
+
+bool Assembly::material_tangent(solver::SparseMatrix& K, std::span<const double> lead,
+                                std::span<double> product) {
+  failed_element_ = element_tangents(fabric::AtSwitch::loading, true, K, lead, product);
+  scatter_tied(K, lead, product);
+  return failed_element_ < 0;
 }
 
 Index Assembly::inverted_element() const {

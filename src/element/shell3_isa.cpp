@@ -230,7 +230,7 @@ unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const 
   }
   if (symmetric) mirror(K);
   const Forces3 forces = forces_of(t, s);
-  add_geometric(s, forces, t, b, K);
+  if (!batch.law_only) add_geometric(s, forces, t, b, K);
   store_forces(forces, f);
   constexpr double share[2][3] = {{-1, 1, 0}, {-1, 0, 1}};
   store_tangent(K, share, out);

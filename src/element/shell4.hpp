@@ -74,6 +74,7 @@ struct ShellBatch {
   const double* s0;  // committed law states, [gauss][section state]
   double* s1;        // trial law states
   Sharing sharing = Sharing::none;
+  bool law_only = false;  // tangent: B^T C B alone, without what stress and rotating directors add
 };
 using Shell4Batch = ShellBatch;
 

@@ -260,10 +260,12 @@ unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const 
   }
   close(m, batch.geometry, forces);
   if (symmetric) mirror(K);
-  add_membrane_geometric(m, forces, samples, K);
-  add_edge_geometric(k, geometric, forces, q, K);
+  if (!batch.law_only) {
+    add_membrane_geometric(m, forces, samples, K);
+    add_edge_geometric(k, geometric, forces, q, K);
+  }
   const NodeForces nodes = on_nodes(k, forces);
-  for (int a = 0; a < 4; ++a) {
+  for (int a = 0; a < 4 && !batch.law_only; ++a) {
     const Pack along = dot(nodes.d[a], k.d[a]);  // second variation of the director: delta2 d = -(q.q) d
     K.dd[2 * a][2 * a] -= along;
     K.dd[2 * a + 1][2 * a + 1] -= along;

@@ -314,6 +314,35 @@ TEST_CASE("damping loses what its ledger says, explicit and implicit") {
   }
 }
 
+TEST_CASE(
+    "stiffness damping loses what its ledger says, takes from the stable step, and leaves rigid motion "
+    "alone") {
+  const double plain = make_dynamic(make_swing(4), {.duration = 1}, quiet())->stable_step();
+  const double b = 0.5 * plain, xi = b / plain;
+  for (const auto scheme : {Scheme::explicit_steps, Scheme::implicit_steps}) {
+    DynamicOptions options{.duration = 0.1, .scheme = scheme, .stiffness_damping = b};
+    if (scheme == Scheme::implicit_steps) {
+      options.step = 2e-4;
+      options.stiffness_damping = 1e-3;
+    }
+    const auto a = make_dynamic(make_swing(4), options, quiet());
+    if (scheme == Scheme::explicit_steps)
+      CHECK(std::abs(a->stable_step() / (plain * (std::sqrt(1 + xi * xi) - xi)) - 1) < 1e-12);
+    a->solve();
+    const auto e = a->energy();
+    INFO(e.damping << " of " << e.external << ", error " << e.error);
+    CHECK(e.damping > 0);
+    CHECK(e.error < 1e-3);
+  }
+  // A free fall strains nothing.
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(1, 1, 4, 4));
+  auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+  m->gravity(model::steady({0, 0, -9.81}));
+  const auto a = make_dynamic(m, {.duration = 0.01, .stiffness_damping = 1e-3}, quiet());
+  a->solve();
+  CHECK(std::abs(a->energy().damping) < 1e-12 * a->energy().external);
+}
+
 TEST_CASE("damped integrators lose energy, and the ledger counts it") {
   for (const auto& options :
        {DynamicOptions{.duration = 0.1, .gamma = 0.6},
