@@ -31,6 +31,7 @@ class Dynamic : public Run {
  public:
   const DynamicOptions& options() const { return options_; }
   const char* kind() const override { return "dynamic"; }
+  bool moves() const override { return true; }
   double stable_step() const { return stable_; }  // s, of the reference configuration (PHYSICS section 7)
   double step_size() const { return now_.step; }  // s, that the run goes by, landings apart
   virtual const assembly::NodalRates& rates() const = 0;  // of the committed state

@@ -61,6 +61,7 @@ class Run {
   const std::vector<StepReport>& steps() const { return reports_; }
   Notices& notices() { return *notices_; }
   virtual const char* kind() const = 0;           // "static", "dynamic"
+  virtual bool moves() const { return false; }    // are there velocities
   virtual double tolerance() const { return 0; }  // of a step's residual; 0: steps have none
 
   // A copy of the whole state; restore goes back to it and continues bit for bit. Errors: a snapshot of

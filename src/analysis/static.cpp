@@ -216,6 +216,11 @@ void Static::tell(const StepReport& report) {
                   " negative pivots at time " + number(report.time) +
                   " s: a limit or bifurcation point has been passed");
   }
+  if (const auto element = now_.told_inverted ? -1 : assembly_->inverted_element(); element >= 0) {
+    now_.told_inverted = true;
+    notices_->say("static: element " + std::to_string(element + 1) + " is turned inside out at time " +
+                  number(report.time) + " s: what follows is no answer; it was pushed past zero length");
+  }
   if (now_.damping_work > 0.01 * work_.largest() && !now_.told_damping) {
     now_.told_damping = true;
     notices_->say("static: stabilisation has taken " + number(100 * now_.damping_work / work_.largest()) +

@@ -81,7 +81,7 @@ class Static final : public Run {
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     double damping_work = 0;
-    bool told_pivots = false, told_damping = false, told_start = false;
+    bool told_pivots = false, told_damping = false, told_inverted = false;
   } now_;
 };
 

@@ -26,8 +26,8 @@ void append(Array& array, const Vec3& v) { array.values.insert(array.values.end(
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names = {"displacement", "director", "E",    "S",   "residual",
-                                                 "slack",        "energy",   "warp", "weft"};
+  static const std::vector<std::string> names = {"displacement", "velocity", "director", "E",    "S",
+                                                 "residual",     "slack",    "energy",   "warp", "weft"};
   return names;
 }
 
@@ -49,16 +49,19 @@ void VtkSeries::frame(const analysis::Run& run) {
   if (!steps_.empty() && run.steps().size() == steps_.back()) return;
   const auto& mesh = run.model().mesh();
   std::vector<Vec3> points;
-  Array displacement{"displacement", 3, {}, {}}, director{"director", 3, {}, {}};
+  Array displacement{"displacement", 3, {}, {}}, velocity{"velocity", 3, {}, {}},
+      director{"director", 3, {}, {}};
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
     const auto node = run.node(static_cast<mesh::Index>(i));
     points.push_back(node.x);
     append(displacement, node.u);
+    append(velocity, node.v);
     append(director, node.n);
   }
   files::Grid grid{points, mesh.elements};
   grid.time = run.time();
   if (wants("displacement")) grid.point_data.push_back(std::move(displacement));
+  if (wants("velocity") && run.moves()) grid.point_data.push_back(std::move(velocity));
   if (wants("director")) grid.point_data.push_back(std::move(director));
   const auto& values = run.elements();
   using V = ElementValues;

@@ -25,9 +25,10 @@ class VtkSeries {
   std::vector<std::size_t> steps_;  // of the frames
 };
 
-// At nodes: displacement (m) and director. In elements, averages over the reference volume in material axes:
-// E, S (Pa; the order 11 22 23 13 12, tensor components), residual (E_r of warp and weft), slack, energy
-// (stored and dissipated, J/m^3), and the yarns' directions warp and weft in the current configuration.
+// At nodes: displacement (m), velocity (m/s; runs in motion) and director. In elements, averages over the
+// reference volume in material axes: E, S (Pa; the order 11 22 23 13 12, tensor components), residual (E_r of
+// warp and weft), slack, energy (stored and dissipated, J/m^3), and the yarns' directions warp and weft in
+// the current configuration.
 const std::vector<std::string>& field_names();
 
 }  // namespace fabricsh::output

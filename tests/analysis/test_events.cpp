@@ -217,3 +217,21 @@ TEST_CASE("the external work counts moments, turned grips and pressure") {
     CHECK(coarse / fine > 3);
   }
 }
+
+TEST_CASE("a strip pushed past zero length is said to be turned inside out") {
+  std::vector<std::string> said;
+  const auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
+  const auto until = [&](double end) {
+    Static a(make_pull(history::History::ramp(end, 1), isotropic(1e7, 0, 0.02)),
+             {.duration = 1, .step = 0.01}, notices);
+    try {
+      a.solve();
+    } catch (const NumericalFailure&) {  // it may fail as well
+    }
+    return std::count_if(said.begin(), said.end(), [](const std::string& text) {
+      return text.find("turned inside out") != std::string::npos;
+    });
+  };
+  CHECK(until(-0.03) == 0);
+  CHECK(until(-0.15) == 1);
+}
