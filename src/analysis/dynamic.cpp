@@ -13,6 +13,7 @@ namespace fabricsh::analysis {
 namespace {
 
 constexpr int kChecks = 200;        // of the ledger, in a run
+constexpr int kYoung = 50;          // steps before which the trapezoid says little of the work
 constexpr double kWarning = 1e-3;   // energy made, over the external work
 constexpr double kRateStep = 1e-6;  // s, over which prescribed motions are differenced
 
@@ -30,6 +31,8 @@ void check_options(const DynamicOptions& o) {
     refuse("beta", "at least (1/2 + gamma)^2/4, below which steps are only conditionally stable", *o.beta);
   if (is_explicit && o.hht != 0) refuse("hht", "0 (scheme=\"explicit\")", o.hht);
   if (!(o.hht <= 0) || o.hht < -1.0 / 3) refuse("hht", "a number from -1/3 to 0", o.hht);
+  if (o.hht != 0 && (o.gamma != 0.5 || o.beta))
+    refuse("hht", "0 beside gamma or beta, which it sets itself", o.hht);
   if (!(o.mass_damping >= 0)) refuse("damping.mass", "a rate in 1/s, 0 or more", o.mass_damping);
   if (!(o.stiffness_damping >= 0)) refuse("damping.stiffness", "a time in s, 0 or more", o.stiffness_damping);
   if (!(o.ledger_limit > 0)) refuse("ledger_limit", "a positive number", o.ledger_limit);
@@ -87,7 +90,9 @@ double Dynamic::end_of_step(double limit) const {
 }
 
 std::vector<double> Dynamic::driven_rates() const {
-  const double from = std::max(0.0, time() - kRateStep), to = time() + kRateStep;
+  // Not beyond the end, where a history of the deck's need not reach.
+  const double width = std::min(kRateStep, 1e-3 * now_.step);
+  const double from = std::max(0.0, time() - width), to = time() >= duration_ ? time() : time() + width;
   auto later = assembly_->targets(to);
   const auto before = assembly_->targets(from);
   for (std::size_t i = 0; i < later.size(); ++i) later[i] = (later[i] - before[i]) / (to - from);
@@ -102,6 +107,21 @@ double Dynamic::driven_kinetic() const {
   for (std::size_t i = 0; i < motions.size(); ++i)
     if (motions[i].component < 3) sum += assembly_->nodal_mass()[motions[i].node] * rates[i] * rates[i] / 2;
   return sum;
+}
+
+Vec3 Dynamic::inertia(mesh::Index node) const {
+  const auto& motions = assembly_->freedoms().motions;
+  Vec3 force = Vec3::Zero();
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const auto& m = motions[i];
+    if (m.node != node || m.component > 2) continue;
+    const double h = std::max(1e-5, 1e-4 * now_.step), t = std::clamp(time(), h, std::max(h, duration_ - h));
+    const double before = m.value(t - h), now = m.value(t), after = m.value(t + h);
+    const double a = (before - 2 * now + after) / (h * h), v = (after - before) / (2 * h);
+    force += assembly_->nodal_mass()[node] * (a + options_.mass_damping * v) *
+             assembly_->freedoms().nodes[node].frame.row(m.component).transpose();
+  }
+  return force;
 }
 
 // A support that speeds its nodes up gives them their kinetic energy.
@@ -132,11 +152,14 @@ mesh::Index Dynamic::suspect() const {
 }
 
 void Dynamic::check() {
-  if (time() < now_.next_check && time() < duration_ * (1 - same_time)) return;
+  const bool end = std::abs(time() - duration_) <= same_time * duration_;
+  if (!end && time() < now_.next_check) return;
   now_.next_check = duration_ / kChecks * (std::floor(time() / duration_ * kChecks + 1e-9) + 1);
   const Energy e = energy();
-  const double scale = std::max(work_.largest(), e.initial), made = std::abs(e.surplus()) + e.created;
-  if (std::isfinite(made) && (scale <= 0 || made <= kWarning * scale)) return;
+  // A run begins with next to no work: an error is one of the run's only where it is of its largest energies.
+  const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal()});
+  const double made = std::abs(e.surplus()) + e.created;
+  if (std::isfinite(made) && (scale <= 0 || made <= kWarning * scale || now_.steps < kYoung)) return;
   const std::string share = number(100 * made / scale) + " % of the external work";
   if (!now_.told_error) {
     now_.told_error = true;
@@ -145,11 +168,14 @@ void Dynamic::check() {
         " s, most of it about element " + std::to_string(now_.began + 1) +
         ": a smaller step would tell whether it is the step's");
   }
-  if (std::isfinite(made) && made <= options_.ledger_limit * scale) return;
+  const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
+  now_.was_over = over;
+  if (std::isfinite(made) && !(over && twice)) return;
   throw NumericalFailure("dynamic: stopped at time " + number(time()) + " s: the ledger's error is " + share +
                              "; it began about element " + std::to_string(now_.began + 1) +
-                             ".\nTry: a smaller step (now " + number(now_.step) +
-                             " s); or law=\"potential\", which makes no energy; ledger_limit=0.5 goes on.",
+                             ".\nTry: a smaller step (now " + number(now_.step) + " s)" +
+                             (e.created > 0 ? "; or law=\"potential\", which makes no energy" : "") +
+                             "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on.",
                          time(), now_.began);
 }
 

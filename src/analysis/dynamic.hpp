@@ -44,11 +44,15 @@ class Dynamic : public Run {
   double no_size() const override { return committed_time(); }
   double damping_work() const override { return now_.damping_work; }
   double driven_work() const override;
+  Vec3 inertia(mesh::Index node) const override;
   Vec3 velocity(mesh::Index node) const override {
     return Eigen::Map<const Vec3>(rates().x.data() + 3 * node);
   }
   // What the trapezoid makes of gamma, hht: W_ext - W_int - W_damp - change of kinetic energy in a step.
-  bool damps() const { return options_.gamma != 0.5 || options_.hht != 0; }
+  bool damps() const {
+    const bool implicit = options_.scheme == Scheme::implicit_steps;
+    return options_.gamma != 0.5 || options_.hht != 0 || (implicit && options_.beta.value_or(0.25) != 0.25);
+  }
   double end_of_step(double limit) const;
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
   double driven_kinetic() const;             // J, of displacements that are driven
@@ -62,7 +66,7 @@ class Dynamic : public Run {
   struct Now {
     double step = 0, damping_work = 0, driven_kinetic_at_0 = 0, next_check = 0;
     std::int64_t steps = 0;
-    bool told_error = false, told_split = false;
+    bool told_error = false, told_split = false, was_over = false;
     mesh::Index began = -1;  // element where energy was made when the first warning came
   } now_;
 

@@ -102,6 +102,8 @@ bool Explicit::attempt(double size, StepReport& report) {
   report.time = now;
   if (dirty_) assembly_->state().rollback();
   dirty_ = true;
+  tried_ = false;
+  trial_time_ = now;
   bool away = false;
 #pragma omp parallel for schedule(static) reduction(|| : away) if (mass_.size() >= kShare)
   for (std::size_t i = 0; i < mass_.size(); ++i) {
@@ -118,6 +120,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   trial_time_ = size;
   if (!accelerate(dt, trial_dead_)) return false;
   report.time = size;
+  tried_ = true;
   return true;
 }
 
@@ -140,6 +143,7 @@ void Explicit::commit(StepReport& report) {
   assembly_->state().commit(report.time);
   dirty_ = false;
   std::swap(motion_, trial_);
+  tried_ = false;
   dead_ = trial_dead_;
   work_.add(*assembly_, dead_);
   ++now_.steps;
@@ -149,11 +153,12 @@ double Explicit::kinetic_of(const std::vector<double>& v) const {
   return ordered_sum(v.size(), [&](std::size_t i) { return mass_[i] * v[i] * v[i] / 2; });
 }
 
-double Explicit::kinetic() const { return kinetic_of(motion_.v) + driven_kinetic(); }
+double Explicit::kinetic() const { return kinetic_of((tried_ ? trial_ : motion_).v) + driven_kinetic(); }
 
 const assembly::NodalRates& Explicit::rates() const {
   const auto version = std::as_const(*assembly_).state().version();
-  if (rates_version_ != version) assembly_->spread_rates(motion_.v, driven_rates(), rates_);
+  if (rates_version_ != version)
+    assembly_->spread_rates((tried_ ? trial_ : motion_).v, driven_rates(), rates_);
   rates_version_ = version;
   return rates_;
 }
@@ -188,7 +193,7 @@ void Explicit::recall(const std::any& memory) {
   now_ = m.now;
   motion_ = m.motion;
   trial_dead_ = dead_;
-  dirty_ = false;
+  dirty_ = tried_ = false;
   rates_version_ = 0;
 }
 

@@ -42,6 +42,7 @@ class Explicit final : public Dynamic {
   Motion motion_, trial_;
   std::vector<double> increment_, residual_, trial_dead_;
   bool dirty_ = false;  // does the trial state differ from the committed one
+  bool tried_ = false;  // is it a whole step, not yet committed
   bool ran_away_ = false;
   mutable assembly::NodalRates rates_;
   mutable std::uint64_t rates_version_ = 0;

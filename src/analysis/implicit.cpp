@@ -58,7 +58,18 @@ class Implicit::Problem final : public solver::Problem {
     return sum;
   }
 
+  // J, of f_ext - f_int - C v in the step, by the trapezoid.
+  double balance_work() {
+    const auto before = assembly_.collect_rates(memory.motion.v), after = assembly_.collect_rates(trial_.v);
+    balance(0);
+    double sum = 0;
+    for (std::size_t i = 0; i < after.size(); ++i)
+      sum += (memory.balance[i] + r_[i]) / 2 * (before[i] + after[i]) / 2 * dt_;
+    return sum;
+  }
+
   void aim(double time, double dt) {
+    time_ = time;
     dt_ = dt;
     targets_ = assembly_.targets(time);
     assembly_.external(time, external_);
@@ -73,14 +84,14 @@ class Implicit::Problem final : public solver::Problem {
     memory.motion.a = {std::vector<double>(3 * n, 0), std::vector<double>(3 * n, 0)};
     trial_ = memory.motion;
     balance(0);
-    const auto& freedoms = assembly_.freedoms();
+    // The mass on the unknowns, through ties: L^T M L.
+    solver::SparseMatrix M = assembly_.pattern();
+    std::fill(M.value.begin(), M.value.end(), 0.0);
+    assembly_.add_diagonal(mass_, rotary_, M);
     std::vector<double> a(r_.size(), 0);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (freedoms.ties(static_cast<assembly::Index>(i))) continue;
-      const auto& eq = freedoms.nodes[i].equation;
-      for (int c = 0; c < 5; ++c)
-        if (eq[c] >= 0) a[eq[c]] = r_[eq[c]] / (c < 3 ? mass_[i] : rotary_[i]);
-    }
+    const auto linear = solver::make_unsymmetric_solver();
+    if (!a.empty() && !(linear->analyse(M) && linear->factorise(M) && linear->solve(M, r_, a)))
+      throw NumericalFailure("dynamic: the mass of the unknowns is singular", 0);
     assembly_.spread_rates(a, std::vector<double>(lead_.size(), 0), memory.motion.a);
     committed();
   }
@@ -89,6 +100,7 @@ class Implicit::Problem final : public solver::Problem {
     if (dt_ > 0) {
       memory.motion = trial_;
       memory.driven = targets_;
+      drive();
     }
     balance(0);
     memory.balance = r_;
@@ -135,6 +147,17 @@ class Implicit::Problem final : public solver::Problem {
   double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }
 
  private:
+  // Driven displacements have the rate of their motion up to now: at a kink the formulas would ring.
+  void drive() {
+    const double h = 1e-3 * dt_;
+    for (const auto& m : assembly_.freedoms().motions) {
+      if (m.component > 2) continue;
+      const Vec3 along = assembly_.freedoms().nodes[m.node].frame.row(m.component).transpose();
+      Eigen::Map<Vec3> v(memory.motion.v.x.data() + 3 * m.node), a(memory.motion.a.x.data() + 3 * m.node);
+      v += ((m.value(time_) - m.value(time_ - h)) / h - v.dot(along)) * along;
+      a -= a.dot(along) * along;
+    }
+  }
   // r_ = f_ext - f_int - C v - inertia M a on the unknowns.
   void balance(double inertia) {
     on_x_.resize(external_.size());
@@ -168,7 +191,7 @@ class Implicit::Problem final : public solver::Problem {
 
   assembly::Assembly& assembly_;
   NewmarkScheme scheme_;
-  double damping_, dt_ = 0;
+  double damping_, time_ = 0, dt_ = 0;
   const std::vector<double>&mass_, &rotary_;
   StiffnessDamping stiffness_;
   NodalMotion trial_;
@@ -185,6 +208,8 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
               assembly_->pattern()),
       control_(options.step.value_or(options.duration / 200), 0, options.max_cuts) {
   now_.step = control_.current();
+  const std::vector<double> still(3 * assembly_->reference().size(), 0);
+  problem_->memory.motion = {{still, still}, {still, still}};
 }
 
 Implicit::~Implicit() = default;
@@ -219,13 +244,14 @@ bool Implicit::attempt(double size, StepReport& report) {
   report.negative_pivots = last_.negative_pivots;
   report.step = size - now;
   report.time = size;
-  const bool converged = last_.status == solver::NewtonStatus::converged;
+  const bool converged = tried_ = last_.status == solver::NewtonStatus::converged;
   if (!converged) blame_ = find_blame(*assembly_, model_->mesh(), last_);
   trial_time_ = converged ? size : now;
   return converged;
 }
 
 void Implicit::commit(StepReport& report) {
+  tried_ = false;
   const auto& state = std::as_const(*assembly_).state();
   const NodalMotion before = problem_->memory.motion;
   const auto& after = problem_->trial();
@@ -239,6 +265,14 @@ void Implicit::commit(StepReport& report) {
     damped += damping * mass[i / 3] * (before.v.x[i] + after.v.x[i]) / 2 * moved;
     inertia += mass[i / 3] * (before.a.x[i] + after.a.x[i]) / 2 * moved;
   }
+  const auto& rotary = assembly_->rotary_inertia(scaled_);
+  const auto old_d = old.subspan(n);
+  for (std::size_t k = 0; k < state.nodes(); ++k) {
+    const auto at = [k](std::span<const double> v) { return Eigen::Map<const Vec3>(v.data() + 3 * k); };
+    const Vec3 from = at(old_d), to = at(state.d()), turned = carry(arc(from, to), from, to);
+    damped += damping * rotary[k] * (carry(at(before.v.d), from, to) + at(after.v.d)).dot(turned) / 2;
+    inertia += rotary[k] * (carry(at(before.a.d), from, to) + at(after.a.d)).dot(turned) / 2;
+  }
   // What moves the driven freedoms overcomes their inertia and damping: its own account (see driven_work).
   for (const auto& m : assembly_->freedoms().motions) {
     if (m.component > 2) continue;
@@ -247,9 +281,14 @@ void Implicit::commit(StepReport& report) {
     inertia -= node_mass * (along(m, before.a.x) + along(m, after.a.x)) / 2 * moved;
   }
   now_.damping_work += damped + problem_->stiffness_work();
+  const double balanced = options_.hht == 0 ? 0 : problem_->balance_work();
   assembly_->state().commit(report.time);
   problem_->committed();
-  if (damps()) now_.damping_work += inertia - ((kinetic() - driven_kinetic()) - kinetic_before);
+  // Work of all forces, which the kinetic energy does not get. Under alpha the inertia is not the balance of
+  // the forces at the step's end: their work in its place.
+  if (damps())
+    now_.damping_work +=
+        (options_.hht == 0 ? inertia : balanced) - (kinetic() - driven_kinetic() - kinetic_before);
   dead_ = problem_->external();
   work_.add(*assembly_, dead_);
   control_.grow(last_.iterations, report.cuts > 0);
@@ -266,7 +305,7 @@ double Implicit::along(const assembly::DrivenFreedom& m, std::span<const double>
 }
 
 double Implicit::kinetic() const {
-  const auto& v = problem_->memory.motion.v;
+  const auto& v = rates();
   const auto &mass = assembly_->nodal_mass(), &rotary = assembly_->rotary_inertia(scaled_);
   double driven = driven_kinetic();
   for (const auto& m : assembly_->freedoms().motions)
@@ -276,7 +315,9 @@ double Implicit::kinetic() const {
          });
 }
 
-const assembly::NodalRates& Implicit::rates() const { return problem_->memory.motion.v; }
+const assembly::NodalRates& Implicit::rates() const {
+  return tried_ ? problem_->trial().v : problem_->memory.motion.v;
+}
 
 void Implicit::give_up(const StepReport& report) {
   const double now = committed_time();
@@ -308,6 +349,7 @@ void Implicit::recall(const std::any& memory) {
   const auto& m = std::any_cast<const ImplicitMemory<Now, Problem::Memory>&>(memory);
   now_ = m.now;
   control_ = m.control;
+  tried_ = false;
   problem_->aim(committed_time(), 0);
   problem_->memory = m.problem;
 }

@@ -38,6 +38,7 @@ class Implicit final : public Dynamic {
   std::unique_ptr<Problem> problem_;
   solver::Newton newton_;
   StepControl control_;
+  bool tried_ = false;  // is the trial state a whole step, not yet committed
   solver::NewtonResult last_;
   Blame blame_;
 };

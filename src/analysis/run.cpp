@@ -176,7 +176,8 @@ double Run::land(double size, StepReport& report) {
 // Ends near zero, or on the far side of a jump.
 double Run::search(Event& event, double size, StepReport& report) {
   double from = no_size(), to = tried_size(size), low = event.last, high = event.now, at = to;
-  int kept = 0;  // which end was kept last time
+  const double least = 1e-9 * (to - from);  // of the step: a jump is no better known
+  int kept = 0;                             // which end was kept last time
   const auto try_size = [&](double s) {
     at = s;
     if (!attempt(s, report)) give_up(report);
@@ -184,7 +185,7 @@ double Run::search(Event& event, double size, StepReport& report) {
   };
   for (int i = 0; i < 80 && !event.near(); ++i) {
     const double next = i % 8 == 7 ? (from + to) / 2 : from + (to - from) * low / (low - high);
-    if (next == from || next == to) break;
+    if (next == from || next == to || to - from <= least) break;
     try_size(next);
     if (!event.crossed()) {
       from = next;

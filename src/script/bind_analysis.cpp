@@ -202,6 +202,7 @@ int energy(Call& call) {
                                                    {"dissipated_bending", e.dissipated_bending},
                                                    {"created", e.created},
                                                    {"internal", e.internal()},
+                                                   {"initial", e.initial},
                                                    {"error", e.error}};
   lua_newtable(call.L());
   for (const auto& [name, value] : values) set_number(call.L(), name, value);
