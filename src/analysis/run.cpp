@@ -77,6 +77,9 @@ void Run::start() {
 
 void Run::advance(double to) {
   if (!std::isfinite(to)) throw Error("advance: expected a finite time in s, got " + number(to));
+  if (to < time() - same_time * duration_)
+    throw Error("advance: expected a time from " + number(time()) + " s, where the run is, got " +
+                number(to) + " s (restore(snapshot) goes back)");
   const Busy busy(*this, "advance");
   stopped_ = false;
   stop_reason_.clear();

@@ -1,6 +1,7 @@
 // What a deck drives: a run in time over a compiled model. Steps, landings, hooks, events, readings and
 // snapshots are here; static.hpp and dynamic.hpp say how a step is made.
 #pragma once
+#include <algorithm>
 #include <any>
 #include <cmath>
 #include <functional>
@@ -24,7 +25,9 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  void solve() { advance(duration_); }   // runs to the duration, or to where a hook stopped it
+  void solve() {
+    advance(std::max(duration_, time()));
+  }                                      // runs to the duration, or to where a hook stopped it
   void advance(double time);             // to the absolute time, landing on it. NumericalFailure when stuck
   void step();                           // one committed step (clipped at the duration)
   void stop(const std::string& reason);  // from a hook or event: the run ends after the current step's hooks

@@ -143,6 +143,13 @@ TEST_CASE("a run that was stopped goes on when it is told to") {
   CHECK(!a->stopped());
 }
 
+TEST_CASE("a run does not go back by being told to advance") {
+  const auto a = make_run(0.25);
+  a->advance(0.5);
+  a->advance(0.5);
+  says(message_of([&] { a->advance(0.25); }), "advance: expected a time from 0.5 s");
+}
+
 TEST_CASE("a hook can't drive its own run") {
   const auto a = make_run(0.5);
   a->every_step([](Run& r) { r.step(); });
