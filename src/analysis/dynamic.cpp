@@ -83,12 +83,6 @@ assembly::NodalRates Dynamic::initial_rates() const {
   return rates;
 }
 
-double Dynamic::end_of_step(double limit) const {
-  const double landing = next_landing(limit), now = committed_time();
-  const double steps = std::ceil((landing - now) / now_.step - 1e-9);
-  return steps <= 1 ? landing : now + (landing - now) / steps;
-}
-
 std::vector<double> Dynamic::driven_rates() const {
   // Not beyond the end, where a history of the deck's need not reach.
   const double width = std::min(kRateStep, 1e-3 * now_.step);
@@ -110,10 +104,8 @@ double Dynamic::driven_kinetic() const {
 }
 
 Vec3 Dynamic::inertia(mesh::Index node) const {
-  const auto& motions = assembly_->freedoms().motions;
   Vec3 force = Vec3::Zero();
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const auto& m = motions[i];
+  for (const auto& m : assembly_->freedoms().motions) {
     if (m.node != node || m.component > 2) continue;
     const double h = std::max(1e-5, 1e-4 * now_.step), t = std::clamp(time(), h, std::max(h, duration_ - h));
     const double before = m.value(t - h), now = m.value(t), after = m.value(t + h);

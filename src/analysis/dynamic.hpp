@@ -53,7 +53,6 @@ class Dynamic : public Run {
     const bool implicit = options_.scheme == Scheme::implicit_steps;
     return options_.gamma != 0.5 || options_.hht != 0 || (implicit && options_.beta.value_or(0.25) != 0.25);
   }
-  double end_of_step(double limit) const;
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
   double driven_kinetic() const;             // J, of displacements that are driven
   assembly::NodalRates initial_rates() const;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "analysis/number.hpp"
+#include "analysis/step_control.hpp"
 #include "base/error.hpp"
 #include "base/ordered_sum.hpp"
 
@@ -59,7 +60,7 @@ void Explicit::set_motion(const assembly::NodalRates& rates) { motion_.v = assem
 
 double Explicit::try_step(double limit, StepReport& report) {
   if (now_.steps % kStretchEvery == 0) split();
-  const double size = end_of_step(limit);
+  const double size = end_of_step(committed_time(), next_landing(limit), now_.step);
   if (!attempt(size, report)) give_up(report);
   return size;
 }

@@ -76,7 +76,7 @@ class Implicit::Problem final : public solver::Problem {
     assembly_.aim(time);
   }
 
-  // The acceleration with which the run starts: M a = f. Nodes that are tied, held or driven have none.
+  // The acceleration with which the run starts: M a = f; held and driven freedoms have none.
   void start(const assembly::NodalRates& rates) {
     memory.driven = targets_;
     memory.motion.v = rates;
@@ -258,7 +258,7 @@ void Implicit::commit(StepReport& report) {
   const std::size_t n = 3 * state.nodes();
   const auto old = state.committed_kinematics();
   const auto& mass = assembly_->nodal_mass();
-  const double damping = options_.mass_damping, kinetic_before = kinetic() - driven_kinetic();
+  const double damping = options_.mass_damping, kinetic_before = free_kinetic();
   double damped = 0, inertia = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const double moved = state.x()[i] - old[i];
@@ -287,8 +287,7 @@ void Implicit::commit(StepReport& report) {
   // Work of all forces, which the kinetic energy does not get. Under alpha the inertia is not the balance of
   // the forces at the step's end: their work in its place.
   if (damps())
-    now_.damping_work +=
-        (options_.hht == 0 ? inertia : balanced) - (kinetic() - driven_kinetic() - kinetic_before);
+    now_.damping_work += (options_.hht == 0 ? inertia : balanced) - (free_kinetic() - kinetic_before);
   dead_ = problem_->external();
   work_.add(*assembly_, dead_);
   control_.grow(last_.iterations, report.cuts > 0);
@@ -304,10 +303,13 @@ double Implicit::along(const assembly::DrivenFreedom& m, std::span<const double>
       .dot(Eigen::Map<const Vec3>(v.data() + 3 * m.node));
 }
 
-double Implicit::kinetic() const {
+double Implicit::kinetic() const { return free_kinetic() + driven_kinetic(); }
+
+// Without the displacements that are driven.
+double Implicit::free_kinetic() const {
   const auto& v = rates();
   const auto &mass = assembly_->nodal_mass(), &rotary = assembly_->rotary_inertia(scaled_);
-  double driven = driven_kinetic();
+  double driven = 0;
   for (const auto& m : assembly_->freedoms().motions)
     if (m.component < 3) driven -= mass[m.node] * along(m, v.x) * along(m, v.x) / 2;
   return driven + ordered_sum(v.x.size(), [&](std::size_t i) {

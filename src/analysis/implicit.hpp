@@ -30,6 +30,7 @@ class Implicit final : public Dynamic {
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   double kinetic() const override;
+  double free_kinetic() const;
   std::any memory() const override;
   void recall(const std::any& memory) override;
 

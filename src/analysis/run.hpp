@@ -25,9 +25,8 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  void solve() {
-    advance(std::max(duration_, time()));
-  }                                      // runs to the duration, or to where a hook stopped it
+  // Runs to the duration, or to where a hook stopped it.
+  void solve() { advance(std::max(duration_, time())); }
   void advance(double time);             // to the absolute time, landing on it. NumericalFailure when stuck
   void step();                           // one committed step (clipped at the duration)
   void stop(const std::string& reason);  // from a hook or event: the run ends after the current step's hooks

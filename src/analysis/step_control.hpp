@@ -8,6 +8,12 @@ namespace fabricsh::analysis {
 // Iterations that a step of the right size takes, and those from which the next one had better be smaller.
 inline constexpr int wanted_iterations = 6, many_iterations = 12;
 
+// End of the next of equal steps, none longer than `step`, from now to a landing.
+inline double end_of_step(double now, double landing, double step) {
+  const double steps = std::ceil((landing - now) / step - 1e-9);
+  return steps <= 1 ? landing : now + (landing - now) / steps;
+}
+
 class StepControl {
  public:
   // s: the largest step, and the smallest that cuts go to (at most max_cuts halvings of the largest).
@@ -20,11 +26,7 @@ class StepControl {
   double current() const { return current_; }
   double largest() const { return largest_; }
   void set(double step) { current_ = step; }
-  // End of the next step: equal steps to the landing.
-  double end(double now, double landing) const {
-    const double steps = std::ceil((landing - now) / current_ - 1e-9);
-    return steps <= 1 ? landing : now + (landing - now) / steps;
-  }
+  double end(double now, double landing) const { return end_of_step(now, landing, current_); }
   // A step of that size failed. False: half of it is too small.
   bool cut(double failed) {
     current_ = failed / 2;
