@@ -1,6 +1,7 @@
 // fabric.lab: least squares and parallel work for the identification through simulation.
 #include "lab/least_squares.hpp"
 #include "lab/parallel.hpp"
+#include "lab/settle.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
 #include "script/words.hpp"
@@ -94,9 +95,13 @@ int least_squares(Call& call) {
   std::vector<lab::Bounds> bounds;
   for (std::size_t i = 0; i < low.size(); ++i) bounds.push_back({low[i], high[i]});
   const Function evaluate = call.function("evaluate");
-  const auto found = lab::least_squares(
-      start, bounds, [&](const lab::Points& points) { return evaluated(evaluate, points); },
-      {static_cast<int>(call.integer("iterations")), call.number("tolerance"), call.number("difference")});
+  const std::function<lab::Points(const lab::Points&)> residuals = [&](const lab::Points& points) {
+    return evaluated(evaluate, points);
+  };
+  const auto found = lab::settle(lab::least_squares(start, bounds, residuals,
+                                                    {static_cast<int>(call.integer("iterations")),
+                                                     call.number("tolerance"), call.number("difference")}),
+                                 bounds, residuals, static_cast<int>(call.integer("settle")));
   lua_newtable(L);
   set_list(L, "x", found.x);
   set_list(L, "residuals", found.residuals);
@@ -146,7 +151,12 @@ std::vector<Entry> rows() {
         integer_("iterations", from_one, "at most").or_else(50.0),
         number_("tolerance", "", positive, "relative, of the sum of squares and of the parameters")
             .or_else(1e-8),
-        number_("difference", "", positive, "step of the differences, over high - low").or_else(1e-4)},
+        number_("difference", "", positive, "step of the differences, over high - low").or_else(1e-4),
+        integer_(
+            "settle", not_negative,
+            "rounds of differences to both sides along combinations that the data fix independently; for "
+            "residuals in units of their deviation")
+            .or_else(0.0)},
        "Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, "
        "converged, reason.",
        "local f = require 'fabric'.lab.least_squares{ start={0.5}, low={0}, high={3}, "

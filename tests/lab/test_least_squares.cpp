@@ -6,6 +6,7 @@
 
 #include "lab/least_squares.hpp"
 #include "lab/parallel.hpp"
+#include "lab/settle.hpp"
 #include "message_of.hpp"
 
 using namespace fabricsh;
@@ -63,6 +64,70 @@ TEST_CASE("what data fix and what they cannot tell apart", "[lab]") {
   CHECK(bad.weakest[0] * bad.weakest[1] < 0);
   const auto blind = identifiability({1, 0, 1, 0}, {1, 10});
   CHECK(blind.deviation[1] > 1e10);
+}
+
+namespace {
+
+// Monomials 1, t, t^2, t^3 at 48 places, in units of a deviation of 1/50, minus data that lie `miss`
+// deviations off the line 1 - 2 t + 3 t^2 - t^3 by turns; every residual jumps by `jump` where a sum of the
+// parameters crosses multiples of 1/500, as a simulation does that cuts a step here and not there.
+std::function<Points(const Points&)> cubic(double miss, double ripple) {
+  return [=](const Points& points) {
+    Points out;
+    for (const auto& p : points) {
+      out.emplace_back();
+      const double wave = ripple * std::sin(2000 * (p[0] + 0.3 * p[1] - 0.2 * p[2]));
+      for (int i = 0; i < 48; ++i) {
+        const double t = i / 47.0, dp[] = {p[0] - 1, p[1] + 2, p[2] - 3, p[3] + 1};
+        const double off = (i % 3 - 1) * miss;
+        out.back().push_back(50 * (dp[0] + t * (dp[1] + t * (dp[2] + t * dp[3]))) + off + (i % 2) * wave);
+      }
+    }
+    return out;
+  };
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the end of a search that is not quite smooth: where smooth least squares ends, with its deviations",
+    "[lab]") {
+  const std::vector<Bounds> bounds{{0, 2}, {-8, 4}, {-9, 15}, {-5, 3}};
+  const std::vector<double> width{2, 12, 24, 8}, start{1.3, -3, 4, -2};
+  const auto smooth = least_squares(start, bounds, cubic(1, 0), {200, 1e-14, 1e-6});
+  const auto truth = identifiability(smooth.jacobian, width);
+  const auto rough = cubic(1, 0.05);
+  const auto found = least_squares(start, bounds, rough, {50, 1e-8, 1e-4});
+  const auto settled = settle(found, bounds, rough, 8);
+  const auto known = identifiability(settled.jacobian, width);
+  double before = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    INFO(i << ": " << found.x[i] << " " << settled.x[i] << " " << smooth.x[i] << " +- "
+           << truth.deviation[i]);
+    before = std::max(before,
+                      std::abs(identifiability(found.jacobian, width).deviation[i] / truth.deviation[i] - 1));
+    CHECK(std::abs(settled.x[i] - smooth.x[i]) <
+          0.3 * truth.deviation[i]);  // the ripple, and steps of a tenth
+    CHECK(std::abs(known.deviation[i] / truth.deviation[i] - 1) < 0.1);
+  }
+  CHECK(before > 0.2);  // what the differences of single parameters said
+  CHECK(settled.reason == "settled within a tenth of a standard deviation");
+}
+
+TEST_CASE("settling stays within the bounds and keeps what is exact", "[lab]") {
+  const std::vector<Bounds> bounds{
+      {0, 1}, {-8, 4}, {-9, 15}, {-5, 3}};  // the best lies on the first one's bound
+  const auto inside = [&](const Points& points) {
+    for (const auto& p : points)
+      for (std::size_t i = 0; i < p.size(); ++i) CHECK((p[i] >= bounds[i].low && p[i] <= bounds[i].high));
+    return cubic(0, 0)(points);
+  };
+  const auto found = settle(least_squares({0.5, -1, 2, 0}, bounds, inside), bounds, inside, 5);
+  const std::vector<double> want{1, -2, 3, -1};
+  for (std::size_t i = 0; i < 4; ++i)
+    CHECK(std::abs(found.x[i] - want[i]) < 1e-3);  // the sine is flat at a bound
+  for (std::size_t i = 0; i < 48; ++i)
+    CHECK(std::abs(found.jacobian[4 * i + 3] - 50 * std::pow(static_cast<double>(i) / 47, 3)) < 1e-6);
 }
 
 TEST_CASE("processes answer in order, side by side, and say their trouble", "[lab]") {

@@ -56,7 +56,7 @@ local function run(t)
   model:move("top", { y = fabric.ramp(t.displacement, 1) })
   local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, tolerance = t.tolerance }
   local curve = {}
-  a:every("step", function()
+  a:every(1 / t.steps, function() -- at equal displacements, whatever steps had to be cut
     local _, force = a:reaction "top"
     local d = a.time * t.displacement
     local e = d / t.length
@@ -74,7 +74,7 @@ define {
     { name = "length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
     { name = "displacement", kind = "number", unit = "m", above = 0, sentence = "largest displacement" },
     { name = "cells", kind = "integer", low = 1, default = 10, sentence = "squares across the width" },
-    { name = "steps", kind = "integer", low = 2, default = 60, sentence = "of the displacement" },
+    { name = "steps", kind = "integer", low = 2, default = 60, sentence = "of the displacement, at each of which the curve has a row" },
     { name = "tolerance", kind = "number", above = 0, default = 1e-8, sentence = "as for fabric.static" },
     { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: the card's" },
   },

@@ -205,7 +205,8 @@ local function identify(t)
   local start, low, high = column(t, "start"), column(t, "low"), column(t, "high")
   local cache = open_cache(t.checkpoint, signature(t))
   local evaluate, scale = evaluator(t, cache), widths(t)
-  local found = fabric.lab.least_squares { start = start, low = low, high = high, evaluate = evaluate, iterations = t.iterations, tolerance = t.tolerance, difference = t.difference }
+  local found = fabric.lab.least_squares { start = start, low = low, high = high, evaluate = evaluate, iterations = t.iterations, tolerance = t.tolerance,
+    difference = t.difference, settle = t.settle }
   local out = fabric.lab.identifiability { jacobian = found.jacobian, scale = scale }
   local squares = 0
   for _, r in ipairs(found.residuals) do squares = squares + r * r end
@@ -232,6 +233,8 @@ define {
     { name = "iterations", kind = "integer", low = 1, default = 30, sentence = "at most" },
     { name = "tolerance", kind = "number", above = 0, default = 1e-6, sentence = "relative, of the sum of squares and of the parameters" },
     { name = "difference", kind = "number", above = 0, default = 1e-3, sentence = "step of the differences over high - low" },
+    { name = "settle", kind = "integer", low = 0, default = 8,
+      sentence = "rounds at the end, with differences over a standard deviation to both sides along combinations of parameters" },
     { name = "progress", kind = "boolean", default = false, sentence = "says on stderr how far it is" },
   },
   sentence = "Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation, correlation, weakest, misses (per "

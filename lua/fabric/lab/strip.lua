@@ -146,7 +146,8 @@ function strip.run(t)
   end
   local centre, places = sheet.centre(mesh)
   local last = #mesh.nodes
-  local curve = sheet.observe(a, strip.columns, t.out, "strip", function(run) return reading(run, t, last, centre) end)
+  local curve = sheet.observe(a, strip.columns, t.out, "strip", function(run) return reading(run, t, last, centre) end,
+    t.rows and duration / t.rows)
   a:every(1, function() end) -- steps land on the corners of the path
   if t.unilateral then release(a, t, points, state) end
   a:solve()
@@ -180,6 +181,8 @@ strip.arguments = {
   { name = "stabilise", kind = "boolean|number", default = false, sentence = "as for fabric.static: a buckling strip needs it" },
   { name = "cells", kind = "numbers", low = 1, optional = true, sentence = "{across, along}; default {3, 9}" },
   { name = "steps", kind = "integer", low = 2, default = 80, sentence = "for the whole history" },
+  { name = "rows", kind = "integer", low = 1, optional = true,
+    sentence = "of the curve, at equal times on which steps land, besides the first; default: one a step, wherever cuts put it" },
   { name = "tolerance", kind = "number", above = 0, default = 1e-10, sentence = "as for fabric.static" },
   { name = "max_iterations", kind = "integer", low = 1, default = 50, sentence = "as for fabric.static" },
   { name = "max_cuts", kind = "integer", low = 0, default = 12, sentence = "as for fabric.static" },
