@@ -1,3 +1,4 @@
 -- What `require "fabric"` adds to the bindings: the part of the library that is written in Lua.
 require "fabric.expect"
 require "fabric.lab"
+require "fabric.help"

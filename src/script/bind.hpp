@@ -23,6 +23,8 @@ void bind_card(Session& session);
 
 // require "fabric.define": how a Lua module adds a function with its row to the registry.
 int open_define(lua_State* L);
+// Pushes the table of functions that read the registry.
+void push_registry(lua_State* L);
 
 template <>
 struct ClassName<mesh::Mesh> {
@@ -55,6 +57,8 @@ void set_meta(Session& session, const std::string& cls, const char* name, lua_CF
 void push_card_table(lua_State* L, const card::Card& card);
 std::string card_kind(const card::Card& card);
 card::Card read_card(lua_State* L, int index, const std::string& kind);
+// The card as a table with units, for people.
+std::string card_words(const card::Card& card);
 // The card as a Lua file that reads back equal.
 std::string card_text(const card::Card& card);
 

@@ -259,12 +259,19 @@ int restore(Call& call) {
   return chain(call);
 }
 
+// "ready", "under way", "done", "stopped: the grip lets go".
+std::string state_words(const analysis::Run& a) {
+  if (a.stopped()) return "stopped: " + a.stop_reason();
+  if (a.steps().empty()) return "ready";
+  return a.time() >= a.duration() * (1 - 1e-12) ? "done" : "under way";
+}
+
 int run_text(lua_State* L) {
   const analysis::Run& a = *to_object<Run>(L, 1)->analysis;
-  char words[160];
-  std::snprintf(words, sizeof words, "<%s analysis, t = %.6g of %.6g s, %zu steps%s>", a.kind(), a.time(),
-                a.duration(), a.steps().size(), a.stopped() ? ", stopped" : "");
-  lua_pushstring(L, words);
+  char words[120];
+  std::snprintf(words, sizeof words, "<%s run, t = %.6g of %.6g s, %zu step%s, ", a.kind(), a.time(),
+                a.duration(), a.steps().size(), a.steps().size() == 1 ? "" : "s");
+  lua_pushstring(L, (words + state_words(a) + ">").c_str());
   return 1;
 }
 

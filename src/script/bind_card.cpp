@@ -123,12 +123,8 @@ int cards(Call& call) {
 }
 
 int card_string(lua_State* L) {
-  const auto card = to_object<Card>(L, 1);
-  char words[200];
-  std::snprintf(words, sizeof words, "<card %s, %s, %.4g kg/m3, %.4g mm, %.4g g/m2>",
-                card->name.empty() ? "without name" : card->name.c_str(), card_kind(*card).c_str(),
-                card->density, card->thickness * 1e3, card->density * card->thickness * 1e3);
-  lua_pushstring(L, words);
+  const std::string words = card_words(*to_object<Card>(L, 1));
+  lua_pushlstring(L, words.data(), words.size());
   return 1;
 }
 

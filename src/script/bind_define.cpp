@@ -5,9 +5,11 @@
 //           run=function(t) ... end }
 //
 // An argument has name, sentence, kind ("number|text", "object" is implied by of), unit, low, high, above,
-// default, optional, choices, rows. define.fail(message) raises an error at the deck's line. run gets one
-// table with every default filled in; with positional=true, the values in order.
+// default, optional, choices, rows. define.fail(message) raises an error at the deck's line; define.registry
+// holds rows, name_of, class_of, nearest and show of bind_registry.cpp. run gets one table with every default
+// filled in; with positional=true, the values in order.
 #include "script/bind.hpp"
+#include "script/show.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -24,11 +26,7 @@ std::string get_text(lua_State* L, int index, const char* name) {
 }
 
 unsigned kind_named(const std::string& word) {
-  constexpr std::pair<const char*, Kind> names[] = {
-      {"number", number},     {"integer", integer}, {"text", text},     {"boolean", boolean},
-      {"function", function}, {"numbers", numbers}, {"fields", fields}, {"table", table},
-      {"object", object},     {"any", any}};
-  for (const auto& [name, kind] : names)
+  for (const auto& [name, kind] : kind_names)
     if (word == name) return kind;
   throw Error("unknown kind '" + word + "'");
 }
@@ -141,7 +139,9 @@ int run_defined(Call& call) {
     if (entry.style == Style::fields) lua_setfield(L, -2, row.name.c_str());
   }
   lua_call(L, entry.style == Style::fields ? 1 : static_cast<int>(entry.arguments.size()), LUA_MULTRET);
-  return lua_gettop(L) - base;
+  const int results = lua_gettop(L) - base;
+  if (results == 1 && lua_istable(L, -1)) name_result(L, entry.name);
+  return results;
 }
 
 void remember(lua_State* L, const Entry& entry) {
@@ -205,6 +205,8 @@ int open_define(lua_State* L) {
   lua_newtable(L);
   lua_pushcfunction(L, fail);
   lua_setfield(L, -2, "fail");
+  push_registry(L);
+  lua_setfield(L, -2, "registry");
   lua_newtable(L);
   lua_pushcfunction(L, call_define);
   lua_setfield(L, -2, "__call");

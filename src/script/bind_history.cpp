@@ -1,4 +1,6 @@
 // fabric.history, fabric.ramp; numbers and functions as histories.
+#include <algorithm>
+
 #include "script/bind.hpp"
 #include "script/words.hpp"
 
@@ -58,6 +60,25 @@ int value(Call& call) {
   return 1;
 }
 
+// "<history of 3 points to 2 s, 0 to 0.018>".
+int history_text(lua_State* L) {
+  const History& h = *to_object<History>(L, 1);
+  std::string words = "<history";
+  if (h.is_constant()) {
+    words += ", always " + number_text(h.value(0));
+  } else {
+    double low = h.value(h.kinks().front()), high = low;
+    for (const double t : h.kinks()) {
+      low = std::min(low, h.value(t));
+      high = std::max(high, h.value(t));
+    }
+    words += " of " + std::to_string(h.kinks().size()) + " points to " + number_text(h.kinks().back()) +
+             " s, " + number_text(low) + " to " + number_text(high);
+  }
+  lua_pushstring(L, (words + ">").c_str());
+  return 1;
+}
+
 std::vector<Entry> rows() {
   return {
       {"fabric.history",
@@ -90,6 +111,9 @@ History read_history(Session& session, lua_State* L, int index, const std::strin
   return *to_object<History>(L, index);
 }
 
-void bind_history(Session& session) { install(session, rows()); }
+void bind_history(Session& session) {
+  install(session, rows());
+  set_meta(session, "history", "__tostring", history_text);
+}
 
 }  // namespace fabricsh::script

@@ -1,6 +1,7 @@
 // fabric.mesh.rectangle; sets, and nodes and elements to read.
 #include "script/bind_mesh.hpp"
 
+#include "script/show.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -183,20 +184,62 @@ int call_elements(lua_State* L) {
   return lua_gettop(L);
 }
 
-int mesh_text(lua_State* L) {
-  const auto mesh = to_object<Mesh>(L, 1);
+struct Box {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-  if (!mesh->nodes.empty()) low = high = mesh->nodes.front();
-  for (const Vec3& x : mesh->nodes) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
+  Vec3 size() const { return high - low; }
+};
+
+Box box_of(const Mesh& mesh) {
+  Box box;
+  if (!mesh.nodes.empty()) box.low = box.high = mesh.nodes.front();
+  for (const Vec3& x : mesh.nodes) {
+    box.low = box.low.cwiseMin(x);
+    box.high = box.high.cwiseMax(x);
   }
-  const Vec3 size = high - low;
-  char words[160];
-  std::snprintf(words, sizeof words, "<mesh %s, %zu nodes, %zu elements, %.4g x %.4g x %.4g m>",
-                mesh->origin.c_str(), mesh->nodes.size(), mesh->elements.size(), size[0], size[1], size[2]);
-  lua_pushstring(L, words);
+  return box;
+}
+
+// A size in the plane of x and y has two numbers, any other three.
+std::string size_text(const Vec3& size) {
+  return size[2] == 0 ? lengths_text({size[0], size[1]}) : lengths_text({size[0], size[1], size[2]});
+}
+
+// "20x20" of a rectangle, "disk 4+2"; a mesh from a file says its elements and where it lies.
+std::string mesh_words(const Mesh& mesh) {
+  const Box box = box_of(mesh);
+  const auto starts = [&mesh](const char* word) { return mesh.origin.rfind(word, 0) == 0; };
+  std::string words = "<mesh " +
+                      mesh.origin.substr(starts("rectangle ") ? 10
+                                         : starts("file ")    ? 5
+                                                              : 0) +
+                      ", " + std::to_string(mesh.nodes.size()) + " nodes, ";
+  if (!starts("file ")) return words + size_text(box.size()) + ">";
+  words += std::to_string(mesh.elements.size()) + " elements, ";
+  for (int i = 0; i < 3; ++i)
+    words += std::string(i > 0 ? ", " : "") + "xyz"[i] + " " +
+             (box.low[i] == box.high[i] ? lengths_text({box.low[i]})
+                                        : lengths_text({box.low[i], box.high[i]}, " to "));
+  return words + ">";
+}
+
+int push_words(lua_State* L, const std::string& words) {
+  lua_pushlstring(L, words.data(), words.size());
   return 1;
+}
+
+int mesh_text(lua_State* L) { return push_words(L, mesh_words(*to_object<Mesh>(L, 1))); }
+
+int nodes_text(lua_State* L) {
+  const Mesh& mesh = *to_object<NodeView>(L, 1)->mesh;
+  const Box box = box_of(mesh);
+  return push_words(L, "<" + std::to_string(mesh.nodes.size()) + " x 3 numbers, " +
+                           lengths_text({box.low.minCoeff(), box.high.maxCoeff()}, " to ") + ">");
+}
+
+int elements_text(lua_State* L) {
+  const Mesh& mesh = *to_object<ElementView>(L, 1)->mesh;
+  return push_words(L, "<" + std::to_string(mesh.elements.size()) + " elements of node numbers 1 to " +
+                           std::to_string(mesh.nodes.size()) + ">");
 }
 
 constexpr const char* sample =
@@ -271,6 +314,8 @@ void bind_mesh(Session& session) {
   install(session, mesh_generator_rows());
   install(session, mesh_file_rows());
   set_meta(session, "mesh", "__tostring", mesh_text);
+  set_meta(session, "nodes", "__tostring", nodes_text);
+  set_meta(session, "elements", "__tostring", elements_text);
   set_meta(session, "nodes", "__len", node_count);
   set_meta(session, "nodes", "__index", node_at);
   set_meta(session, "elements", "__len", element_count);

@@ -203,7 +203,7 @@ int card_of(Call& call) {
 }
 
 int model_text(lua_State* L) {
-  const std::string words = to_object<Model>(L, 1)->describe();
+  const std::string words = "<" + to_object<Model>(L, 1)->describe() + ">";
   lua_pushlstring(L, words.data(), words.size());
   return 1;
 }

@@ -232,6 +232,16 @@ int reset(Call& call) {
   return 0;
 }
 
+int point_text(lua_State* L) {
+  const Sample s = to_object<PointDriver>(L, 1)->now();
+  char words[200];
+  std::snprintf(words, sizeof words,
+                "<point, E11 %.4g, E22 %.4g, E12 %.4g; S11 %.4g, S22 %.4g, S12 %.4g MPa>", s.E11, s.E22,
+                s.E12, s.S11 * 1e-6, s.S22 * 1e-6, s.S12 * 1e-6);
+  lua_pushstring(L, words);
+  return 1;
+}
+
 Argument strain_(const char* name, const char* sentence) {
   return number_(name, "", everything, sentence).usually(1e-12, 5, "strains are numbers, not per cent");
 }
@@ -309,6 +319,9 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_point(Session& session) { install(session, rows()); }
+void bind_point(Session& session) {
+  install(session, rows());
+  set_meta(session, "point", "__tostring", point_text);
+}
 
 }  // namespace fabricsh::script

@@ -5,6 +5,7 @@
 #include "files/table.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
+#include "script/show.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -13,6 +14,28 @@ namespace {
 
 char separator_of(const std::string& word) {
   return word == "tab" ? '\t' : word == "blank" ? ' ' : word == "auto" ? char{0} : word[0];
+}
+
+// A line per column: its name, unit, and range.
+int table_text(lua_State* L) {
+  std::vector<std::vector<std::string>> rows;
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, 1));
+  for (lua_Integer i = 1; i <= n; ++i) {
+    lua_rawgeti(L, 1, i);
+    rows.emplace_back();
+    for (const char* name : {"name", "unit", "values"}) {
+      lua_getfield(L, -1, name);
+      rows.back().push_back(show(L, -1));
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+  }
+  lua_getfield(L, 1, "file");
+  const char* file = lua_tostring(L, -1);
+  const std::string words = "<table " + std::string(file == nullptr ? "" : file) + ", " + std::to_string(n) +
+                            " columns>\n" + columns_text(rows);
+  lua_pushlstring(L, words.data(), words.size() - 1);
+  return 1;
 }
 
 int table_of(Call& call) {
@@ -40,6 +63,11 @@ int table_of(Call& call) {
     lua_rawseti(L, -2, ++place);
   }
   lua_setfield(L, -2, "preamble");
+  if (luaL_newmetatable(L, "fabricsh.table") != 0) {
+    lua_pushcfunction(L, table_text);
+    lua_setfield(L, -2, "__tostring");
+  }
+  lua_setmetatable(L, -2);
   return 1;
 }
 

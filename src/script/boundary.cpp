@@ -196,6 +196,13 @@ void push_function(lua_State* L, const Entry& entry) {
   lua_pushcclosure(L, enter, 1);
 }
 
+const Entry* entry_of(lua_State* L, int index) {
+  if (lua_tocfunction(L, index) != enter || lua_getupvalue(L, index, 1) == nullptr) return nullptr;
+  const auto* entry = static_cast<const Entry*>(lua_touserdata(L, -1));
+  lua_pop(L, 1);
+  return entry;
+}
+
 void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
   if (luaL_newmetatable(L, class_key(name).c_str()) != 0) {
     lua_newtable(L);

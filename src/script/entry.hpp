@@ -5,6 +5,7 @@
 #include <limits>
 #include <lua.hpp>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -25,6 +26,11 @@ enum Kind : unsigned {
   object = 256,  // a fabricsh object of class Argument::of
   any = 512,
 };
+
+inline constexpr std::pair<const char*, Kind> kind_names[] = {
+    {"number", number},     {"integer", integer}, {"text", text},     {"boolean", boolean},
+    {"function", function}, {"numbers", numbers}, {"fields", fields}, {"table", table},
+    {"object", object},     {"any", any}};
 
 struct Range {
   double low = -std::numeric_limits<double>::infinity();

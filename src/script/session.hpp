@@ -74,6 +74,8 @@ std::string position(lua_State* L);
 
 // Pushes the function of a row that the registry keeps.
 void push_function(lua_State* L, const Entry& entry);
+// The row of the function at index; null when it is none of the registry's.
+const Entry* entry_of(lua_State* L, int index);
 // Puts the function of such a row where its name says.
 void place(lua_State* L, const Entry& entry);
 

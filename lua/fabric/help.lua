@@ -1,0 +1,240 @@
+-- fabric.help: what there is, from the registry's rows.
+local define = require "fabric.define"
+local registry = define.registry
+
+local width = 100
+
+-- Rooms of the overview, in the order in which one meets them: a title, and patterns of names.
+local rooms = {
+  { "cloth", "^fabric%.woven$", "^fabric%.svk$", "^fabric%.linear$", "^fabric%.cards?$", "^card[:.]" },
+  { "one point of cloth", "^fabric%.point$", "^point[:.]" },
+  { "meshes", "^fabric%.mesh%.", "^mesh[:.]" },
+  { "models", "^fabric%.model$", "^model[:.]", "^fabric%.history$", "^fabric%.ramp$", "^history[:.]" },
+  { "runs", "^fabric%.static$", "^fabric%.dynamic$", "^analysis[:.]" },
+  { "virtual tests", "^fabric%.lab%.uniaxial$", "^fabric%.lab%.bias", "^fabric%.lab%.shear$", "^fabric%.lab%.biaxial$",
+    "^fabric%.lab%.drape$", "^fabric%.lab%.poke$", "^fabric%.lab%.mesh_error$" },
+  { "laboratory: from measurement to card", "^fabric%.lab%." },
+  { "pictures and files", "^fabric%.plot$", "^fabric%.render$", "^fabric%.table$", "^fabric%.folder$" },
+  { "the rest", "" },
+}
+
+local function room_of(name)
+  for place, room in ipairs(rooms) do
+    for i = 2, #room do
+      if name:find(room[i]) then return place end
+    end
+  end
+end
+
+-- Text broken at blanks, each line behind `indent`.
+local function wrapped(text, indent)
+  local lines, line = {}, indent
+  for word in text:gmatch "%S+" do
+    if #line + #word + 1 > width and line ~= indent then
+      lines[#lines + 1], line = line, indent
+    end
+    line = line .. (line == indent and "" or " ") .. word
+  end
+  lines[#lines + 1] = line
+  return table.concat(lines, "\n")
+end
+
+local function first_sentence(text)
+  local first = text:match "^(.-%l%l%l%)?)%. %u" or text:match "^(.-[%d%)%]])%. %u" or text:gsub("%.$", "")
+  return #first > 110 and first:sub(1, 107) .. "..." or first
+end
+
+-- fabric.static{ model, duration, [step], ... }
+local function signature(row)
+  local names = {}
+  for i, argument in ipairs(row.arguments) do
+    names[i] = argument.required and argument.name or "[" .. argument.name .. "]"
+  end
+  if row.style == "property" then return row.name end
+  if row.style == "fields" then return row.name .. "{ " .. table.concat(names, ", ") .. " }" end
+  return row.name .. "(" .. table.concat(names, ", ") .. ")"
+end
+
+local function argument_lines(arguments, indent, lines)
+  for _, argument in ipairs(arguments) do
+    local note = argument.default and "default " .. argument.default or not argument.required and "optional" or "required"
+    lines[#lines + 1] = ("%s%s: %s; %s"):format(indent, argument.name, argument.expected, note)
+    lines[#lines + 1] = wrapped(argument.sentence, indent .. "    ")
+    if #argument.rows > 0 then argument_lines(argument.rows, indent .. "    " .. "  ", lines) end
+  end
+end
+
+local function about_row(row)
+  local lines = { wrapped(signature(row), ""), wrapped(row.sentence, "  ") }
+  if #row.arguments > 0 then lines[#lines + 1] = "" end
+  argument_lines(row.arguments, "  ", lines)
+  lines[#lines + 1] = "\n  example"
+  lines[#lines + 1] = "    " .. row.example:gsub("\n$", ""):gsub("\n", "\n    ")
+  return lines
+end
+
+local function list(rows, lines)
+  for _, row in ipairs(rows) do
+    lines[#lines + 1] = ("  %-28s %s"):format(row.name, first_sentence(row.sentence))
+  end
+end
+
+-- Rows under the titles of their rooms.
+local function grouped(rows, lines)
+  local by_room = {}
+  for _, row in ipairs(rows) do
+    local place = room_of(row.name)
+    by_room[place] = by_room[place] or {}
+    table.insert(by_room[place], row)
+  end
+  for place, room in ipairs(rooms) do
+    if by_room[place] then
+      lines[#lines + 1] = room[1]
+      list(by_room[place], lines)
+    end
+  end
+end
+
+local function overview()
+  local lines = { "fabricsh: the mechanics of woven cloth. Lengths in m, forces in N, moduli in Pa; 25.4*mm, 8*MPa.", "" }
+  local by_room = {}
+  for _, row in ipairs(registry.rows()) do
+    local place = room_of(row.name)
+    if row.owner == "" then
+      by_room[place] = by_room[place] or {}
+      table.insert(by_room[place], (row.name:gsub("^fabric%.", "")))
+    end
+  end
+  for place, room in ipairs(rooms) do
+    if by_room[place] then
+      lines[#lines + 1] = room[1]
+      lines[#lines + 1] = wrapped(table.concat(by_room[place], "  "), "    ")
+    end
+  end
+  for _, line in ipairs {
+    "",
+    "help(fabric.static)     what a function takes, with an example",
+    "help(mesh)              what an object is, holds and can do",
+    "help \"mesh:set\"         a method by its name",
+    "help \"shear\"            everything that speaks of shear",
+    "The tutorial is share/doc/tutorial.md, all functions are in share/doc/reference.md.",
+  } do lines[#lines + 1] = line end
+  return lines
+end
+
+-- A card's fields are those of its constructor.
+local function card_fields(card, lines)
+  lines[#lines + 1] = "fields (in SI; card:with{...} makes a copy with others)"
+  for _, row in ipairs(registry.rows()) do
+    if row.name == "fabric." .. card.kind then
+      for _, argument in ipairs(row.arguments) do
+        local value = card[argument.name]
+        if value ~= nil then
+          lines[#lines + 1] = ("  %-28s %s"):format(argument.name, argument.sentence)
+          lines[#lines + 1] = "      = " .. registry.show(value)
+        end
+      end
+    end
+  end
+end
+
+-- An object: what it prints as, its properties with their values, its methods.
+local function about_object(object, class)
+  local lines, properties, methods = { tostring(object) }, {}, {}
+  for _, row in ipairs(registry.rows()) do
+    if row.owner == class then table.insert(row.style == "property" and properties or methods, row) end
+  end
+  if class == "card" then card_fields(object, lines) end
+  if #properties > 0 then lines[#lines + 1] = "properties" end
+  for _, row in ipairs(properties) do
+    local known, value = pcall(function() return object[row.name:match "%.([%w_]+)$"] end)
+    lines[#lines + 1] = ("  %-28s %s"):format(row.name, first_sentence(row.sentence))
+    if known then lines[#lines + 1] = "      = " .. registry.show(value):gsub("\n", "\n        ") end
+  end
+  if #methods > 0 then lines[#lines + 1] = "methods" end
+  list(methods, lines)
+  return lines
+end
+
+local function named(rows, word)
+  for _, name in ipairs { word, "fabric." .. word } do
+    for _, row in ipairs(rows) do
+      if row.name == name then return row end
+    end
+  end
+end
+
+-- Rows of a class ("mesh") or of a table of functions ("fabric.lab").
+local function below(rows, word)
+  local found, stem = {}, word:gsub("^fabric%.", "")
+  for _, row in ipairs(rows) do
+    if row.owner == word or row.name:sub(1, #stem + 8) == "fabric." .. stem .. "." then found[#found + 1] = row end
+  end
+  return found
+end
+
+local function speaks_of(row, word)
+  local function holds(text) return text:lower():find(word, 1, true) end
+  local function any(arguments)
+    for _, argument in ipairs(arguments) do
+      if holds(argument.name) or holds(argument.sentence) or any(argument.rows) then return true end
+    end
+  end
+  return holds(row.name) or holds(row.sentence) or any(row.arguments)
+end
+
+local function nothing(rows, word)
+  local names = {}
+  for _, row in ipairs(rows) do
+    names[#names + 1] = row.name
+    names[#names + 1] = row.name:match "^fabric%.(.+)$"
+  end
+  local near = registry.nearest(word, names)
+  return { ("nothing speaks of '%s'%s"):format(word, near and ", did you mean '" .. near .. "'?" or "; help() shows what there is") }
+end
+
+local function search(word)
+  local rows = registry.rows()
+  local row = named(rows, word)
+  if row then return about_row(row) end
+  local lines, found = {}, below(rows, word)
+  if #found == 0 then
+    for _, candidate in ipairs(rows) do
+      if speaks_of(candidate, word:lower()) then found[#found + 1] = candidate end
+    end
+  end
+  if #found == 0 then return nothing(rows, word) end
+  grouped(found, lines)
+  return lines
+end
+
+-- What a table of functions such as fabric.lab is called.
+local function module_named(topic)
+  local fabric = require "fabric"
+  if topic == fabric then return "fabric" end
+  for name, value in pairs(fabric) do
+    if rawequal(value, topic) then return name end
+  end
+end
+
+local function about(topic)
+  if topic == nil then return overview() end
+  if type(topic) == "string" then return search(topic) end
+  local name = registry.name_of(topic)
+  if name then return search(name) end
+  local class = registry.class_of(topic)
+  if class then return about_object(topic, class) end
+  local module = module_named(topic)
+  if module == "fabric" then return overview() end
+  if module and #below(registry.rows(), module) > 0 then return search(module) end
+  return { registry.show(topic), "this is a plain " .. type(topic) .. " of Lua" }
+end
+
+define {
+  name = "fabric.help",
+  positional = true,
+  arguments = { { name = "topic", kind = "any", optional = true, sentence = "a function, an object, a name, or a word to look for; nothing: an overview" } },
+  sentence = "Prints what a function takes, what an object holds and can do, or all that speaks of a word.",
+  example = "local fabric = require 'fabric'\nfabric.help(fabric.ramp)\nfabric.help 'shear'",
+  run = function(topic) print(table.concat(about(topic), "\n")) end,
+}
