@@ -1,15 +1,21 @@
 # One static library fabricsh_<room> per line of src/LAYERS, linked to the rooms that the line names.
 add_library(fabricsh_flags INTERFACE)
-target_include_directories(fabricsh_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/generated)
+target_include_directories(fabricsh_flags INTERFACE
+  $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src> $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/generated>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/fabricsh>)
+target_compile_features(fabricsh_flags INTERFACE cxx_std_20)
 # GNU: a constructor may name its arguments as its members; -Wrestrict is wrong about std::string in GCC 12.
-target_compile_options(fabricsh_flags INTERFACE -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno
+set(own_options -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno
   "$<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local;-Wno-restrict,-Wshadow>"
   $<$<BOOL:${FABRICSH_WERROR}>:-Werror>
   "$<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined;-fno-omit-frame-pointer>")
+target_compile_options(fabricsh_flags INTERFACE "$<BUILD_INTERFACE:${own_options}>")
 # Sums are rounded as written, the same on every machine; the kernels of an instruction set with fused
 # multiply-add use it.
-target_compile_options(fabricsh_flags INTERFACE "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:FABRICSH_FUSED>>>:-ffp-contract=off>")
-target_link_options(fabricsh_flags INTERFACE $<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined>)
+target_compile_options(fabricsh_flags INTERFACE
+  "$<BUILD_INTERFACE:$<$<NOT:$<BOOL:$<TARGET_PROPERTY:FABRICSH_FUSED>>>:-ffp-contract=off>>")
+target_link_options(fabricsh_flags INTERFACE
+  $<BUILD_INTERFACE:$<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined>>)
 target_link_libraries(fabricsh_flags INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX)
 
 # Sources named *_isa.cpp hold the batch kernels: compiled once per instruction set, each into its own
@@ -68,7 +74,7 @@ function(fabricsh_rooms layers)
   endforeach()
   set(FABRICSH_ROOM_TARGETS ${targets} PARENT_SCOPE)
   # The only rooms that may see a third-party library.
-  fabricsh_room_uses(solver PRIVATE fabricsh_dep_suitesparse)
+  fabricsh_room_uses(solver PRIVATE fabricsh_suitesparse)
   fabricsh_room_uses(files PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOCore VTK::IOImage VTK::IOXML)
   fabricsh_room_uses(render PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOImage VTK::IOXML
     VTK::RenderingAnnotation VTK::RenderingCore VTK::RenderingFreeType VTK::RenderingOpenGL2)

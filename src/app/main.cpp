@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <iostream>
 
+#include "app/about.hpp"
 #include "app/command_line.hpp"
 #include "app/environment.hpp"
-#include "base/version.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/prompt.hpp"
 
@@ -39,11 +39,6 @@ script::Options session_options(const app::CommandLine& command) {
   return options;
 }
 
-void print_version() {
-  std::cout << "fabricsh " << version() << " (" << build_kind() << ", " << compiler() << ", " << LUA_RELEASE
-            << ")\n";
-}
-
 // -e and -l in their order, then the deck. The first failure ends it.
 repl::Result run(script::Session& session, const app::CommandLine& command) {
   repl::Result result;
@@ -62,7 +57,7 @@ repl::Result run(script::Session& session, const app::CommandLine& command) {
 void converse(script::Session& session) {
   const repl::InterruptGuard guard(session);
   const bool terminal = isatty(STDIN_FILENO) != 0;
-  if (terminal) print_version();
+  if (terminal) std::cout << app::headline() << "\n";
   const auto lines = terminal ? repl::terminal_lines(repl::history_file()) : repl::stream_lines(std::cin);
   repl::converse(session, *lines, std::cout, std::cerr);
 }
@@ -77,7 +72,7 @@ int main(int count, char** words) {
     return 2;
   }
   if (command.help) return std::cout << app::usage, 0;
-  if (command.version) return print_version(), 0;
+  if (command.version) return std::cout << app::about(), 0;
   if (command.check && !command.has_deck) return std::cerr << "fabricsh: --check needs a deck\n", 2;
   if (command.threads > 0) omp_set_num_threads(command.threads);
   try {

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "fabricsh_config.hpp"
 
@@ -16,11 +17,6 @@ fs::path resolved(const fs::path& path) {
   std::error_code trouble;
   const fs::path real = fs::weakly_canonical(path, trouble);
   return trouble ? path : real;
-}
-
-bool inside(const fs::path& path, const fs::path& folder) {
-  const fs::path relative = path.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
 }
 
 void add_folder(std::vector<std::string>& roots, const fs::path& folder) {
@@ -43,7 +39,10 @@ std::vector<std::string> data_roots() {
   const fs::path program = program_path();
   if (program.empty()) return roots;
   add_folder(roots, program.parent_path() / config::data_from_program);
-  if (inside(program, resolved(config::build_dir))) add_folder(roots, config::source_dir);
+  for (const fs::path& folder : {program.parent_path(), program.parent_path().parent_path()}) {
+    std::ifstream marker(folder / "fabricsh.home");
+    if (std::string source; std::getline(marker, source)) add_folder(roots, source);
+  }
   return roots;
 }
 

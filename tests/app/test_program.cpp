@@ -94,7 +94,12 @@ TEST_CASE("an interactive session reads standard input when there is no terminal
 }
 
 TEST_CASE("--version and --help") {
-  CHECK(has(run("--version").out, "fabricsh 0."));
+  const std::string about = run("--version").out;
+  INFO(about);
+  for (const char* word : {"fabricsh 0.", "Lua 5.4", "Eigen 3.", "UMFPACK ", "CHOLMOD ", "OpenBLAS ",
+                           "VTK 9.", "libedit ", "kernels for ", " threads", "gnuplot: ", "Xvfb: "})
+    CHECK(has(about, word));
+  CHECK(has(run("--version", "PATH=/nowhere ").out, "gnuplot: not found, needed for figures"));
   CHECK(has(run("--help").out, "usage: fabricsh"));
 }
 

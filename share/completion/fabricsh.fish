@@ -1,0 +1,8 @@
+complete -c fabricsh -s e -x -d 'Run Lua text'
+complete -c fabricsh -s i -d 'Interactive after the deck'
+complete -c fabricsh -s l -x -d 'Require a Lua module'
+complete -c fabricsh -l check -d 'Validate, run nothing'
+complete -c fabricsh -l threads -x -d 'Threads to use'
+complete -c fabricsh -l quiet -d 'No progress'
+complete -c fabricsh -l version -d 'Versions'
+complete -c fabricsh -l help -d 'Summary of options'

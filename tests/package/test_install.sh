@@ -1,0 +1,20 @@
+#!/bin/sh
+# What `cmake --install` puts down works where it stands: the program finds its Lua modules and cards, a C++ project
+# finds the core and gets the closed form. Usage: test_install.sh <cmake> <build folder> <source folder>
+set -eu
+prefix=$(mktemp -d)
+trap 'rm -rf "$prefix"' EXIT
+"$1" --install "$2" --prefix "$prefix" >/dev/null
+cd "$prefix"
+unset FABRICSH_HOME
+bin/fabricsh -e 'local fabric = require "fabric"; assert(fabric.card("denim").thickness > 0)'
+bin/fabricsh --quiet share/fabricsh/scripts/thesis/uniaxial.lua blend warp free 20 "$prefix/out" >/dev/null
+
+"$1" -S "$3/tests/package/consumer" -B consumer -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release >log 2>&1 &&
+  "$1" --build consumer >>log 2>&1 || { cat log; exit 1; }
+consumer/consumer
+if grep -rl -e "$3" -e "$2" lib share >found; then
+  echo "installed files name the source or build folder:"
+  cat found
+  exit 1
+fi
