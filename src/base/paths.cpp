@@ -1,5 +1,7 @@
 #include "base/paths.hpp"
 
+#include <sys/auxv.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -29,7 +31,10 @@ void add_folder(std::vector<std::string>& roots, const fs::path& folder) {
 std::string program_path() {
   std::error_code trouble;
   const fs::path program = fs::read_symlink("/proc/self/exe", trouble);
-  return trouble ? std::string() : program.string();
+  if (!trouble) return program.string();
+  // No /proc, as in a bare root: as the system was told to start it.
+  const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  return started == nullptr ? std::string() : resolved(fs::absolute(started, trouble)).string();
 }
 
 std::vector<std::string> data_roots() {
