@@ -32,7 +32,7 @@ Scratch scratch(const std::string& who) {
 
 std::string content(std::FILE* file) {
   std::rewind(file);
-  std::string text(2000, '\0');
+  std::string text(20000, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file));
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   return text;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "base/error.hpp"
 #include "files/atomic.hpp"
@@ -35,14 +36,14 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-std::string with(CurveStyle style) {
+std::string with(CurveStyle style, bool letters) {
   switch (style) {
     case CurveStyle::dashed:
-      return "lines dashtype 2";
+      return letters ? "lines" : "lines dashtype 2";
     case CurveStyle::points:
-      return "points pointtype 6";
+      return letters ? "points pointtype 'o'" : "points pointtype 6";
     case CurveStyle::line_points:
-      return "linespoints pointtype 7 pointsize 0.5";
+      return letters ? "linespoints pointtype 'o'" : "linespoints pointtype 7 pointsize 0.5";
     default:
       return "lines";
   }
@@ -59,10 +60,25 @@ std::string block(std::size_t index, const Curve& curve) {
   return text + "END_OF_CURVE\n";
 }
 
-std::string plot_item(std::size_t index, const Curve& curve) {
+// In letters each line type has its own mark.
+std::string plot_item(std::size_t index, const Curve& curve, bool letters) {
   const std::string key = curve.label.empty() ? "notitle" : "title " + quoted(curve.label);
-  return "$curve" + std::to_string(index) + " using 1:2 with " + with(curve.style) +
-         " linewidth 2 linecolor rgb '" + colours[index % colours.size()] + "' " + key;
+  const std::string look =
+      letters ? " linetype " + std::to_string(index + 1)
+              : " linewidth 2 linecolor rgb '" + std::string(colours[index % colours.size()]) + "'";
+  return "$curve" + std::to_string(index) + " using 1:2 with " + with(curve.style, letters) + look + " " +
+         key;
+}
+
+// Without blanks at the ends of lines, and without empty lines before the first.
+std::string trimmed(const std::string& text) {
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    line.erase(line.find_last_not_of(" \f") + 1);
+    if (!out.empty() || !line.empty()) out += (out.empty() ? "" : "\n") + line;
+  }
+  return out;
 }
 
 void check(const std::vector<Curve>& curves) {
@@ -73,24 +89,44 @@ void check(const std::vector<Curve>& curves) {
                   std::to_string(curve.y.size()) + " and " + std::to_string(curve.x.size()));
 }
 
+std::string axis(const std::string& name, const Axis& a) {
+  const auto end = [](const std::optional<double>& value) {
+    return value ? number(*value) : std::string("*");
+  };
+  return "set " + name + "label " + quoted(a.label) + "\nset " + name + "range [" + end(a.low) + ":" +
+         end(a.high) + "]\n" + (a.logarithmic ? "set logscale " + name + "\n" : "");
+}
+
+// All but the terminal and where it writes. In letters lines are told apart by their own marks.
+std::string script_of(const Figure& f, bool letters) {
+  check(f.curves);
+  std::string script = "set title " + quoted(f.title) + "\n" + axis("x", f.x) + axis("y", f.y) +
+                       "set key below Left reverse\nset tics nomirror\nset border 3\n";
+  if (!letters) script += "set grid linecolor rgb '#dddddd'\nset xlabel offset 0,0.4\n";
+  std::string plot = "plot ";
+  for (std::size_t i = 0; i < f.curves.size(); ++i) {
+    script += block(i, f.curves[i]);
+    plot += (i > 0 ? ", " : "") + plot_item(i, f.curves[i], letters);
+  }
+  return script + plot + "\n";
+}
+
 }  // namespace
 
-void figure(const std::string& path, const std::string& title, const std::string& xlabel,
-            const std::string& ylabel, const std::vector<Curve>& curves) {
-  check(curves);
-  std::string script = "set terminal " + terminal(path) + "\n";
+void draw(const std::string& path, const Figure& figure) {
+  const std::string start = "set terminal " + terminal(path) + "\n", script = script_of(figure, false);
   AtomicFile file(path);
-  script +=
-      "set output " + quoted(file.temporary()) + "\nset title " + quoted(title) + "\nset xlabel " +
-      quoted(xlabel) + "\nset ylabel " + quoted(ylabel) +
-      "\nset grid linecolor rgb '#dddddd'\nset key below Left reverse\nset tics nomirror\nset border 3\n";
-  std::string plot = "plot ";
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    script += block(i, curves[i]);
-    plot += (i > 0 ? ", " : "") + plot_item(i, curves[i]);
-  }
-  run_gnuplot(script + plot + "\nset output\n");
+  run_gnuplot(start + "set output " + quoted(file.temporary()) + "\n" + script + "set output\n");
   file.commit(Sync::no);
+}
+
+// The label of y, which letters can't turn, stands above the axis.
+std::string drawn_in_letters(const Figure& figure, int columns, int lines) {
+  Figure with_label = figure;
+  if (!figure.y.label.empty()) with_label.title += (figure.title.empty() ? "" : ": ") + figure.y.label;
+  const std::string size = std::to_string(columns) + "," + std::to_string(lines);
+  return trimmed(
+      run_gnuplot("set terminal dumb size " + size + " noenhanced mono\n" + script_of(with_label, true)));
 }
 
 }  // namespace fabricsh::files

@@ -1,5 +1,6 @@
-// Curves in a coordinate system as SVG, PNG or PDF, drawn by gnuplot.
+// Curves in a coordinate system as SVG, PNG, PDF or letters, drawn by gnuplot.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,24 @@ struct Curve {
   CurveStyle style = CurveStyle::line;
 };
 
+struct Axis {
+  std::string label = {};
+  std::optional<double> low = {}, high = {};  // none: from the curves
+  bool logarithmic = false;
+};
+
+struct Figure {
+  std::string title = {};
+  Axis x = {}, y = {};
+  std::vector<Curve> curves = {};
+};
+
 // Replaces the file; the ending of its name says the format. Text is taken as it is, no mark-up.
-// Error: another ending, no curve, x and y of different length, gnuplot missing or failing (with its words).
-void figure(const std::string& path, const std::string& title, const std::string& xlabel,
-            const std::string& ylabel, const std::vector<Curve>& curves);
+// Error: another ending, no curve, x and y of different length, nothing to see, gnuplot missing or failing
+// (with its words).
+void draw(const std::string& path, const Figure& figure);
+
+// The same in letters, for a terminal; columns x lines characters.
+std::string drawn_in_letters(const Figure& figure, int columns, int lines);
 
 }  // namespace fabricsh::files

@@ -5,12 +5,13 @@
 
 namespace fabricsh::files {
 
-void run_gnuplot(const std::string& script) {
+std::string run_gnuplot(const std::string& script) {
   const ChildResult result =
       run_child({"gnuplot", "-d"}, script, "figure");  // -d: no start-up file of the user's
   if (!result.found)
     throw Error("figure: gnuplot is needed to draw and is not installed (apt-get install gnuplot-nox)");
   if (!result.good) throw Error("figure: gnuplot failed: " + result.said);
+  return result.said;
 }
 
 }  // namespace fabricsh::files

@@ -4,7 +4,8 @@
 
 namespace fabricsh::files {
 
-// Error: gnuplot is not installed, or it failed (with its own words).
-void run_gnuplot(const std::string& script);
+// Returns the beginning of what it printed (20000 bytes). Error: gnuplot is not installed, or it failed (with
+// its own words).
+std::string run_gnuplot(const std::string& script);
 
 }  // namespace fabricsh::files

@@ -161,6 +161,7 @@ void bind_all(Session& session) {
   bind_point(session);
   bind_model(session);
   bind_files(session);
+  bind_plot(session);
   bind_render(session);
   bind_analysis(session);
   bind_static(session);

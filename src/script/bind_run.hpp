@@ -61,6 +61,7 @@ void push_run(lua_State* L, std::shared_ptr<Run> run);
 void bind_point(Session& session);
 void bind_model(Session& session);
 void bind_files(Session& session);
+void bind_plot(Session& session);
 void bind_render(Session& session);
 void bind_analysis(Session& session);
 void bind_static(Session& session);

@@ -25,9 +25,9 @@ struct Path {
 
 TEST_CASE("a figure in each format, text taken as it is", "[files]") {
   const ScratchFolder folder;
-  figure(folder / "out/a.svg", "S over E", "E", "S, MPa", two_curves);
-  figure(folder / "out/a.png", "t", "x", "y", two_curves);
-  figure(folder / "out/a.pdf", "t", "x", "y", two_curves);
+  draw(folder / "out/a.svg", {"S over E", {"E"}, {"S, MPa"}, two_curves});
+  draw(folder / "out/a.png", {"t", {"x"}, {"y"}, two_curves});
+  draw(folder / "out/a.pdf", {"t", {"x"}, {"y"}, two_curves});
   CHECK(folder.listing() == Names{"out", "out/a.pdf", "out/a.png", "out/a.svg"});
   const std::string svg = content_of(folder / "out/a.svg");
   CHECK(svg.find("<svg") != std::string::npos);
@@ -46,26 +46,52 @@ TEST_CASE("all styles, and a value that is not finite", "[files]") {
   for (const CurveStyle style :
        {CurveStyle::line, CurveStyle::dashed, CurveStyle::points, CurveStyle::line_points})
     curves.push_back({"", {0, 1, 2, 3}, {0, gap, 1, 2}, style});
-  figure(folder / "a.svg", "", "", "", curves);
+  draw(folder / "a.svg", {"", {""}, {""}, curves});
   CHECK(content_of(folder / "a.svg").find("</svg>") != std::string::npos);
 }
 
 TEST_CASE("a figure that cannot be says why and leaves the old one", "[files]") {
   const ScratchFolder folder;
   std::ofstream(folder / "a.svg") << "old";
-  says(message_of([&] { figure(folder / "a.gif", "", "", "", two_curves); }), "ends in .svg, .png or .pdf");
-  says(message_of([&] { figure(folder / "a.svg", "", "", "", {}); }), "at least one curve");
-  says(message_of([&] { figure(folder / "a.svg", "", "", "", {{"k", {1, 2}, {1}}}); }), "curve 'k'");
-  says(message_of([&] { figure(folder / "a.svg", "", "", "", {{"k", {}, {}}}); }), "gnuplot failed: ");
-  says(message_of([&] { figure(folder / "a.svg/b.svg", "", "", "", two_curves); }), "Not a directory");
+  says(message_of([&] {
+         draw(folder / "a.gif", {"", {""}, {""}, two_curves});
+       }),
+       "ends in .svg, .png or .pdf");
+  says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {}}); }), "at least one curve");
+  says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {{"k", {1, 2}, {1}}}}); }), "curve 'k'");
+  says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {{"k", {}, {}}}}); }), "gnuplot failed: ");
+  says(message_of([&] { draw(folder / "a.svg/b.svg", {"", {""}, {""}, two_curves}); }), "Not a directory");
   CHECK(content_of(folder / "a.svg") == "old");
   CHECK(folder.listing() == Names{"a.svg"});
+}
+
+TEST_CASE("axes: ranges, logarithms; letters for a terminal", "[files]") {
+  const ScratchFolder folder;
+  const Figure figure{
+      "a law", {"strain, %", 0.5, 20}, {"stress", {}, {}, true}, {{"S", {1, 2, 10}, {1, 10, 100}}}};
+  draw(folder / "a.svg", figure);
+  CHECK(content_of(folder / "a.svg").find("100") != std::string::npos);
+  const std::string text = drawn_in_letters(figure, 60, 20);
+  INFO(text);
+  for (const char* word : {"a law", "strain, %", "stress", "100", "S"})
+    CHECK(text.find(word) != std::string::npos);
+  std::size_t width = 0, lines = 1, at = 0;
+  for (const char c : text) {
+    at = c == '\n' ? 0 : at + 1;
+    lines += c == '\n' ? 1 : 0;
+    width = std::max(width, at);
+  }
+  CHECK(width <= 60);
+  CHECK(lines <= 20);
 }
 
 TEST_CASE("without gnuplot the figure says what to install", "[files]") {
   const ScratchFolder folder;
   const Path path(folder.path.c_str());
-  says(message_of([&] { figure(folder / "a.svg", "", "", "", two_curves); }), "apt-get install gnuplot-nox");
+  says(message_of([&] {
+         draw(folder / "a.svg", {"", {""}, {""}, two_curves});
+       }),
+       "apt-get install gnuplot-nox");
   CHECK(folder.listing().empty());
 }
 
