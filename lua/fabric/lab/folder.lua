@@ -1,7 +1,8 @@
 -- A folder of measurements as fits and a card. Beside the files lies laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, degree=, rule= }
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, degree=, rule=,
+--     grips="free"|"clamped" (for the simulation: ends that contract, such as loops on pins, or jaws; default free) }
 --
 -- and the names of the files say the rest, K being the specimen:
 --   warp-K.csv, weft-K.csv   a load frame's record                 warp-K-markers.csv   frame, marker, x, y

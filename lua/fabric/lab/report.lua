@@ -15,20 +15,27 @@ local function interpolate(xs, ys, x)
   return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
 end
 
--- The same test again with the card, in simulation, over the measured range.
-local function simulate(result, part, direction)
-  local about = result.about
-  if direction == "shear" then
-    local strains = {}
-    for i = 1, 60 do strains[i] = part.fit.tested * i / 60 end
-    local c = fabric.point(result.card):path({ E12 = strains }, { "E12", "S12" })
-    return c.E12, c.S12
+-- Displacement of the largest strain between the grips that a test came to.
+local function reach_of(part, length, strain)
+  local largest = 0
+  for _, test in ipairs(part.tests) do
+    for _, E in ipairs(strain(test)) do largest = math.max(largest, E) end
   end
-  local stretch = math.sqrt(1 + 2 * part.fit.tested) - 1
-  local test = lab.uniaxial { card = result.card, direction = direction, grips = "free", width = about.width,
-    length = about.gauge_length, displacement = about.gauge_length * stretch, steps = 60, unload = false }
-  local E, S = {}, {}
-  for i, row in ipairs(test.curve) do E[i], S[i] = row.E, row.S end
+  return length * (math.sqrt(1 + 2 * largest) - 1)
+end
+
+-- The same test again with the card, in simulation, over the measured range. Of a bias pull, what was read off it: the shear in
+-- its middle and half the stress along the pull.
+local function simulate(result, part, direction)
+  local about, E, S = result.about, {}, {}
+  local test = { card = result.card, grips = about.grips or "free", width = about.width, length = about.gauge_length, steps = 60, unload = false }
+  if direction == "shear" then
+    test.displacement = reach_of(part, about.gauge_length, function(measured) return measured.pull.E end)
+    for i, row in ipairs(lab.bias(test).curve) do E[i], S[i] = math.abs(row.E12_centre), row.S / 2 end
+    return E, S
+  end
+  test.direction, test.displacement = direction, about.gauge_length * (math.sqrt(1 + 2 * part.fit.tested) - 1)
+  for i, row in ipairs(lab.uniaxial(test).curve) do E[i], S[i] = row.E, row.S end
   return E, S
 end
 
