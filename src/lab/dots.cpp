@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "lab/ellipse.hpp"
+
 namespace fabricsh::lab {
 
 using files::Image;
@@ -88,7 +90,7 @@ double quantile(std::vector<float> values, double part) {
 }
 
 // Brightness of the ground (median of the rim of the window) and of the dot (median of its core).
-std::pair<double, double> levels(const Image& image, const Spot& w, double sign) {
+std::pair<double, double> levels(const Image& image, const Window& w, double sign) {
   std::vector<float> rim, core;
   const double cx = (w.left + w.right) / 2.0, cy = (w.top + w.bottom) / 2.0;
   const double a = std::max(1.0, (w.right - w.left) / 4.0 - 1),
@@ -102,10 +104,13 @@ std::pair<double, double> levels(const Image& image, const Spot& w, double sign)
   return {quantile(rim, 0.5), core.empty() ? quantile(rim, 0.5) : quantile(core, 0.5)};
 }
 
-// The window is the spot with a margin; pixels of neighbours in it are left out by `mine`.
-Dot measured(const Image& image, const Spot& w, double sign) {
+// The centroid of the darkness clipped to 15 to 85 % of the contrast, so that noise inside and outside the
+// dot does not weigh, and the ellipse of its second moments (a full ellipse has a quarter of its half axes
+// squared).
+std::pair<Dot, Ellipse> centroid(const Image& image, const Window& w, double sign) {
   const auto [ground, core] = levels(image, w, sign);
   Dot dot{0, 0, 0, ground - core};
+  double xx = 0, xy = 0, yy = 0;
   for (int r = w.top; r <= w.bottom; ++r)
     for (int c = w.left; c <= w.right; ++c) {
       const double part = (ground - sign * image.at(c, r)) / dot.contrast;
@@ -113,9 +118,31 @@ Dot measured(const Image& image, const Spot& w, double sign) {
       dot.area += weight;
       dot.x += weight * c;
       dot.y += weight * r;
+      xx += weight * c * c;
+      xy += weight * c * r;
+      yy += weight * r * r;
     }
   dot.x /= dot.area;
   dot.y /= dot.area;
+  xx = 4 * (xx / dot.area - dot.x * dot.x);
+  xy = 4 * (xy / dot.area - dot.x * dot.y);
+  yy = 4 * (yy / dot.area - dot.y * dot.y);
+  const double det = xx * yy - xy * xy;
+  return {dot, {dot.x, dot.y, yy / det, -xy / det, xx / det, sign * ground, sign * core, 1}};
+}
+
+// What remains of a fit beside an ellipse, over the contrast: more than this is a blot of another shape, and
+// its centroid says more.
+constexpr double kLargestRest = 0.05;
+
+// The window is the spot with a margin; pixels of neighbours in it count too.
+Dot measured(const Image& image, const Window& w, double sign, double contrast) {
+  auto [dot, start] = centroid(image, w, sign);
+  if (dot.contrast < contrast) return dot;
+  if (const auto found = fit_ellipse(image, w, start, kLargestRest)) {
+    dot.x = found->x;
+    dot.y = found->y;
+  }
   return dot;
 }
 
@@ -128,13 +155,13 @@ std::vector<Dot> find_dots(const Image& image, const DotOptions& options) {
   std::vector<char> inside(image.pixels.size());
   for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = sign * smooth.pixels[i] < sign * limit;
   std::vector<Dot> out;
-  for (Spot s : spots(inside, image.width, image.height)) {
+  for (const Spot& s : spots(inside, image.width, image.height)) {
     const auto area = static_cast<double>(s.area);
     if (area < options.smallest || area > options.largest) continue;
     constexpr int margin = 4;
-    s = {s.left - margin, s.right + margin, s.top - margin, s.bottom + margin, s.area};
-    if (s.left < 0 || s.top < 0 || s.right >= image.width || s.bottom >= image.height) continue;
-    const Dot dot = measured(image, s, sign);
+    const Window w{s.left - margin, s.right + margin, s.top - margin, s.bottom + margin};
+    if (w.left < 0 || w.top < 0 || w.right >= image.width || w.bottom >= image.height) continue;
+    const Dot dot = measured(image, w, sign, options.contrast);
     if (dot.contrast >= options.contrast) out.push_back(dot);
   }
   return out;
@@ -177,17 +204,18 @@ double outside_rim(const Scene& s, const Inverse& inverse, double column, double
   return std::sqrt(dx * dx + dy * dy) - s.radius;
 }
 
-// Part of a pixel that a dot covers: by 8 x 8 samples where the rim passes near.
+// Part of a pixel that a dot covers: by samples, side x side, where the rim passes near.
 double covered(const Scene& s, const Inverse& inverse, int column, int row) {
   const double away = outside_rim(s, inverse, column, row);
   const double reach = std::sqrt(inverse[0] * inverse[0] + inverse[1] * inverse[1] + inverse[2] * inverse[2] +
                                  inverse[3] * inverse[3]);
   if (std::abs(away) > reach) return away < 0 ? 1 : 0;
+  constexpr int side = 24;
+  const auto at = [](int i) { return (i + 0.5) / side - 0.5; };
   int hits = 0;
-  for (int i = 0; i < 64; ++i)
-    hits +=
-        outside_rim(s, inverse, column + (i % 8 + 0.5) / 8 - 0.5, row + (i / 8 + 0.5) / 8 - 0.5) < 0 ? 1 : 0;
-  return hits / 64.0;
+  for (int i = 0; i < side * side; ++i)
+    hits += outside_rim(s, inverse, column + at(i % side), row + at(i / side)) < 0 ? 1 : 0;
+  return hits / static_cast<double>(side * side);
 }
 
 }  // namespace

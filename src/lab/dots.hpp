@@ -23,8 +23,8 @@ struct DotOptions {
 };
 
 // Connected spots beyond the threshold between ground and dots (Otsu's, of the picture smoothed over three
-// pixels), not touching the rim. The middle is the centroid of the darkness clipped to 15 to 85 % of the
-// dot's own contrast, so that noise inside and outside the dot does not weigh, only its rim [otsu1979].
+// pixels [otsu1979]), not touching the rim. The middle is that of a blurred ellipse fitted to the pixels; of
+// a blot that is no ellipse, the centroid of its darkness.
 std::vector<Dot> find_dots(const files::Image& image, const DotOptions& options);
 
 // A dot grid under an affine map, as a camera would take it.
