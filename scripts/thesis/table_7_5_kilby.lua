@@ -14,15 +14,14 @@ chapter.begin("Table 7.5", "initial shear moduli", "table_7_5")
 
 local printed = { blend = { 1.08, 1.09 }, duck = { 0.87, 0.82 }, muslin = { 0.29, 0.76 }, denim = { 0.24, 0.43 } }
 
--- 1 / G without its first term, ratios as defined or as printed.
-local function rest(card, as_printed)
-  local E1, E2 = card.warp.loading[1], card.weft.loading[1]
-  local nu12, nu21 = card.warp.poisson, card.weft.poisson
-  if as_printed then nu12, nu21 = nu21, nu12 end
-  return -1 / E1 - 1 / E2 + nu12 / E1 + nu21 / E2
+-- The relation with the card's initial moduli, ratios as defined or as printed; what: {bias=} or {shear=}.
+local function relation(card, what, as_printed)
+  what.warp, what.weft = card.warp.loading[1], card.weft.loading[1]
+  what.nu12, what.nu21, what.reading = card.warp.poisson, card.weft.poisson, as_printed and "printed" or "definition"
+  return fabric.lab.kilby(what)
 end
-local function kilby(card, E45, as_printed) return 1 / (4 / E45 + rest(card, as_printed)) end
-local function solve_E45(card, G, as_printed) return 4 / (1 / G - rest(card, as_printed)) end
+local function kilby(card, E45, as_printed) return relation(card, { bias = E45 }, as_printed).shear end
+local function solve_E45(card, G, as_printed) return relation(card, { shear = G }, as_printed).bias end
 
 local checks, tensor = {}, {}
 for _, name in ipairs { "blend", "duck", "muslin", "denim" } do
