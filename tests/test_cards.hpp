@@ -35,6 +35,16 @@ inline card::Card make_card(const ThesisNumbers& n) {
   return c;
 }
 
+// St. Venant-Kirchhoff cloth with the blend's first moduli.
+inline card::Card svk() {
+  card::Card c;
+  c.name = "svk";
+  c.density = 590;
+  c.thickness = 0.38e-3;
+  c.law = card::Svk{8e6, 37e6, 2e6, 0.25, 0.42, {}, {}};
+  return c;
+}
+
 inline card::Card blend() {
   return make_card(
       {"blend", {8, 826}, {37, 1650}, {2, -18, 90, -24}, 864, 1080, 12, 0.25, 0.42, 0.38, 590, 18, 10});

@@ -128,6 +128,32 @@ function chapter.at_time(curve, time)
   return found
 end
 
+-- The value of the row of a run's curve at a time.
+function chapter.value_at(run, time, name)
+  for _, row in ipairs(run.curve) do
+    if math.abs(row.time - time) < 1e-9 then return row[name] end
+  end
+end
+
+-- The square in simple shear of figs. 7-27 and 7-28, to E12 = 0.25 at most; fields: more for fabric.lab.shear.
+function chapter.square(card, path, fields)
+  fields = fields or {}
+  fields.card, fields.E12, fields.path, fields.steps = card, 0.25, path, 150
+  return chapter.try(fabric.lab.shear, fields)
+end
+
+-- Its field is uniform, so the thesis' rules are run at a material point along the strains of the square.
+function chapter.square_by_rules(card, test)
+  local strains = {}
+  for i = 2, #test.curve do
+    local E12 = test.curve[i].E12
+    strains[i - 1] = { 0, 2 * E12 ^ 2, E12 }
+  end
+  local curve = chapter.point_curve(chapter.rules(card), strains)
+  for i, row in ipairs(curve) do row.time = test.curve[i].time end
+  return { curve = curve }
+end
+
 -- Draws a sheet; without a display a warning.
 function chapter.render(name, sentence, fields)
   fields.file = ("%s/%s.png"):format(chapter.folder, name)

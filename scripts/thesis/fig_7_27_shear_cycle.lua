@@ -11,26 +11,11 @@ local MPa = fabric.units.MPa
 chapter.begin("7-27", "cyclic simple shear, blend", "fig_7_27")
 
 local card = fabric.card "blend"
-local function square(with, fields)
-  fields = fields or {}
-  fields.card, fields.E12, fields.path, fields.steps = with, 0.25, { 0.8, -0.8, 1 }, 150
-  return chapter.try(fabric.lab.shear, fields)
-end
-local test = assert(square(card, { out = chapter.folder }))
--- The field is uniform, so the thesis' rules are run at a material point along the strains of the square.
-local strains = {}
-for i = 2, #test.curve do
-  local E12 = test.curve[i].E12
-  strains[i - 1] = { 0, 2 * E12 ^ 2, E12 }
-end
-local rules = { curve = chapter.point_curve(chapter.rules(card), strains) }
-for i, row in ipairs(rules.curve) do row.time = test.curve[i].time end
-local engineering = square(card:with { shear = { measure = "engineering" } })
-local function at(run, time, name)
-  for _, row in ipairs(run.curve) do
-    if math.abs(row.time - time) < 1e-9 then return row[name or "S12"] end
-  end
-end
+local path = { 0.8, -0.8, 1 }
+local test = assert(chapter.square(card, path, { out = chapter.folder }))
+local rules = chapter.square_by_rules(card, test)
+local engineering = chapter.square(card:with { shear = { measure = "engineering" } }, path)
+local function at(run, time, name) return chapter.value_at(run, time, name or "S12") end
 local function Pg(gamma) return chapter.P(card.shear, gamma / 2) end
 local Gu = card.shear.unloading / 2
 local back = 0.8 - Pg(0.4) / Gu           -- from 0.4 to -0.4: reverse strain past zero stress

@@ -10,25 +10,10 @@ local MPa = fabric.units.MPa
 chapter.begin("7-28", "simple shear, unload and reload, blend", "fig_7_28")
 
 local card = fabric.card "blend"
-local function square(with, fields)
-  fields = fields or {}
-  fields.card, fields.E12, fields.path, fields.steps = with, 0.25, { 0.8, 0.76, 1 }, 150
-  return chapter.try(fabric.lab.shear, fields)
-end
-local test = assert(square(card, { out = chapter.folder }))
--- The field is uniform, so the thesis' rules are run at a material point along the strains of the square.
-local strains = {}
-for i = 2, #test.curve do
-  local E12 = test.curve[i].E12
-  strains[i - 1] = { 0, 2 * E12 ^ 2, E12 }
-end
-local rules = { curve = chapter.point_curve(chapter.rules(card), strains) }
-for i, row in ipairs(rules.curve) do row.time = test.curve[i].time end
-local function at(run, time, name)
-  for _, row in ipairs(run.curve) do
-    if math.abs(row.time - time) < 1e-9 then return row[name or "S12"] end
-  end
-end
+local path = { 0.8, 0.76, 1 }
+local test = assert(chapter.square(card, path, { out = chapter.folder }))
+local rules = chapter.square_by_rules(card, test)
+local function at(run, time, name) return chapter.value_at(run, time, name or "S12") end
 local function Pg(gamma) return chapter.P(card.shear, gamma / 2) end
 for i, E12 in ipairs { 0.20, 0.19, 0.25 } do
   chapter.row(("S12 at E12 = %g, MPa"):format(E12), nil, at(test, i) / MPa, at(rules, i) / MPa)

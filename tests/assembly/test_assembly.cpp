@@ -7,17 +7,9 @@
 #include "test_cards.hpp"
 
 using namespace fabricsh;
+using test::svk;
 
 namespace {
-
-card::Card svk() {
-  card::Card c;
-  c.name = "svk";
-  c.density = 590;
-  c.thickness = 0.38e-3;
-  c.law = card::Svk{8e6, 37e6, 2e6, 0.25, 0.42, {}, {}};
-  return c;
-}
 
 model::Components along_x(double value) {
   model::Components c;

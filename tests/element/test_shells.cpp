@@ -1,24 +1,17 @@
 #include "catch.hpp"
 #include "one_batch.hpp"
+#include "test_cards.hpp"
 
 using namespace fabricsh;
 using test::Quadrilateral;
 using test::RandomBatch;
+using test::svk;
 using test::Triangle;
 
 namespace {
 
 // Largest entry of a matrix in absolute value.
 double largest(const Eigen::MatrixXd& m) { return m.cwiseAbs().maxCoeff(); }
-
-card::Card svk() {
-  card::Card c;
-  c.name = "svk";
-  c.density = 590;
-  c.thickness = 0.38e-3;
-  c.law = card::Svk{8e6, 37e6, 2e6, 0.25, 0.42, {}, {}};
-  return c;
-}
 
 }  // namespace
 

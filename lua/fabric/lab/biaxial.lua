@@ -62,12 +62,7 @@ local function run(t)
   a:solve()
   local result = { curve = curve, analysis = a, model = model, mesh = mesh, peak = sheet.peak(curve, "displacement"),
                    volume = t.size ^ 2 * t.thickness }
-  result.mesh_error = mesh_error(result, function(n)
-    local again = {}
-    for name, value in pairs(t) do again[name] = value end
-    again.cells, again.out = t.cells * n, nil
-    return run(again)
-  end, numbers)
+  result.mesh_error = mesh_error(result, t, run, numbers)
   return result
 end
 

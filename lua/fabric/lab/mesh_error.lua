@@ -65,8 +65,16 @@ define {
   run = run,
 }
 
--- For the tests: the method mesh_error of a result. numbers(result) returns {name=number}; again(n) runs the test refined.
-return function(first, again, numbers)
+-- For the tests: the method mesh_error of a result. numbers(result) returns {name=number}; run(t) runs the test anew with the
+-- fields t of the first, its cells (a number, or one for each direction; none: `cells`) n times as many, and without files.
+return function(first, t, run, numbers, cells)
+  local function again(n)
+    local fields = {}
+    for name, value in pairs(t) do fields[name] = value end
+    fields.out, cells = nil, t.cells or cells
+    fields.cells = type(cells) == "table" and { cells[1] * n, cells[2] * n } or cells * n
+    return run(fields)
+  end
   return function(_, options)
     local fabric = require "fabric"
     return fabric.lab.mesh_error {

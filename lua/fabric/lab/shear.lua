@@ -62,12 +62,7 @@ local function run(t)
   local curve = sheet.observe(a, columns, t.out, "square", function(run_) return reading(run_, t, last, centre) end)
   a:solve()
   local result = { curve = curve, analysis = a, model = model, mesh = mesh, E12 = t.E12, volume = t.size ^ 2 * t.thickness }
-  result.mesh_error = mesh_error(result, function(n)
-    local again = {}
-    for name, value in pairs(t) do again[name] = value end
-    again.cells, again.out = t.cells * n, nil
-    return run(again)
-  end, numbers)
+  result.mesh_error = mesh_error(result, t, run, numbers)
   return result
 end
 

@@ -153,13 +153,7 @@ function strip.run(t)
   a:solve()
   local result = { curve = curve, analysis = a, model = model, mesh = mesh, displacement = t.displacement,
                    volume = t.width * t.length * t.thickness, zones = strip.zones(t, places), peak = sheet.peak(curve, "displacement") }
-  local nx, ny = table.unpack(t.cells or { 3, 9 })
-  result.mesh_error = mesh_error(result, function(n)
-    local again = {}
-    for name, value in pairs(t) do again[name] = value end
-    again.cells, again.out = { nx * n, ny * n }, nil
-    return strip.run(again)
-  end, numbers)
+  result.mesh_error = mesh_error(result, t, strip.run, numbers, { 3, 9 })
   return result
 end
 
