@@ -1,0 +1,266 @@
+#include "repl/completion.hpp"
+
+#include <algorithm>
+
+#include "repl/place.hpp"
+#include "script/peek.hpp"
+
+namespace fabricsh::repl {
+
+namespace {
+
+using script::Argument;
+using script::Entry;
+using Words = std::vector<std::string>;
+
+void add(Words& to, const Words& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+class Completer {
+ public:
+  Completer(script::Session& session, std::string_view text)
+      : session_(session), L_(session.lua()), text_(text), place_(place_at_end(text)) {}
+
+  Completion run() {
+    if (place_.kind == Place::Kind::word) complete_word();
+    if (place_.kind == Place::Kind::member) complete_member();
+    if (place_.kind == Place::Kind::text) complete_text();
+    return finish();
+  }
+
+ private:
+  // Pushes what the first `steps` steps of a path lead to.
+  void push(const Path& path, std::size_t steps) {
+    lua_pushglobaltable(L_);
+    for (std::size_t i = 0; i < steps; ++i) {
+      if (path[i].name.empty())
+        script::peek_item(L_, -1, path[i].number);
+      else
+        script::peek_field(L_, -1, path[i].name);
+      lua_remove(L_, -2);
+    }
+  }
+
+  const Entry* callee(const Frame& frame) {
+    if (!frame.callee || frame.open == "[") return nullptr;
+    push(*frame.callee, frame.callee->size());
+    const Entry* entry = script::entry_of(L_, -1);
+    lua_pop(L_, 1);
+    if (entry != nullptr || !frame.callee->back().method) return entry;
+    return method_of(frame);
+  }
+
+  // A name that is a property and a method too (mesh.elements, mesh:elements).
+  const Entry* method_of(const Frame& frame) {
+    push(*frame.callee, frame.callee->size() - 1);
+    const std::string owner = script::class_of(L_, -1);
+    lua_pop(L_, 1);
+    return session_.registry().find(owner + ":" + frame.callee->back().name);
+  }
+
+  static const Argument* named(const std::vector<Argument>& rows, const std::string& name) {
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const Argument& r) { return r.name == name; });
+    return row == rows.end() ? nullptr : &*row;
+  }
+
+  // Rows of the entries of a table that frame `level` opens; null when it isn't known.
+  const std::vector<Argument>* rows_inside(std::size_t level) {
+    const Frame& frame = place_.frames[level];
+    if (frame.open != "{") return nullptr;
+    if (const Entry* entry = callee(frame)) {
+      if (entry->style == script::Style::fields) return &entry->arguments;
+      return entry->arguments.empty() ? nullptr : &entry->arguments[0].rows;
+    }
+    if (frame.callee || level == 0) return nullptr;
+    const Entry* outer = place_.frames[level - 1].open == "(" ? callee(place_.frames[level - 1]) : nullptr;
+    if (outer != nullptr && outer->style == script::Style::fields) return &outer->arguments;
+    const Argument* row = row_inside(level - 1);
+    return row == nullptr ? nullptr : &row->rows;
+  }
+
+  // The row of the value that is being typed inside frame `level`; of a list's entry that of the list.
+  const Argument* row_inside(std::size_t level) {
+    const Frame& frame = place_.frames[level];
+    if (frame.open == "(") {
+      const Entry* entry = callee(frame);
+      const bool known = entry != nullptr && entry->style != script::Style::fields;
+      return known && frame.argument < entry->arguments.size() ? &entry->arguments[frame.argument] : nullptr;
+    }
+    if (!frame.key.empty()) {
+      const auto* rows = rows_inside(level);
+      return rows == nullptr ? nullptr : named(*rows, frame.key);
+    }
+    const bool list = frame.open == "{" && !frame.callee && level > 0;
+    return list ? row_inside(level - 1) : nullptr;
+  }
+
+  const Argument* row() { return place_.frames.empty() ? nullptr : row_inside(place_.frames.size() - 1); }
+
+  // Names of arguments that are still to be given; true when there are any that fit.
+  bool argument_names() {
+    const auto* rows = place_.first ? rows_inside(place_.frames.size() - 1) : nullptr;
+    if (rows == nullptr) return false;
+    const Words& given = place_.frames.back().given;
+    for (const Argument& argument : *rows)
+      if (std::find(given.begin(), given.end(), argument.name) == given.end() &&
+          argument.name.starts_with(place_.word))
+        found_.push_back(argument.name + "=");
+    return !found_.empty();
+  }
+
+  // Values that the row asks for: its words, in quotes, and globals that are objects of its class.
+  bool values_of_row() {
+    const Argument* wanted = row();
+    if (wanted == nullptr) return false;
+    if (place_.word.empty())
+      for (const std::string& choice : wanted->choices) found_.push_back("\"" + choice + "\"");
+    if (wanted->kinds & script::object) objects(wanted->of);
+    return !found_.empty();
+  }
+
+  void objects(const std::string& cls) {
+    lua_pushglobaltable(L_);
+    for (const std::string& name : script::names_in(L_, -1, false)) {
+      script::peek_field(L_, -1, name);
+      if (script::class_of(L_, -1) == cls && name.starts_with(place_.word)) found_.push_back(name);
+      lua_pop(L_, 1);
+    }
+    lua_pop(L_, 1);
+  }
+
+  void complete_word() {
+    if (argument_names() || values_of_row()) return;
+    add(found_, keywords);
+    lua_pushglobaltable(L_);
+    add(found_, script::names_in(L_, -1, false));
+    lua_pop(L_, 1);
+    const auto tokens = tokens_of(text_.substr(0, place_.from));
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
+      if ((tokens[i].is("local") || tokens[i].is("for")) && tokens[i + 1].kind == Token::Kind::name)
+        found_.push_back(tokens[i + 1].word);
+  }
+
+  void complete_member() {
+    if (!place_.path) return;
+    push(*place_.path, place_.path->size());
+    found_ = script::names_in(L_, -1, place_.method);
+    lua_pop(L_, 1);
+  }
+
+  void complete_text() {
+    close_ = std::string(1, place_.quote);
+    const bool in_index = !place_.frames.empty() && place_.frames.back().open == "[";
+    if (in_index) return keys();
+    const Argument* wanted = row();
+    if (wanted != nullptr && !wanted->choices.empty()) {
+      found_ = wanted->choices;
+    } else if (wanted == nullptr || !special(*wanted)) {
+      add(found_, files_like(place_.word));
+    }
+  }
+
+  // Texts that name something: a set of the object at hand, a freedom, a card.
+  bool special(const Argument& wanted) {
+    const Entry* entry = callee(place_.frames.back());
+    const bool of_sets = wanted.name == "set" || (entry != nullptr && entry->name == "mesh:set");
+    if (of_sets && sets()) return true;
+    if (wanted.name == "freedoms") return freedoms(), true;
+    if (entry != nullptr && entry->name == "fabric.card") cards();
+    return false;
+  }
+
+  bool sets() {
+    for (auto frame = place_.frames.rbegin(); frame != place_.frames.rend(); ++frame) {
+      if (!frame->callee) continue;
+      push(*frame->callee, frame->callee->size() - 1);
+      found_ = script::sets_of(L_, -1);
+      lua_pop(L_, 1);
+      return !found_.empty();
+    }
+    return false;
+  }
+
+  // One text holds several, with blanks between: the last is being typed.
+  void freedoms() {
+    const std::size_t blank = place_.word.find_last_of(' ');
+    if (blank != std::string::npos) {
+      place_.from += blank + 1;
+      place_.word.erase(0, blank + 1);
+    }
+    close_.clear();
+    found_ = {"x", "y", "z", "rx", "ry", "rz", "rotation"};
+  }
+
+  void cards() {
+    lua_getfield(L_, LUA_REGISTRYINDEX, "fabric");
+    script::peek_field(L_, -1, "cards");
+    if (script::entry_of(L_, -1) != nullptr && lua_pcall(L_, 0, 1, 0) == LUA_OK)
+      for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) == LUA_TSTRING || (lua_pop(L_, 1), false); ++i) {
+        found_.emplace_back(lua_tostring(L_, -1));
+        lua_pop(L_, 1);
+      }
+    lua_pop(L_, 2);
+  }
+
+  // Keys of the table that is indexed.
+  void keys() {
+    const auto& path = place_.frames.back().callee;
+    if (!path) return;
+    push(*path, path->size());
+    found_ = script::names_in(L_, -1, false);
+    lua_pop(L_, 1);
+  }
+
+  bool fits(const std::string& word) const {
+    if (!word.starts_with(place_.word)) return false;
+    return place_.kind == Place::Kind::text || place_.kind == Place::Kind::word || is_name(word);
+  }
+
+  Completion finish() {
+    Completion result{place_.from};
+    for (const std::string& word : found_)
+      if (fits(word)) result.candidates.push_back(word);
+    auto& words = result.candidates;
+    std::sort(words.begin(), words.end());
+    words.erase(std::unique(words.begin(), words.end()), words.end());
+    if (words.empty()) return result;
+    const std::string &first = words.front(), &last = words.back();
+    const auto differ = std::mismatch(first.begin(), first.end(), last.begin(), last.end());
+    result.common.assign(first.begin(), differ.first);
+    if (words.size() == 1 && first.back() != '/') result.common += close_;
+    return result;
+  }
+
+  script::Session& session_;
+  lua_State* L_;
+  std::string_view text_;
+  Place place_;
+  Words found_;
+  std::string close_;  // what follows a word that is the only one
+};
+
+struct Request {
+  std::string_view text;
+  Completion result;
+};
+
+int complete_protected(lua_State* L) {
+  auto& request = *static_cast<Request*>(lua_touserdata(L, 1));
+  luaL_checkstack(L, 20, "completion");
+  request.result = Completer(script::Session::of(L), request.text).run();
+  return 0;
+}
+
+}  // namespace
+
+Completion complete(script::Session& session, std::string_view text) {
+  lua_State* L = session.lua();
+  const script::NoFinalisers none(L);
+  Request request{text, {text.size()}};
+  lua_pushcfunction(L, complete_protected);
+  lua_pushlightuserdata(L, &request);
+  if (lua_pcall(L, 1, 0, 0) != LUA_OK) lua_pop(L, 1);
+  return request.result;
+}
+
+}  // namespace fabricsh::repl

@@ -1,0 +1,122 @@
+#include "repl/place.hpp"
+
+#include <cstdlib>
+
+namespace fabricsh::repl {
+
+namespace {
+
+using Tokens = std::vector<Token>;
+using Kind = Token::Kind;
+
+bool ends_value(const Token& token) {
+  return token.kind == Kind::name || token.kind == Kind::text || token.is(")") || token.is("]") ||
+         token.is("}");
+}
+
+// The step that ["c"] or [2] at the tokens before `end` makes.
+std::optional<Step> bracket_step(const Tokens& tokens, std::size_t end) {
+  if (end < 4 || !tokens[end - 3].is("[")) return {};
+  const Token& inside = tokens[end - 2];
+  if (inside.kind == Kind::text) return Step{inside.word};
+  if (inside.kind == Kind::number) return Step{"", std::strtoll(inside.word.c_str(), nullptr, 10)};
+  return {};
+}
+
+// The path whose last token stands before `end`; none when it is a call, an expression, or no value at all.
+std::optional<Path> path_before(const Tokens& tokens, std::size_t end) {
+  Path path;
+  while (end > 0) {
+    const Token& last = tokens[end - 1];
+    if (last.is("]")) {
+      const auto step = bracket_step(tokens, end);
+      if (!step) return {};
+      path.insert(path.begin(), *step);
+      end -= 3;
+      continue;
+    }
+    if (last.kind != Kind::name) return {};
+    const bool dot = end > 1 && tokens[end - 2].is("."), colon = end > 1 && tokens[end - 2].is(":");
+    path.insert(path.begin(), Step{last.word, 0, colon});
+    if (!dot && !colon) return path;
+    end -= 2;
+  }
+  return {};
+}
+
+bool at_key(const Frame& frame) { return frame.open == "{" && frame.key.empty(); }
+
+void open_frame(const Tokens& tokens, std::size_t i, std::vector<Frame>& frames) {
+  Frame frame{tokens[i].word, {}, 0, {}, {}};
+  const bool called =
+      i > 0 && ends_value(tokens[i - 1]) && nesting(tokens[i]) > 0 && tokens[i].kind == Kind::symbol;
+  if (called) frame.callee = path_before(tokens, i);
+  frames.push_back(std::move(frame));
+}
+
+void follow(const Tokens& tokens, std::size_t i, std::vector<Frame>& frames) {
+  const Token& token = tokens[i];
+  if (nesting(token) > 0) return open_frame(tokens, i, frames);
+  if (frames.empty()) return;
+  Frame& top = frames.back();
+  if (nesting(token) < 0) {
+    frames.pop_back();
+  } else if (token.is(",") || (token.is(";") && top.open == "{")) {
+    ++top.argument;
+    top.key.clear();
+  } else if (token.is("=") && at_key(top) && i > 0 && tokens[i - 1].kind == Kind::name) {
+    top.key = tokens[i - 1].word;
+    top.given.push_back(top.key);
+  }
+}
+
+// A text right behind a value is the one argument of a call: fabric.card "
+void text_place(const Tokens& tokens, Place& place, std::string_view all) {
+  const Token& text = tokens.back();
+  place.kind = Place::Kind::text;
+  place.quote = all[text.begin];
+  place.word = text.word;
+  place.from = all.size() - text.word.size();
+  if (tokens.size() < 2 || !ends_value(tokens[tokens.size() - 2])) return;
+  Frame frame{"(", path_before(tokens, tokens.size() - 1), 0, {}, {}};
+  if (frame.callee) place.frames.push_back(std::move(frame));
+}
+
+// A name, or the place right behind a dot, a colon, or anything else.
+void word_place(const Tokens& tokens, Place& place, std::string_view all) {
+  const bool typed = !tokens.empty() && tokens.back().end == all.size() &&
+                     (tokens.back().kind == Kind::name || tokens.back().kind == Kind::keyword);
+  const std::size_t before = tokens.size() - (typed ? 1 : 0);
+  place.kind = Place::Kind::word;
+  place.from = typed ? tokens.back().begin : all.size();
+  if (typed) place.word = tokens.back().word;
+  if (before == 0) return;
+  const Token& mark = tokens[before - 1];
+  place.first = mark.is("{") || mark.is(",") || mark.is(";");
+  if ((!mark.is(".") && !mark.is(":")) || mark.end != place.from) return;
+  place.kind = Place::Kind::member;
+  place.method = mark.is(":");
+  place.path = path_before(tokens, before - 1);
+}
+
+}  // namespace
+
+Place place_at_end(std::string_view text) {
+  Tokens tokens = tokens_of(text);
+  Place place;
+  const bool comment = !tokens.empty() && tokens.back().kind == Kind::comment && tokens.back().unfinished;
+  const bool number =
+      !tokens.empty() && tokens.back().kind == Kind::number && tokens.back().end == text.size();
+  if (comment || number) return place;
+  std::erase_if(tokens, [](const Token& token) { return token.kind == Kind::comment; });
+  for (std::size_t i = 0; i < tokens.size(); ++i) follow(tokens, i, place.frames);
+  const bool quoted = !tokens.empty() && tokens.back().kind == Kind::text && tokens.back().unfinished;
+  if (quoted && text[tokens.back().begin] != '[')
+    text_place(tokens, place, text);
+  else if (!quoted)
+    word_place(tokens, place, text);
+  place.first = place.first && !place.frames.empty() && at_key(place.frames.back());
+  return place;
+}
+
+}  // namespace fabricsh::repl
