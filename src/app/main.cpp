@@ -9,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/environment.hpp"
 #include "repl/evaluator.hpp"
+#include "repl/history.hpp"
 #include "repl/prompt.hpp"
 
 namespace {
@@ -23,11 +24,22 @@ int exit_code(const repl::Result& result) {
   return result.outcome == Outcome::numerical_failure ? 3 : 1;
 }
 
-script::Options session_options(const app::CommandLine& command) {
-  const auto say = [](const std::string& text) {
+// Notices and progress. A line that is being typed at the prompt takes them in.
+class Speaker {
+ public:
+  void say(const std::string& text) const {
     std::fflush(stdout);
-    std::cerr << text << std::endl;
-  };
+    if (lines == nullptr || !lines->interject(style_.dress(repl::Tone::notice, text)))
+      std::cerr << style_.dress(repl::Tone::notice, text) << std::endl;
+  }
+  repl::Lines* lines = nullptr;
+
+ private:
+  repl::Style style_ = repl::Style::of(STDERR_FILENO);
+};
+
+script::Options session_options(const app::CommandLine& command, const Speaker& speaker) {
+  const auto say = [&speaker](const std::string& text) { speaker.say(text); };
   script::Options options;
   options.check = command.check;
   options.quiet = command.quiet;
@@ -54,12 +66,18 @@ repl::Result run(script::Session& session, const app::CommandLine& command) {
   return result;
 }
 
-void converse(script::Session& session) {
+void converse(script::Session& session, Speaker& speaker) {
   const repl::InterruptGuard guard(session);
   const bool terminal = isatty(STDIN_FILENO) != 0;
   if (terminal) std::cout << app::headline() << "\n";
-  const auto lines = terminal ? repl::terminal_lines(repl::history_file()) : repl::stream_lines(std::cin);
-  repl::converse(session, *lines, std::cout, std::cerr);
+  const auto lines =
+      terminal
+          ? repl::terminal_lines({repl::history_path(), repl::Style::of(STDOUT_FILENO),
+                                  [&session](const auto& text) { return repl::complete(session, text); }})
+          : repl::stream_lines(std::cin);
+  speaker.lines = lines.get();
+  repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)});
+  speaker.lines = nullptr;
 }
 
 }  // namespace
@@ -76,11 +94,12 @@ int main(int count, char** words) {
   if (command.check && !command.has_deck) return std::cerr << "fabricsh: --check needs a deck\n", 2;
   if (command.threads > 0) omp_set_num_threads(command.threads);
   try {
-    script::Session session(session_options(command));
+    Speaker speaker;
+    script::Session session(session_options(command, speaker));
     const int code = exit_code(run(session, command));
     const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
     if (!prompt) return code;
-    converse(session);
+    converse(session, speaker);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "fabricsh: " << error.what() << std::endl;

@@ -1,16 +1,65 @@
 #include "repl/editor.hpp"
 
 #include <histedit.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <clocale>
+#include <csignal>
 #include <cstdio>
-#include <cstdlib>
+#include <cwchar>
+#include <iterator>
+
+#include "repl/history.hpp"
 
 namespace fabricsh::repl {
 
 namespace {
 
-constexpr int kept_lines = 2000;
+constexpr int kept_inputs = 2000;
+constexpr char literal = '\1';  // around what takes no place on the screen
+
+// Set by signals: Ctrl-C, the window has another size, the program was stopped and goes on.
+volatile std::sig_atomic_t interrupted = 0, resized = 0, resumed = 0;
+extern "C" void on_signal(int signal) {
+  if (signal == SIGINT) interrupted = 1;
+  if (signal == SIGWINCH) resized = 1;
+  if (signal == SIGCONT) resumed = 1;
+}
+
+// These signals are for the editor, as long as it lives.
+class Signals {
+ public:
+  Signals() {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    for (std::size_t i = 0; i < std::size(numbers); ++i) sigaction(numbers[i], &action, &before_[i]);
+  }
+  ~Signals() {
+    for (std::size_t i = 0; i < std::size(numbers); ++i) sigaction(numbers[i], &before_[i], nullptr);
+  }
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+
+  // Sleeps until there is input or a signal; a signal that came before has its flag set when this returns.
+  static void wait_for_input() {
+    sigset_t ours, usual;
+    sigemptyset(&ours);
+    for (const int number : numbers) sigaddset(&ours, number);
+    sigprocmask(SIG_BLOCK, &ours, &usual);
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    ppoll(&input, 1, nullptr, &usual);
+    sigprocmask(SIG_SETMASK, &usual, nullptr);
+  }
+
+ private:
+  static constexpr int numbers[] = {SIGINT, SIGWINCH, SIGCONT};
+  struct sigaction before_[std::size(numbers)];
+};
 
 class Stream : public Lines {
  public:
@@ -25,18 +74,20 @@ class Stream : public Lines {
 
 class Terminal : public Lines {
  public:
-  explicit Terminal(std::string file)
-      : file_(std::move(file)), edit_(el_init("fabricsh", stdin, stdout, stderr)) {
+  explicit Terminal(TerminalOptions options)
+      : options_(std::move(options)), file_(options_.history_file, kept_inputs) {
+    const char* locale = std::setlocale(LC_CTYPE, "");  // letters beyond ASCII
+    if (locale == nullptr || std::string(locale) == "C") std::setlocale(LC_CTYPE, "C.UTF-8");
+    edit_ = el_init("fabricsh", stdin, stdout, stderr);
     el_set(edit_, EL_CLIENTDATA, this);
-    el_set(edit_, EL_PROMPT, &Terminal::prompt_of);
+    el_set(edit_, EL_PROMPT_ESC, &Terminal::prompt_of, literal);
     el_set(edit_, EL_EDITOR, "emacs");
     el_set(edit_, EL_SIGNAL, 0);
-    history_ = history_init();
-    HistEvent event;
-    history(history_, &event, H_SETSIZE, kept_lines);
-    history(history_, &event, H_SETUNIQUE, 1);
-    if (!file_.empty()) history(history_, &event, H_LOAD, file_.c_str());
-    el_set(edit_, EL_HIST, history, history_);
+    el_set(edit_, EL_GETCFN, &Terminal::get);
+    el_set(edit_, EL_ADDFN, "fabricsh-complete", "completes the word before the cursor", &Terminal::tab);
+    el_set(edit_, EL_BIND, "^I", "fabricsh-complete", nullptr);
+    el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+    load_history();
     el_source(edit_, nullptr);
   }
   ~Terminal() override {
@@ -46,40 +97,147 @@ class Terminal : public Lines {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  State next(const std::string& prompt, std::string& line) override {
-    prompt_ = prompt;
+  State next(const std::string& before, std::string& line) override {
+    before_ = before;
+    prompt_ = options_.style.dress(Tone::prompt, before.empty() ? ">" : ">>", std::string(1, literal)) + " ";
+    el_resize(edit_);
+    interrupted = 0;
     int count = 0;
-    errno = 0;
-    const char* text = el_gets(edit_, &count);
-    if (text == nullptr || count <= 0) {
-      if (errno != EINTR) {
-        std::fputc('\n', stdout);
-        return State::end;
-      }
-      el_reset(edit_);
-      return State::interrupted;
-    }
+    const char* text = get_line(count);
+    if (text == nullptr || count <= 0) return stopped();
     line.assign(text, static_cast<std::size_t>(count));
     if (!line.empty() && line.back() == '\n') line.pop_back();
     return State::line;
   }
 
   void remember(const std::string& input) override {
-    HistEvent event;
     if (input.empty()) return;
-    history(history_, &event, H_ENTER, input.c_str());
-    if (!file_.empty()) history(history_, &event, H_SAVE, file_.c_str());
+    enter(input);
+    file_.add(input);
+  }
+
+  bool interject(const std::string& text) override {
+    if (!typing_) return false;
+    std::fprintf(stdout, "\n%s\n", text.c_str());
+    el_set(edit_, EL_REFRESH);
+    return true;
   }
 
  private:
-  static char* prompt_of(EditLine* edit) {
+  static Terminal& of(EditLine* edit) {
     void* self = nullptr;
     el_get(edit, EL_CLIENTDATA, &self);
-    return static_cast<Terminal*>(self)->prompt_.data();
+    return *static_cast<Terminal*>(self);
+  }
+  static char* prompt_of(EditLine* edit) { return of(edit).prompt_.data(); }
+  static unsigned char tab(EditLine* edit, int) { return of(edit).complete(); }
+  static int get(EditLine* edit, wchar_t* letter) { return of(edit).read_letter(*letter); }
+
+  const char* get_line(int& count) {
+    const Signals signals;
+    typing_ = true;
+    const char* text = el_gets(edit_, &count);
+    typing_ = false;
+    return text;
   }
 
-  std::string file_, prompt_;
-  EditLine* edit_;
+  void load_history() {
+    HistEvent event;
+    history_ = history_init();
+    history(history_, &event, H_SETSIZE, kept_inputs);
+    history(history_, &event, H_SETUNIQUE, 1);
+    for (const std::string& input : file_.load()) enter(input);
+    el_set(edit_, EL_HIST, history, history_);
+  }
+
+  void enter(const std::string& input) {
+    HistEvent event;
+    history(history_, &event, H_ENTER, input.c_str());
+  }
+
+  State stopped() {
+    el_reset(edit_);
+    if (interrupted != 0) return State::interrupted;
+    std::fputc('\n', stdout);
+    return State::end;
+  }
+
+  // 1 with a letter, 0 at the end, -1 when a signal or the system stops the reading.
+  int read_letter(wchar_t& letter) {
+    std::mbstate_t state{};
+    while (true) {
+      char byte = 0;
+      Signals::wait_for_input();
+      if (interrupted != 0) return -1;
+      if (resized != 0 || resumed != 0) {
+        redraw();
+        continue;
+      }
+      const ssize_t count = read(STDIN_FILENO, &byte, 1);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return static_cast<int>(count);
+      const std::size_t used = std::mbrtowc(&letter, &byte, 1, &state);
+      if (used == static_cast<std::size_t>(-2)) continue;  // the letter has more bytes
+      if (used == static_cast<std::size_t>(-1)) {
+        state = {};
+        continue;  // no letter of this encoding
+      }
+      return 1;
+    }
+  }
+
+  // After a change of the window's size, or of the terminal's mode while the program was stopped.
+  void redraw() {
+    if (resumed != 0) {
+      el_set(edit_, EL_PREP_TERM, 0);
+      el_set(edit_, EL_PREP_TERM, 1);
+    }
+    resized = 0;
+    resumed = 0;
+    const LineInfo* line = el_line(edit_);
+    const auto above = std::count(line->buffer, line->cursor, '\n');
+    if (above > 0) std::fprintf(stdout, "\033[%dA", static_cast<int>(above));
+    std::fputs("\r\033[J", stdout);
+    el_resize(edit_);
+    el_set(edit_, EL_REFRESH);
+  }
+
+  // Tab: what is common to all that fits; again, and all of it is listed. Blanks where there is no word yet.
+  unsigned char complete() {
+    const LineInfo* line = el_line(edit_);
+    const std::string typed(line->buffer, line->cursor);
+    if (typed.find_first_not_of(" \t") == std::string::npos) return insert("  ");
+    if (!options_.complete) return CC_ERROR;
+    const std::string text = before_.empty() ? typed : before_ + "\n" + typed;
+    const Completion found = options_.complete(text);
+    const std::size_t length = text.size() - found.from;
+    if (found.candidates.empty()) return CC_REFRESH_BEEP;
+    if (found.common.size() > length) return insert(found.common.substr(length));
+    if (text != listed_) {
+      listed_ = text;
+      return found.candidates.size() > 1 ? CC_REFRESH_BEEP : CC_REFRESH;
+    }
+    std::fprintf(stdout, "\n%s", in_columns(found.candidates, width()).c_str());
+    return CC_REDISPLAY;
+  }
+
+  unsigned char insert(const std::string& more) {
+    listed_.clear();
+    el_insertstr(edit_, more.c_str());
+    return CC_REFRESH;
+  }
+
+  static std::size_t width() {
+    winsize size{};
+    return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  }
+
+  TerminalOptions options_;
+  HistoryFile file_;
+  std::string prompt_, before_;
+  std::string listed_;  // the text at the Tab before, when that found nothing to add
+  bool typing_ = false;
+  EditLine* edit_ = nullptr;
   History* history_ = nullptr;
 };
 
@@ -87,13 +245,8 @@ class Terminal : public Lines {
 
 std::unique_ptr<Lines> stream_lines(std::istream& in) { return std::make_unique<Stream>(in); }
 
-std::unique_ptr<Lines> terminal_lines(const std::string& file) { return std::make_unique<Terminal>(file); }
-
-std::string history_file() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
-    return std::string(state) + "/fabricsh_history";
-  const char* home = std::getenv("HOME");
-  return home == nullptr ? "" : std::string(home) + "/.fabricsh_history";
+std::unique_ptr<Lines> terminal_lines(TerminalOptions options) {
+  return std::make_unique<Terminal>(std::move(options));
 }
 
 }  // namespace fabricsh::repl

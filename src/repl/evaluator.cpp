@@ -1,5 +1,6 @@
 #include "repl/evaluator.hpp"
 
+#include "repl/lexer.hpp"
 #include "repl/present.hpp"
 
 namespace fabricsh::repl {
@@ -37,9 +38,10 @@ Result call(lua_State* L, int arguments) {
   return {};
 }
 
-bool wants_more(lua_State* L, int status) {
-  if (status != LUA_ERRSYNTAX) return false;
-  const std::string message = lua_tostring(L, -1);
+// Whether the error on top says so; popped, as is a chunk.
+bool ends_early(lua_State* L, int status) {
+  const std::string message = status == LUA_ERRSYNTAX ? lua_tostring(L, -1) : "";
+  lua_pop(L, 1);
   const std::string mark = "<eof>";
   return message.size() >= mark.size() &&
          message.compare(message.size() - mark.size(), mark.size(), mark) == 0;
@@ -47,6 +49,19 @@ bool wants_more(lua_State* L, int status) {
 
 int load(lua_State* L, const std::string& text, const std::string& name) {
   return luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t");
+}
+
+// A quoted text can't go on in the next line, whatever the parser says, unless a backslash stands before the end.
+bool open_quote(const std::string& input) {
+  const auto tokens = tokens_of(input);
+  if (tokens.empty() || tokens.back().kind != Token::Kind::text || !tokens.back().unfinished) return false;
+  return input[tokens.back().begin] != '[' && input.back() != '\\';
+}
+
+// "=x" as "x": what older habits write to see a value.
+std::string without_equals(const std::string& input) {
+  const std::size_t first = input.find_first_not_of(" \t");
+  return first != std::string::npos && input[first] == '=' ? input.substr(first + 1) : input;
 }
 
 Result finish(script::Session& session) {
@@ -82,16 +97,26 @@ int call_globals(lua_State* L) {
 
 }  // namespace
 
+bool wants_more(script::Session& session, const std::string& input) {
+  if (open_quote(input)) return false;
+  lua_State* L = session.lua();
+  const int expression = load(L, "return " + without_equals(input), "=prompt");
+  const bool early = ends_early(L, expression);
+  if (expression == LUA_OK) return false;
+  return ends_early(L, load(L, input, "=prompt")) || early;
+}
+
 Result evaluate(script::Session& session, const std::string& input) {
   lua_State* L = session.lua();
   lua_settop(L, 0);
-  if (load(L, "return " + input, "=prompt") == LUA_OK) return finish(session);
+  if (load(L, "return " + without_equals(input), "=prompt") == LUA_OK) {
+    Result result = finish(session);
+    result.expression = true;
+    return result;
+  }
   lua_pop(L, 1);
-  const int status = load(L, input, "=prompt");
-  if (status == LUA_OK) return finish(session);
-  if (!wants_more(L, status)) return failed(L);
-  lua_settop(L, 0);
-  return {Outcome::incomplete};
+  if (load(L, input, "=prompt") != LUA_OK) return failed(L);
+  return finish(session);
 }
 
 Result run_text(script::Session& session, const std::string& text, const std::string& name) {

@@ -9,7 +9,6 @@ namespace fabricsh::repl {
 
 enum class Outcome {
   done,
-  incomplete,         // the parser wants more
   deck_error,         // exit code 1
   numerical_failure,  // exit code 3
 };
@@ -18,9 +17,14 @@ struct Result {
   Outcome outcome = Outcome::done;
   std::string message = {};  // of an error
   std::string shown = {};    // the values of an expression, as text
+  bool expression = false;   // it was one
 };
 
-// What is typed at a prompt: an expression, whose values come back as text, or statements.
+// Does the parser come to the end of what is typed before the expression or the statements are whole?
+bool wants_more(script::Session& session, const std::string& input);
+
+// What is typed at a prompt: an expression (a "=" before it is ignored), whose values come back as text, or
+// statements.
 Result evaluate(script::Session& session, const std::string& input);
 
 // A chunk of -e.

@@ -3,13 +3,15 @@
 #include <csignal>
 
 #include "repl/evaluator.hpp"
+#include "repl/lexer.hpp"
 
 namespace fabricsh::repl {
 
 namespace {
 
-// A signal handler can be given nothing: the session it is to interrupt is the one thing that has to be here.
+// A signal handler can be given nothing: what it needs has to be here.
 script::Session* interruptible = nullptr;
+volatile std::sig_atomic_t running = 0, asked = 0;  // is something running; Ctrl-C came while it did
 
 void stop_lua(lua_State* L, lua_Debug*) {
   lua_sethook(L, nullptr, 0, 0);
@@ -17,13 +19,14 @@ void stop_lua(lua_State* L, lua_Debug*) {
   luaL_error(L, "interrupted");
 }
 
-// The first Ctrl-C asks; a second one, while the first is unanswered (a coroutine that never returns), quits.
+// While a line is being typed the signal need only wake the reader.
 extern "C" void on_interrupt(int) {
-  if (interruptible == nullptr) return;
-  if (interruptible->interrupted()) {
+  if (interruptible == nullptr || running == 0) return;
+  if (asked != 0) {
     std::signal(SIGINT, SIG_DFL);
     std::raise(SIGINT);
   }
+  asked = 1;
   interruptible->interrupt();
   lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT,
               1);
@@ -36,16 +39,43 @@ void set_handler(void (*handler)(int)) {
   sigaction(SIGINT, &action, nullptr);
 }
 
-void forget_interrupt(script::Session& session) {
-  session.take_interrupt();
-  lua_sethook(session.lua(), nullptr, 0, 0);
+// Between these two Ctrl-C is for the input that is evaluated.
+class Running {
+ public:
+  explicit Running(script::Session& session) : session_(session) {
+    asked = 0;
+    running = 1;
+  }
+  ~Running() {
+    running = 0;
+    session_.take_interrupt();
+    lua_sethook(session_.lua(), nullptr, 0, 0);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  script::Session& session_;
+};
+
+void show(const Result& result, const Voice& voice) {
+  std::fflush(stdout);
+  if (!result.message.empty()) voice.err << voice.style.dress(Tone::error, result.message) << std::endl;
+  if (!result.shown.empty()) voice.out << result.shown << std::endl;
 }
 
-void show(const Result& result, std::ostream& out, std::ostream& err) {
-  std::fflush(stdout);
-  if (!result.message.empty()) err << result.message << std::endl;
-  if (!result.shown.empty()) out << result.shown << std::endl;
+void run(script::Session& session, const std::string& input, const Voice& voice) {
+  const std::string words = advice(input);
+  if (!words.empty()) voice.err << voice.style.dress(Tone::notice, words) << std::endl;
+  Result result;
+  {
+    const Running guard(session);
+    result = evaluate(session, input);
+  }
+  show(result, voice);
 }
+
+bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") == std::string::npos; }
 
 }  // namespace
 
@@ -59,30 +89,34 @@ InterruptGuard::~InterruptGuard() {
   interruptible = nullptr;
 }
 
-void converse(script::Session& session, Lines& lines, std::ostream& out, std::ostream& err) {
+std::string advice(const std::string& input) {
+  const auto names = chunk_locals(tokens_of(input));
+  if (names.empty()) return {};
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return "warning: local " + list + (names.size() > 1 ? " are" : " is") + " gone on the next line; to keep " +
+         (names.size() > 1 ? "them" : "it") + " leave 'local' out";
+}
+
+void converse(script::Session& session, Lines& lines, const Voice& voice) {
   std::string input, line;
   while (true) {
-    const auto state = lines.next(input.empty() ? "> " : ">> ", line);
+    const auto state = lines.next(input, line);
+    if (state == Lines::State::end) break;
     if (state == Lines::State::interrupted) {
       input.clear();
-      out << std::endl;
-      forget_interrupt(session);
+      voice.out << std::endl;
       continue;
     }
-    if (state == Lines::State::end) break;
     input += (input.empty() ? "" : "\n") + line;
-    if (input.find_first_not_of(" \t\n\r") == std::string::npos) {
-      input.clear();
-      continue;
+    if (!blank(input) && wants_more(session, input)) continue;
+    if (!blank(input)) {
+      lines.remember(input);
+      run(session, input, voice);
     }
-    const Result result = evaluate(session, input);
-    if (result.outcome == Outcome::incomplete) continue;
-    forget_interrupt(session);
-    show(result, out, err);
-    lines.remember(input);
     input.clear();
   }
-  if (!input.empty()) show(run_text(session, input, "=prompt"), out, err);
+  if (!input.empty()) run(session, input, voice);
 }
 
 }  // namespace fabricsh::repl

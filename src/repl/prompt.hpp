@@ -7,10 +7,20 @@
 
 namespace fabricsh::repl {
 
-// Errors are shown on err and never end the session.
-void converse(script::Session& session, Lines& lines, std::ostream& out, std::ostream& err);
+// What the session says on its two streams.
+struct Voice {
+  std::ostream &out, &err;
+  Style style = Style();  // of err
+};
 
-// Ctrl-C stops the Lua code or the analysis that runs in this session, as long as the guard lives.
+// Errors are shown on err and never end the session.
+void converse(script::Session& session, Lines& lines, const Voice& voice);
+
+// A word about input that does what few people mean; empty: nothing to say.
+std::string advice(const std::string& input);
+
+// Ctrl-C stops the Lua code or the analysis that runs in this session, as long as the guard lives; a second
+// one, before that has stopped or within the same input, ends the program.
 class InterruptGuard {
  public:
   explicit InterruptGuard(script::Session& session);

@@ -21,7 +21,7 @@ Talk talk(const std::string& input) {
   std::istringstream in(input);
   std::ostringstream out, err;
   const auto lines = repl::stream_lines(in);
-  repl::converse(session, *lines, out, err);
+  repl::converse(session, *lines, {out, err});
   return {out.str(), err.str()};
 }
 
@@ -34,10 +34,31 @@ TEST_CASE("expressions print, statements do not") {
 
 TEST_CASE("unfinished input goes on with the next line") {
   script::Session session{script::Options{}};
-  CHECK(repl::evaluate(session, "for i = 1, 2 do").outcome == Outcome::incomplete);
-  CHECK(repl::evaluate(session, "for i = 1, 2 do\nend").outcome == Outcome::done);
+  for (const char* part :
+       {"for i = 1, 2 do", "1 +", "x =", "{1,", "f(", "x = [[", "-- [[\n--[[", "mesh.rectangle{ width=1,"})
+    CHECK(repl::wants_more(session, part));
+  for (const char* whole :
+       {"for i = 1, 2 do\nend", "x = = 1", "1 + 1", "x = 'a", "end", "=1", "goto nowhere"})
+    CHECK_FALSE(repl::wants_more(session, whole));
+  CHECK(lua_gettop(session.lua()) == 0);
   CHECK(repl::evaluate(session, "x = = 1").outcome == Outcome::deck_error);
   CHECK(talk("x = {\n1,\n2}\n#x\n").out == "2\n");
+  CHECK(talk("1 +\n\n2\n").out == "3\n");
+  CHECK(talk("x = {\n").err.find("near <eof>") != std::string::npos);  // the lines end before the input does
+}
+
+TEST_CASE("a leading = shows a value") { CHECK(talk("=1 + 1\n = 'a', 2\n").out == "2\na\t2\n"); }
+
+TEST_CASE("local at the prompt is warned about, and runs") {
+  const Talk t = talk("local x = 3; print(x)\nx\n");
+  CHECK(t.out == "nil\n");  // print goes to stdout, not here
+  CHECK(t.err == "warning: local x is gone on the next line; to keep it leave 'local' out\n");
+  CHECK(repl::advice("local a <const>, b = 1, 2").find("local a, b are gone") != std::string::npos);
+  CHECK(repl::advice("local function f() end").find("local f is gone") != std::string::npos);
+  for (const char* fine :
+       {"x = 1", "do local x = 1 end", "function f() local x end", "'local x'", "-- local x",
+        "for i = 1, 2 do local x = i end", "x = { f = function() local y end }"})
+    CHECK(repl::advice(fine).empty());
 }
 
 TEST_CASE("globals do not cover Lua's own") {
