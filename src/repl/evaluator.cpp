@@ -51,17 +51,12 @@ int load(lua_State* L, const std::string& text, const std::string& name) {
   return luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t");
 }
 
-// A quoted text can't go on in the next line, whatever the parser says, unless a backslash stands before the end.
+// A quoted text can't go on in the next line, whatever the parser says, unless a backslash stands before the
+// end.
 bool open_quote(const std::string& input) {
   const auto tokens = tokens_of(input);
   if (tokens.empty() || tokens.back().kind != Token::Kind::text || !tokens.back().unfinished) return false;
   return input[tokens.back().begin] != '[' && input.back() != '\\';
-}
-
-// "=x" as "x": what older habits write to see a value.
-std::string without_equals(const std::string& input) {
-  const std::size_t first = input.find_first_not_of(" \t");
-  return first != std::string::npos && input[first] == '=' ? input.substr(first + 1) : input;
 }
 
 Result finish(script::Session& session) {
@@ -96,6 +91,11 @@ int call_globals(lua_State* L) {
 }
 
 }  // namespace
+
+std::string without_equals(const std::string& input) {
+  const std::size_t first = input.find_first_not_of(" \t");
+  return first != std::string::npos && input[first] == '=' ? input.substr(first + 1) : input;
+}
 
 bool wants_more(script::Session& session, const std::string& input) {
   if (open_quote(input)) return false;

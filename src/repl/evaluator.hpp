@@ -20,6 +20,9 @@ struct Result {
   bool expression = false;   // it was one
 };
 
+// "=x" as "x": what older habits write to see a value.
+std::string without_equals(const std::string& input);
+
 // Does the parser come to the end of what is typed before the expression or the statements are whole?
 bool wants_more(script::Session& session, const std::string& input);
 

@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "base/error.hpp"
 #include "files/atomic.hpp"
@@ -79,6 +79,15 @@ std::vector<std::string> read_lines(const std::string& path) {
   return lines;
 }
 
+// Made where it is missing.
+bool folder_exists(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code trouble;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, trouble))
+    std::filesystem::create_directories(folder, trouble);
+  return !trouble;
+}
+
 }  // namespace
 
 std::vector<std::string> HistoryFile::load() const {
@@ -102,12 +111,7 @@ std::vector<std::string> HistoryFile::load() const {
 }
 
 bool HistoryFile::add(const std::string& input) const {
-  if (path_.empty() || input.empty()) return false;
-  try {
-    files::make_folder_for(path_);
-  } catch (const Error&) {
-    return false;
-  }
+  if (path_.empty() || input.empty() || !folder_exists(path_)) return false;
   const Descriptor file(open_locked(path_));
   if (!file.open()) return false;
   return file.write((ends_a_line(file) ? "" : "\n") + on_one_line(input) + "\n") == 0;

@@ -2,8 +2,10 @@
 
 #include <csignal>
 
-#include "repl/evaluator.hpp"
+#include "base/error.hpp"
+#include "repl/deck_text.hpp"
 #include "repl/lexer.hpp"
+#include "script/transcript.hpp"
 
 namespace fabricsh::repl {
 
@@ -64,15 +66,28 @@ void show(const Result& result, const Voice& voice) {
   if (!result.shown.empty()) voice.out << result.shown << std::endl;
 }
 
+// An input that was done is kept, whatever happens to the transcript's file.
+void keep(script::Session& session, const std::string& text, const Voice& voice) {
+  try {
+    script::transcript_of(session.lua()).add(text);
+  } catch (const Error& trouble) {
+    voice.err << voice.style.dress(Tone::notice, std::string("warning: transcript: ") + trouble.what())
+              << std::endl;
+  }
+}
+
 void run(script::Session& session, const std::string& input, const Voice& voice) {
   const std::string words = advice(input);
   if (!words.empty()) voice.err << voice.style.dress(Tone::notice, words) << std::endl;
+  const int changes = script::transcript_of(session.lua()).changes();
   Result result;
   {
     const Running guard(session);
     result = evaluate(session, input);
   }
   show(result, voice);
+  if (script::transcript_of(session.lua()).changes() == changes)
+    keep(session, deck_text(input, result), voice);
 }
 
 bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") == std::string::npos; }
@@ -99,6 +114,7 @@ std::string advice(const std::string& input) {
 }
 
 void converse(script::Session& session, Lines& lines, const Voice& voice) {
+  if (!session.options().deck.empty()) keep(session, deck_call(session.options().deck), voice);
   std::string input, line;
   while (true) {
     const auto state = lines.next(input, line);

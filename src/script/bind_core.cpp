@@ -1,6 +1,7 @@
 // fabric.version, fabric.units, fabric.poly, fabric.globals, and helpers that the other bindings share.
 #include "base/version.hpp"
 #include "script/bind_run.hpp"
+#include "script/transcript.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -173,6 +174,7 @@ void bind_all(Session& session) {
   bind_track(session);
   bind_identify(session);
   bind_sample(session);
+  bind_prompt(session);
 }
 
 }  // namespace fabricsh::script

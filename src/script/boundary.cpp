@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "base/paths.hpp"
 #include "script/call.hpp"
-#include "script/peek.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {

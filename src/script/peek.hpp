@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "script/entry.hpp"
-
 namespace fabricsh::script {
 
 // As long as it lives no finaliser runs.
@@ -25,9 +23,6 @@ class NoFinalisers {
   lua_State* L_;
   bool was_running_;
 };
-
-// The row of the function at index; null when it isn't one of the program's.
-const Entry* entry_of(lua_State* L, int index);
 
 // "mesh" of the program's objects, empty of anything else.
 std::string class_of(lua_State* L, int index);

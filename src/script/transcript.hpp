@@ -1,14 +1,18 @@
 // What was typed in a session, as a deck that does the same again.
 #pragma once
+#include <lua.hpp>
 #include <string>
 
 namespace fabricsh::script {
 
+class Session;
+
 class Transcript {
  public:
-  // From now on the file holds all that was typed so far, and what will be. Errors: it can't be written.
+  // From now on the file holds all that was typed so far, and what will be. Errors: it exists and is not of
+  // this session; it can't be written.
   void start(const std::string& path);
-  void end() { path_.clear(); }
+  void end();
   const std::string& path() const { return path_; }  // empty: not kept
 
   // A whole statement, or a comment, with its newline. While a file is kept it is written anew at once.
@@ -23,5 +27,11 @@ class Transcript {
   std::string path_, body_;
   int changes_ = 0;
 };
+
+// The session's own.
+Transcript& transcript_of(lua_State* L);
+
+// fabric.who, fabric.transcript.
+void bind_prompt(Session& session);
 
 }  // namespace fabricsh::script

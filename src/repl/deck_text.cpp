@@ -1,0 +1,44 @@
+#include "repl/deck_text.hpp"
+
+#include "repl/lexer.hpp"
+
+namespace fabricsh::repl {
+
+namespace {
+
+std::string commented(const std::string& text, const std::string& mark) {
+  std::string out = mark;
+  for (const char c : text) out += c == '\n' ? "\n" + mark : std::string(1, c);
+  return out + "\n";
+}
+
+// A comment at the end would swallow what is put behind it.
+std::string closed(const std::string& input) {
+  const auto tokens = tokens_of(input);
+  return !tokens.empty() && tokens.back().kind == Token::Kind::comment ? input + "\n" : input;
+}
+
+std::string statements(const std::string& input) {
+  const auto tokens = tokens_of(input);
+  if (outermost(tokens, "return")) return "_show((function(...)\n" + input + "\nend)(...))\n";
+  if (!chunk_locals(tokens).empty() || outermost(tokens, "::")) return "do\n" + input + "\nend\n";
+  // a bracket at its beginning would call the value before it
+  return (!tokens.empty() && tokens.front().is("(") ? ";" : "") + input + "\n";
+}
+
+}  // namespace
+
+std::string deck_text(const std::string& input, const Result& result) {
+  if (result.outcome != Outcome::done)
+    return commented(input, "-- ") +
+           commented(result.message.substr(0, result.message.find('\n')), "--   failed: ");
+  return result.expression ? "_show(" + closed(without_equals(input)) + ")\n" : statements(input);
+}
+
+std::string deck_call(const std::string& path) {
+  std::string quoted;
+  for (const char c : path) quoted += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  return "dofile \"" + quoted + "\"\n";
+}
+
+}  // namespace fabricsh::repl

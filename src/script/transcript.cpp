@@ -1,0 +1,47 @@
+#include "script/transcript.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "files/atomic.hpp"
+
+namespace fabricsh::script {
+
+void Transcript::start(const std::string& path) {
+  std::error_code trouble;
+  if (path != path_ && std::filesystem::exists(path, trouble))
+    throw Error("'" + path + "' exists already; take another name, or remove it");
+  ++changes_;
+  const std::string before = std::exchange(path_, path);
+  try {
+    write();
+  } catch (const Error&) {
+    path_ = before;
+    throw;
+  }
+}
+
+void Transcript::end() {
+  ++changes_;
+  path_.clear();
+}
+
+void Transcript::add(const std::string& text) {
+  body_ += text;
+  if (!path_.empty()) write();
+}
+
+// Nothing local but what no deck calls so.
+std::string Transcript::deck() const {
+  return "-- A session of fabricsh " + std::string(version()) +
+         ", saved as a deck: it does again what was typed.\n"
+         "local fabric = require \"fabric\"; fabric.globals()\n"
+         "local function _show(...) if select(\"#\", ...) > 0 then print(...) end end\n\n" +
+         body_;
+}
+
+void Transcript::write() const { files::write_file(path_, deck()); }
+
+}  // namespace fabricsh::script
