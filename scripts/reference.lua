@@ -1,0 +1,219 @@
+-- The reference page and the stubs for editors, from the registry that checks the arguments.
+--
+--   fabricsh scripts/reference.lua          compares both with what they should be; an error when they are not up to date
+--   fabricsh scripts/reference.lua write    writes share/doc/reference.md and share/lua-ls/fabric.lua
+local fabric = require "fabric"
+local registry = require "fabric.define".registry
+local rows = registry.rows()
+local root = arg[0]:gsub("[^/]*$", "") .. "../"
+
+-- What comes back, where it is an object or plain; anything else is `any`.
+local returns = {
+  ["fabric.card"] = "card", ["fabric.woven"] = "card", ["fabric.svk"] = "card", ["fabric.linear"] = "card", ["fabric.cards"] = "string[]",
+  ["card:with"] = "card", ["card:sample"] = "card[]", ["card:write"] = "nil", ["fabric.lab.card"] = "card", ["fabric.lab.kes_card"] = "card",
+  ["fabric.lab.fast_card"] = "card", ["fabric.point"] = "point", ["point:reset"] = "nil", ["fabric.model"] = "model", ["fabric.poly"] = "number[]",
+  ["fabric.history"] = "history", ["fabric.ramp"] = "history", ["history:value"] = "number", ["fabric.static"] = "analysis",
+  ["fabric.dynamic"] = "analysis", ["fabric.checking"] = "boolean", ["fabric.warn"] = "nil", ["fabric.globals"] = "nil",
+  ["fabric.expect"] = "nil", ["fabric.help"] = "nil", ["fabric.plot"] = "nil", ["fabric.render"] = "nil", ["fabric.folder"] = "string[]",
+  ["analysis:stop"] = "nil", ["analysis:snapshot"] = "snapshot", ["analysis:reaction"] = "number x, number y, number z",
+  ["analysis:mean"] = "number", ["analysis:field"] = "number[]", ["mesh:elements"] = "integer[]", ["mesh:orient"] = "integer",
+  ["analysis.time"] = "number", ["analysis.duration"] = "number", ["analysis.stable_step"] = "number", ["analysis.step_size"] = "number",
+  ["analysis.energy"] = "table<string, number>", ["analysis.steps"] = "table[]", ["analysis.stopped"] = "string|false",
+  ["mesh.nodes"] = "number[][]", ["mesh.elements"] = "integer[][]", ["mesh.sets"] = "string[]", ["model.card"] = "card",
+  ["model.thickness"] = "number",
+}
+for _, name in ipairs { "solve", "advance", "step", "every", "event", "restore", "record", "vtk" } do returns["analysis:" .. name] = "analysis" end
+for _, row in ipairs(rows) do -- methods of a model chain, generators make meshes
+  if row.owner == "model" and row.style ~= "property" then returns[row.name] = "model" end
+  if row.name:find "^fabric%.mesh%." then returns[row.name] = "mesh" end
+end
+for _, name in ipairs { "mesh:map", "mesh:write" } do returns[name] = "mesh" end
+
+local classes = { "card", "mesh", "model", "history", "analysis", "snapshot", "point" }
+local about_class = {
+  card = "The material of a cloth. It cannot be changed; every field of its constructor reads back in SI: `card.warp.poisson`.",
+  mesh = "Nodes, elements and named sets of nodes.", model = "A mesh of a cloth with its supports and loads. Its methods return it.",
+  history = "A number that depends on time.", analysis = "A run, static or in motion.", snapshot = "The whole state of a run.",
+  point = "One material point.",
+}
+
+-- --- the page ---
+
+local function cell(text) return (text:gsub("|", "\\|"):gsub("%s+", " ")) end
+
+local function default_of(argument)
+  if argument.default then return "`" .. argument.default .. "`" end
+  return argument.required and "required" or "optional"
+end
+
+local function table_of(arguments, out, stem)
+  for _, argument in ipairs(arguments) do
+    out[#out + 1] = ("| `%s%s` | %s | %s | %s |"):format(stem, argument.name, cell(argument.expected), cell(default_of(argument)), cell(argument.sentence))
+    table_of(argument.rows, out, stem .. argument.name .. ".")
+  end
+end
+
+local function signature(row)
+  local names = {}
+  for i, argument in ipairs(row.arguments) do names[i] = argument.name .. (argument.required and "" or "?") end
+  if row.style == "property" then return row.name end
+  return row.name .. (row.style == "fields" and "{ %s }" or "(%s)"):format(table.concat(names, ", ")):gsub("{  }", "{}")
+end
+
+local function section(row, out)
+  out[#out + 1] = "### " .. row.name
+  if row.style ~= "property" then out[#out + 1] = "`" .. signature(row) .. "`\n" end
+  out[#out + 1] = row.sentence .. "\n"
+  if #row.arguments > 0 then
+    out[#out + 1] = "| " .. (row.style == "fields" and "field" or "argument") .. " | what it may be | default | meaning |\n|---|---|---|---|"
+    table_of(row.arguments, out, "")
+    out[#out + 1] = ""
+  end
+  out[#out + 1] = "```lua\n" .. row.example:gsub("\n$", "") .. "\n```\n"
+end
+
+local function units_table(out)
+  local names = {}
+  for name in pairs(fabric.units) do names[#names + 1] = name end
+  table.sort(names, function(a, b) return a:lower() < b:lower() or a:lower() == b:lower() and a < b end)
+  for i, name in ipairs(names) do names[i] = ("`%s` = %.14g"):format(name, fabric.units[name]) end
+  out[#out + 1] = "## Units\nEverything is in SI: m, N, Pa, kg, s; angles in degrees, strains are plain numbers. `fabric.units` holds multipliers, "
+    .. "so that `25.4*mm` is a length: " .. table.concat(names, ", ") .. ".\n"
+end
+
+local function page()
+  local out = {
+    "# Reference\n",
+    "Every function, method and property, from the rows that the program checks its arguments by; made by "
+      .. "`fabricsh scripts/reference.lua write`. `help(fabric.static)` shows the same at the prompt. A function written `f{ a, b? }` takes one "
+      .. "table with named fields, one written `f(a, b?)` takes its arguments in order; `?` marks what may be left out. Every example runs as it stands.\n",
+  }
+  units_table(out)
+  local groups = { { "Functions", function(row) return row.owner == "" and not row.name:find "^fabric%.%w+%." end },
+                   { "fabric.mesh", function(row) return row.name:find "^fabric%.mesh%." end },
+                   { "fabric.lab", function(row) return row.name:find "^fabric%.lab%." end } }
+  for _, class in ipairs(classes) do
+    groups[#groups + 1] = { "Objects: " .. class, function(row) return row.owner == class end, about_class[class] }
+  end
+  local written = 0
+  for _, group in ipairs(groups) do
+    out[#out + 1] = "## " .. group[1] .. "\n" .. (group[3] and group[3] .. "\n" or "")
+    for _, row in ipairs(rows) do
+      if group[2](row) then
+        section(row, out)
+        written = written + 1
+      end
+    end
+  end
+  assert(written == #rows, ("%d of %d rows are in a group of the page"):format(written, #rows))
+  return table.concat(out, "\n"):gsub("\n+$", "") .. "\n"
+end
+
+-- --- the stubs ---
+
+local types = { number = "number", integer = "integer", text = "string", boolean = "boolean", ["function"] = "function", numbers = "number[]",
+                table = "table", any = "any" }
+
+-- The type of a row; a table with named fields is a class of its own, called `name`.
+local function type_of(argument, name)
+  local words = {}
+  for _, kind in ipairs(argument.kinds) do
+    if kind == "text" and #argument.choices > 0 then
+      for _, choice in ipairs(argument.choices) do words[#words + 1] = ("%q"):format(choice) end
+    else
+      words[#words + 1] = kind == "fields" and name or kind == "object" and argument.of or types[kind]
+    end
+  end
+  return table.concat(words, "|")
+end
+
+local function remark(argument)
+  local unit = argument.unit ~= "" and argument.unit .. ": " or ""
+  return unit .. argument.sentence .. (argument.default and " (default " .. argument.default .. ")" or "")
+end
+
+local function class_of_fields(name, arguments, out)
+  for _, argument in ipairs(arguments) do
+    if #argument.rows > 0 then class_of_fields(name .. "." .. argument.name, argument.rows, out) end
+  end
+  out[#out + 1] = "---@class " .. name
+  for _, argument in ipairs(arguments) do
+    local optional = argument.required and "" or "?"
+    out[#out + 1] = ("---@field %s%s %s %s"):format(argument.name, optional, type_of(argument, name .. "." .. argument.name), remark(argument))
+  end
+  out[#out + 1] = ""
+end
+
+local function comment(text) return "---" .. text:gsub("\n", "\n---") end
+
+local function declare(row, out)
+  local name = row.name:gsub("[:.]", "_") .. "_fields"
+  if row.style == "fields" then class_of_fields(name, row.arguments, out) end
+  for _, argument in ipairs(row.arguments) do
+    if row.style ~= "fields" and #argument.rows > 0 then class_of_fields(name .. "." .. argument.name, argument.rows, out) end
+  end
+  out[#out + 1] = comment(row.sentence)
+  local names = {}
+  if row.style == "fields" then
+    names[1] = "fields"
+    out[#out + 1] = "---@param fields " .. name
+  else
+    for i, argument in ipairs(row.arguments) do
+      names[i] = argument.name
+      out[#out + 1] = ("---@param %s%s %s %s"):format(argument.name, argument.required and "" or "?",
+        type_of(argument, name .. "." .. argument.name), remark(argument))
+    end
+  end
+  local back = returns[row.name] or "any"
+  if back ~= "nil" then out[#out + 1] = "---@return " .. back end
+  if row.name == "mesh:set" then out[#out + 1] = "---@overload fun(self: mesh, name: string): integer[]" end
+  out[#out + 1] = ("function %s(%s) end\n"):format(row.name, table.concat(names, ", "))
+end
+
+-- A class with its properties; a card's are the fields of its constructors.
+local function declare_class(class, out)
+  out[#out + 1] = comment(about_class[class])
+  out[#out + 1] = "---@class " .. class
+  for _, row in ipairs(rows) do
+    if row.owner == class and row.style == "property" then
+      out[#out + 1] = ("---@field %s %s %s"):format(row.name:match "%.(.+)$", returns[row.name] or "any", row.sentence)
+    end
+    if class == "card" and row.name == "fabric.woven" then
+      for _, argument in ipairs(row.arguments) do
+        out[#out + 1] = ("---@field %s any %s"):format(argument.name, remark(argument))
+      end
+    end
+  end
+  out[#out + 1] = "local " .. class .. " = {}\n"
+end
+
+local function stubs()
+  local out = { "---@meta fabric", "-- Stubs for the Lua language server, made by fabricsh scripts/reference.lua write.\n" }
+  for _, class in ipairs(classes) do declare_class(class, out) end
+  out[#out + 1] = "---@class fabric\n---@field version string\n---@field units table<string, number> multipliers to SI"
+  out[#out + 1] = "local fabric = { mesh = {}, lab = {} }\n"
+  for _, row in ipairs(rows) do
+    if row.style ~= "property" then declare(row, out) end
+  end
+  out[#out + 1] = "return fabric\n"
+  return table.concat(out, "\n")
+end
+
+-- --- writing and comparing ---
+
+local files = { ["share/doc/reference.md"] = page(), ["share/lua-ls/fabric.lua"] = stubs() }
+assert(load(files["share/lua-ls/fabric.lua"], "=stubs"))()
+
+local stale = {}
+for path, text in pairs(files) do
+  if arg[1] == "write" then
+    local file <close> = assert(io.open(root .. path, "w"))
+    file:write(text)
+  else
+    local file = io.open(root .. path)
+    if not file or file:read "a" ~= text then stale[#stale + 1] = path end
+    if file then file:close() end
+  end
+end
+table.sort(stale)
+if #stale > 0 then error("not up to date: " .. table.concat(stale, ", ") .. "; run fabricsh scripts/reference.lua write", 0) end

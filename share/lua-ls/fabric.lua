@@ -1,0 +1,1365 @@
+---@meta fabric
+-- Stubs for the Lua language server, made by fabricsh scripts/reference.lua write.
+
+---The material of a cloth. It cannot be changed; every field of its constructor reads back in SI: `card.warp.poisson`.
+---@class card
+---@field name any of the fabric (default "")
+---@field source any where the numbers come from (default "")
+---@field density any kg/m^3: mass over volume
+---@field thickness any m: of the sheet
+---@field bending any own bending rigidity instead of integration through the thickness
+---@field warp any along the warp
+---@field weft any along the weft
+---@field shear any in-plane shear
+---@field tested any strains up to which it was measured
+---@field law any the law that is compiled from the card (default "potential")
+---@field transverse any transverse shear of the comparison laws (default "elastic")
+---@field shear_hysteresis any of the comparison laws (default true)
+---@field biaxial any a fourth spring that acts when both yarns are stretched
+---@field bands any confidence bands of the measured parameters
+local card = {}
+
+---Nodes, elements and named sets of nodes.
+---@class mesh
+---@field elements integer[][] Node numbers of each element, counter-clockwise.
+---@field nodes number[][] Reference positions {x, y, z}, m, by node number.
+---@field sets string[] Names of the node sets.
+local mesh = {}
+
+---A mesh of a cloth with its supports and loads. Its methods return it.
+---@class model
+---@field card card The card it was made of.
+---@field thickness number Thickness of the sheet, m.
+local model = {}
+
+---A number that depends on time.
+---@class history
+local history = {}
+
+---A run, static or in motion.
+---@class analysis
+---@field duration number Where it ends, s.
+---@field energy table<string, number> Energies in J, and the error of their balance.
+---@field stable_step number The largest stable step of central differences in the reference configuration, s.
+---@field step_size number The step that a run in motion goes by, landings apart, s.
+---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
+---@field stopped string|false The reason it was stopped for, or false.
+---@field time number Where the run is, s.
+local analysis = {}
+
+---The whole state of a run.
+---@class snapshot
+local snapshot = {}
+
+---One material point.
+---@class point
+local point = {}
+
+---@class fabric
+---@field version string
+---@field units table<string, number> multipliers to SI
+local fabric = { mesh = {}, lab = {} }
+
+---Runs to an absolute time.
+---@param time number s: absolute time to run to and land on
+---@return analysis
+function analysis:advance(time) end
+
+---Averages over the element's reference volume, material axes: E11 ... S23 stored dissipated residual1 residual2 slack1 slack2.
+---@param number integer of the element
+---@return any
+function analysis:element(number) end
+
+---@class analysis_event_fields
+---@field value function function(a) whose zero is sought
+---@field tolerance? number of the value, over the largest it has had (default 1e-06)
+---@field action? function function(a), called there
+
+---Finds where a value crosses zero inside a step, lands there, commits, and calls the action.
+---@param fields analysis_event_fields
+---@return analysis
+function analysis:event(fields) end
+
+---Calls a function at the start and then at an interval, or after each step.
+---@param interval number|"step" s: time between calls, which steps land on, or 'step'
+---@param action function function(a)
+---@return analysis
+function analysis:every(interval, action) end
+
+---The value of every element, in their order.
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 slack1 slack2
+---@return number[]
+function analysis:field(name) end
+
+---Average over elements.
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 slack1 slack2
+---@param set? string elements all of whose nodes are in it (default "all")
+---@return number
+function analysis:mean(name, set) end
+
+---x y z current, X Y Z reference, ux uy uz, vx vy vz, nx ny nz (director).
+---@param number integer of the node
+---@return any
+function analysis:node(number) end
+
+---Force that the supports exert on the cloth, summed over the set: x, y, z in N, global.
+---@param set string name of a node set
+---@return number x, number y, number z
+function analysis:reaction(set) end
+
+---@class analysis_record_fields.options
+---@field every? number|"step" s: time between rows or frames, or 'step'
+---@field columns table name = function(a) that returns a number
+---@field order? table names in the order of the columns
+
+---Writes a table as the run goes: time, then the columns.
+---@param path string of the CSV file
+---@param options analysis_record_fields.options columns, and how often
+---@return analysis
+function analysis:record(path, options) end
+
+---Goes back to a snapshot.
+---@param snapshot snapshot taken of this analysis
+---@return analysis
+function analysis:restore(snapshot) end
+
+---A copy of the whole state.
+---@return snapshot
+function analysis:snapshot() end
+
+---Runs to the duration, or to where a hook stopped it; returns the analysis.
+---@return analysis
+function analysis:solve() end
+
+---One committed step.
+---@return analysis
+function analysis:step() end
+
+---Ends the run after the current step; to be called from a hook.
+---@param reason? string why, for a.stopped and run.json (default "asked for")
+function analysis:stop(reason) end
+
+---@class analysis_vtk_fields.options
+---@field every? number|"step" s: time between rows or frames, or 'step'
+---@field fields? table some of the fields; default all
+
+---Writes a series for ParaView as the run goes; the .pvd is valid at any moment.
+---@param stem string out/drape writes out/drape.pvd and numbered .vtu files
+---@param options? analysis_vtk_fields.options how often, and what
+---@return analysis
+function analysis:vtk(stem, options) end
+
+---@class card_check_fields.element_size
+---@field element_size? number m: smallest in the plane, for the explicit step (default 0.1)
+
+---What is wrong with the card or worth knowing: a table {ok, card, text, items, criterion}, which prints as its text. An item has key, severity (note, warning, error), text, numbers; a row of criterion has path, warp, weft (branches), first (strain of violation or nil), last.
+---@param element_size? number|card_check_fields.element_size m: smallest in the plane, for the explicit step; default 0.1
+---@return any
+function card:check(element_size) end
+
+---Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards that could not be are drawn again.
+---@param n integer of cards
+---@param seed? integer of the draw (default 1)
+---@return card[]
+function card:sample(n, seed) end
+
+---A copy of the card with some fields changed.
+---@param changes table fields of the constructor that differ; tables merge deeply
+---@return card
+function card:with(changes) end
+
+---Writes the card as a Lua file that reads back equal; the old file stays until the new one is whole.
+---@param path string of the Lua file
+function card:write(path) end
+
+---A shipped card by name, or the card that a Lua file returns.
+---@param name string of a shipped card, or a path (with / or ending in .lua)
+---@return card
+function fabric.card(name) end
+
+---Names of the shipped cards.
+---@return string[]
+function fabric.cards() end
+
+---True under --check, where analyses run nothing and no file is written.
+---@return boolean
+function fabric.checking() end
+
+---@class fabric_dynamic_fields.damping
+---@field mass? number 1/s: a of a M + b K
+---@field stiffness? number s: b of a M + b K
+
+---@class fabric_dynamic_fields
+---@field model model what is computed
+---@field duration number s: time to run to
+---@field step? number|"auto" s: of time; auto: explicit 0.7 of the stable step, implicit duration/200
+---@field scheme? "explicit"|"implicit" explicit (central differences) or implicit (Newmark with Newton) (default "explicit")
+---@field gamma? number of Newmark; above 1/2 it damps; default 1/2
+---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
+---@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies (default 0)
+---@field damping? fabric_dynamic_fields.damping Rayleigh's; none unless given
+---@field inertia? "scaled"|"true" of directors: true, or scaled so that it does not limit the explicit step
+---@field force? boolean take the step even above the stable one (default false)
+---@field ledger_limit? number energy made, over the external work, at which the run stops (default 0.05)
+---@field tolerance? number implicit: residual over the largest nodal force (default 1e-08)
+---@field max_iterations? integer implicit: of one step, before it is cut (default 30)
+---@field max_cuts? integer implicit: halvings of one step (default 12)
+
+---A run in motion with Newmark's method, explicit or implicit, and a ledger of its energies.
+---@param fields fabric_dynamic_fields
+---@return analysis
+function fabric.dynamic(fields) end
+
+---A deck's own check: prints what came and what was wanted; an error (exit code 1) on a miss.
+---@param rows table { {label, got, want, relative= or absolute=}, ... }
+function fabric.expect(rows) end
+
+---Names in a folder, sorted.
+---@param path string of a folder
+---@return string[]
+function fabric.folder(path) end
+
+---Makes the fields of fabric and fabric.units global, without covering what is there.
+function fabric.globals() end
+
+---Prints what a function takes, what an object holds and can do, or all that speaks of a word.
+---@param topic? any a function, an object, a name, or a word to look for; nothing: an overview
+function fabric.help(topic) end
+
+---A history through points; before the first and after the last it holds their values.
+---@param points table { {t, v}, ... } with increasing times, s
+---@return history
+function fabric.history(points) end
+
+---@class fabric_lab_backbone_fields
+---@field curves table { {E=, S=}, ... }, one per specimen
+---@field degrees? number[] of the stress polynomials to try; default {2, 4}
+---@field find_slack? boolean the stretch of first contact is found besides (default false)
+
+---Stress polynomials through zero, one per specimen and degree: a list of {degree, criterion, initial, least, admissible, specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the best, nil if none has a positive tangent.
+---@param fields fabric_lab_backbone_fields
+---@return any
+function fabric.lab.backbone(fields) end
+
+---@class fabric_lab_band_fields
+---@field specimens table one list of parameters per specimen
+---@field level? number of confidence (default 0.95)
+---@field draws? integer of the bootstrap (default 2000)
+---@field seed? integer of the bootstrap (default 1)
+---@field common? number[] relative standard uncertainties that all specimens share, one per parameter
+
+---Mean parameters and their confidence band by the bootstrap over specimens: value, low, high, covariance (row by row). The last three are nil for one specimen.
+---@param fields fabric_lab_band_fields
+---@return any
+function fabric.lab.band(fields) end
+
+---@class fabric_lab_bias_fields.grips
+---@field lateral number N/m^2: stiffness across, per metre of edge
+
+---@class fabric_lab_bias_fields
+---@field card card the fabric
+---@field angle? number degrees: of the pull from the warp (default 45)
+---@field displacement? number m: largest displacement (default 0.02)
+---@field grips? "clamped"|"free"|fabric_lab_bias_fields.grips clamped ends keep their width, free ends contract, {lateral=k}: springs across, k in N/m per metre of edge (default "free")
+---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
+---@field unload? boolean without a path: back again (default true)
+---@field unilateral? boolean the grip lets go where the pull is zero; else it goes on to push (default true)
+---@field release? number that zero, over the largest force (default 1e-06)
+---@field out_of_plane? "held"|"free" free: the strip, bowed by a tenth of its thickness, may buckle (default "held")
+---@field stabilise? number|boolean as for fabric.static: a buckling strip needs it (default false)
+---@field cells? number[] {across, along}; default {3, 9}
+---@field steps? integer for the whole history (default 80)
+---@field rows? integer of the curve, at equal times on which steps land, besides the first; default: one a step, wherever cuts put it
+---@field tolerance? number as for fabric.static (default 1e-10)
+---@field max_iterations? integer as for fabric.static (default 50)
+---@field max_cuts? integer as for fabric.static (default 12)
+---@field most_steps? integer ends a run that cuts its steps again and again
+---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
+---@field width? number m: of the strip (default 0.0254)
+---@field length? number m: between the grips (default 0.0762)
+---@field thickness? number m: default: the card's
+---@field out? string folder for curve.csv and the VTK series strip.pvd
+
+---A strip pulled off the yarns' axes and let go. Returns curve (a list of time, displacement, force, E, S = force over area, E_lateral, and E and S along the pull as _average over the elements and at the _centre, E12_average, E12_centre, S12_centre), peak (its row of largest displacement), zones (element numbers of the bias test's three zones), analysis, model, mesh, displacement, volume, and the method mesh_error(). And zone_mean(name): the means of a field in zones 1, 2, 3 at the present time.
+---@param fields fabric_lab_bias_fields
+---@return any
+function fabric.lab.bias(fields) end
+
+---@class fabric_lab_bias_extension_fields
+---@field card card the fabric
+---@field width number m: of the specimen
+---@field length number m: between the grips
+---@field displacement number m: largest displacement
+---@field cells? integer squares across the width (default 10)
+---@field steps? integer of the displacement, at each of which the curve has a row (default 60)
+---@field tolerance? number as for fabric.static (default 1e-08)
+---@field thickness? number m: default: the card's
+
+---A strip at 45 degrees, clamped and pulled, on a mesh along its yarns: for yarns that hardly stretch. Returns curve (a list of time, displacement, force, E, S), analysis, model, mesh.
+---@param fields fabric_lab_bias_extension_fields
+---@return any
+function fabric.lab.bias_extension(fields) end
+
+---@class fabric_lab_bias_shear_fields
+---@field displacement number[] m: of the crosshead, rising
+---@field force number[] N: of one length with it
+---@field width number m: of the specimen
+---@field length number m: between the grips, at least twice the width
+---@field thickness number m: of the cloth
+
+---Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12.
+---@param fields fabric_lab_bias_shear_fields
+---@return any
+function fabric.lab.bias_shear(fields) end
+
+---@class fabric_lab_biaxial_fields
+---@field card card the fabric
+---@field displacement? number m: by which left and right part (default 0.03)
+---@field ratio? number by which bottom and top part, over that (default 1)
+---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
+---@field release? number a force that small, over the largest, ends the test (default 1e-06)
+---@field cells? integer along an edge (default 3)
+---@field steps? integer for the whole history (default 80)
+---@field size? number m: of the square (default 0.254)
+---@field thickness? number m: default: the card's
+---@field out? string folder for curve.csv and the VTK series square.pvd
+
+---A square pulled along both yarns and let go until one has no pull left. Returns curve (a list of time, displacement, E11, E22, S11, S22 from the forces, and both as _average and _centre, force_x, force_y), peak (its row of largest displacement), analysis, model, mesh, volume, and the method mesh_error().
+---@param fields fabric_lab_biaxial_fields
+---@return any
+function fabric.lab.biaxial(fields) end
+
+---@class fabric_lab_boxes_fields
+---@field rows integer of markers, following each other along the pull
+---@field columns integer of markers, across the pull
+---@field x table of every marker, row by row, frame after frame; nan: lost
+---@field y table likewise
+---@field warp? number degrees: from x to the warp (default 90)
+
+---Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. 3.2), E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen in the last frame; frames, boxes.
+---@param fields fabric_lab_boxes_fields
+---@return any
+function fabric.lab.boxes(fields) end
+
+---@class fabric_lab_branches_fields
+---@field displacement number[] m: of a cyclic test
+---@field tolerance number m: smallest way back that is a reversal
+
+---Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, or reloading (up to the largest displacement so far).
+---@param fields fabric_lab_branches_fields
+---@return any
+function fabric.lab.branches(fields) end
+
+---@class fabric_lab_card_fields
+---@field name string of the fabric
+---@field source? string who measured, when; what was fitted is put behind it (default "")
+---@field density number kg/m^3: as of fabric.lab.density
+---@field thickness number m: of the cloth
+---@field warp table result of fabric.lab.fit
+---@field weft table result of fabric.lab.fit
+---@field shear table result of fabric.lab.fit of shear tests (tensor measure)
+---@field poisson table {warp=, weft=}: numbers, or results of fabric.lab.poisson
+---@field bending? table as in fabric.woven
+
+---A woven card from fits, with bands, tested ranges and provenance; card:write keeps them.
+---@param fields fabric_lab_card_fields
+---@return card
+function fabric.lab.card(fields) end
+
+---@class fabric_lab_density_fields
+---@field mass number[] kg: of each weighed piece
+---@field area number m^2: of a piece
+---@field thickness number[] m: measured
+
+---Mass per area, thickness (means) and density = mass per area over thickness [williams2010, section 3.3.1].
+---@param fields fabric_lab_density_fields
+---@return any
+function fabric.lab.density(fields) end
+
+---@class fabric_lab_drape_fields
+---@field card card the fabric
+---@field cells? integer along an edge (default 20)
+---@field size? number m: of the square (default 2)
+---@field duration? number s: of the run (default 0.5)
+---@field step? number s: as for fabric.dynamic; default: "auto"
+---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
+---@field points? integer through the thickness, where the card has no bending of its own (default 3)
+---@field gravity? number m/s^2: along -z (default 9.81)
+---@field damping? number 1/s: of the masses (default 0)
+---@field every? number s: time between rows and frames (default 0.005)
+---@field force? boolean as for fabric.dynamic (default false)
+---@field strict? boolean a run that stops by itself is an error; false: it comes back with `trouble` (default true)
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field out? string folder for curve.csv and the VTK series
+
+---A square sheet, held at its corners, falls under its weight. Returns curve (a list of time, centre and lowest: how far the middle and the lowest node hang down, m; the energies of analysis.energy), analysis, model, mesh, and trouble where the run stopped.
+---@param fields fabric_lab_drape_fields
+---@return any
+function fabric.lab.drape(fields) end
+
+---@class fabric_lab_fast_fields
+---@field along table {stretch=, force=} of a pull along a yarn; force in N/m of width
+---@field bias? table {stretch=, force=} of a pull at 45 degrees
+---@field bending_length? number m: C, by the cantilever
+---@field mass_per_area? number kg/m^2: W
+
+---E5, E20, E100 (per cent at 5, 20, 100 N/m), EB5, G = 123/EB5 (N/m), B = W g C^3 (uN.m), F = (E20 - E5) B / 14.7 (mm^2).
+---@param fields fabric_lab_fast_fields
+---@return any
+function fabric.lab.fast(fields) end
+
+---@class fabric_lab_fast_card_fields
+---@field name string of the fabric
+---@field thickness number m: T2, of the cloth
+---@field density number kg/m^3: mass over volume
+---@field warp table {E20=, E100=, B=}: per cent, uN.m
+---@field weft table {E20=, E100=, B=}
+---@field EB5 number bias extension, per cent
+---@field poisson table {warp=, weft=}: FAST does not measure them
+---@field unloading_ratio? number unloading modulus over the largest tangent: FAST does not measure it (default 2)
+
+---A card that shows the given FAST numbers. Unloading is assumed by its ratio; twist is half of the mean bending rigidity.
+---@param fields fabric_lab_fast_card_fields
+---@return card
+function fabric.lab.fast_card(fields) end
+
+---@class fabric_lab_fit_fields
+---@field tests table replicates: results of fabric.lab.tensile or shear_from_bias
+---@field degree? integer|"auto"|"monotone" of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve (default "auto")
+---@field find_slack? boolean first contact is found with the curve (default false)
+---@field upto? "failure"|"yield" rows used (default "failure")
+---@field rule? "first"|"robust" of the unloading modulus (default "first")
+---@field count? integer first points of the unloading (default 3)
+---@field kept? number robust: part of the stress (default 0.7)
+---@field level? number of confidence (default 0.95)
+---@field draws? integer of the bootstrap (default 2000)
+---@field seed? integer of the bootstrap (default 1)
+---@field common? number relative standard uncertainty of all moduli together: load cell, thickness, width (default 0)
+
+---A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), band {value, low, high, covariance} of {loading..., unloading}, text (the criterion's table), specimens.
+---@param fields fabric_lab_fit_fields
+---@return any
+function fabric.lab.fit(fields) end
+
+---@class fabric_lab_identifiability_fields
+---@field jacobian number[] of residuals in units of their deviation, by rows
+---@field scale number[] a size of each parameter
+
+---What data fix: deviation of each parameter, correlation (by rows), weakest (the combination fixed least, of length one in units of scale) and weakest_deviation.
+---@param fields fabric_lab_identifiability_fields
+---@return any
+function fabric.lab.identifiability(fields) end
+
+---@class fabric_lab_identify_fields
+---@field parameters table { {name=, start=, low=, high=}, ... }; a logarithm where the size is not known
+---@field tests table { {name=, measured={numbers}, predict=function(p) return numbers end, noise=}, ... }; p by parameter name; noise: one standard deviation, or one per number; default 1 % of the largest
+---@field further? table tests that could be made: {name=, predict=, noise=}; ranked by what they would add
+---@field processes? integer side by side, for the differences (default 2)
+---@field checkpoint? string file of what was simulated so far; taken up when it is there
+---@field iterations? integer at most (default 30)
+---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
+---@field difference? number step of the differences over high - low (default 0.001)
+---@field settle? integer rounds at the end, with differences over a standard deviation to both sides along combinations of parameters (default 8)
+---@field progress? boolean says on stderr how far it is (default false)
+
+---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation, correlation, weakest, misses (per test: rms and worst over the largest measured value), chi2, further (ranked), simulations, text.
+---@param fields fabric_lab_identify_fields
+---@return any
+function fabric.lab.identify(fields) end
+
+---@class fabric_lab_kes_bending_fields
+---@field curvature number[] 1/m: of a cycle 0 to 250, to -250, to 0
+---@field moment number[] N: per width
+---@field at? number 1/m: curvature of 2HB: 50 or 100, laboratories differ (default 50)
+
+---B (slope from 50 to 150 1/m, gf cm^2/cm) and 2HB (gf cm/cm, height of the loop).
+---@param fields fabric_lab_kes_bending_fields
+---@return any
+function fabric.lab.kes_bending(fields) end
+
+---@class fabric_lab_kes_card_fields
+---@field name string of the fabric
+---@field thickness number m: of the cloth
+---@field density number kg/m^3: mass over volume
+---@field warp table {EMT=, WT=, RT=}
+---@field weft table {EMT=, WT=, RT=}
+---@field shear table {G=, ['2HG']=}
+---@field bending? table {warp={B=, ['2HB']=}, weft={...}, twist=?, build_up=?}; twist N.m, build_up 1/m
+---@field poisson table {warp=, weft=}: KES does not measure them
+
+---A card that shows the given KES numbers: tensile curve with one bend, straight shear. Twist is half of the mean bending rigidity unless given.
+---@param fields fabric_lab_kes_card_fields
+---@return card
+function fabric.lab.kes_card(fields) end
+
+---@class fabric_lab_kes_shear_fields
+---@field angle number[] degrees: of a cycle 0 to 8, to -8, to 0
+---@field force number[] N/m: shear force per width
+
+---G (slope from 0.5 to 2.5 degrees, gf/(cm deg)), 2HG and 2HG5 (gf/cm, height of the loop at 0.5 and 5 degrees).
+---@param fields fabric_lab_kes_shear_fields
+---@return any
+function fabric.lab.kes_shear(fields) end
+
+---@class fabric_lab_kes_tensile_fields
+---@field stretch number[] elongation over length, up to the largest load and back
+---@field force number[] N/m: per width; KES goes to 500 gf/cm
+
+---EMT (per cent at the largest load), WT (gf cm/cm^2), LT = WT over that of a straight line, RT (per cent of the work that comes back).
+---@param fields fabric_lab_kes_tensile_fields
+---@return any
+function fabric.lab.kes_tensile(fields) end
+
+---@class fabric_lab_kilby_fields
+---@field warp number Pa: E1
+---@field weft number Pa: E2
+---@field nu12 number contraction along the weft when pulled along the warp
+---@field nu21 number the other way round
+---@field bias? number Pa: E45; gives shear
+---@field shear? number Pa: G12 (engineering), instead of bias
+---@field reading? "definition"|"printed" nu12/E1 + nu21/E2 by the definition of the ratios, or nu21/E1 + nu12/E2 as eq. 3.4 is printed (default "definition")
+
+---Kilby's relation G = 1/(4/E45 - 1/E1 - 1/E2 + coupling): returns shear and bias, one of which is given.
+---@param fields fabric_lab_kilby_fields
+---@return any
+function fabric.lab.kilby(fields) end
+
+---@class fabric_lab_least_squares_fields
+---@field start number[] parameters to begin with
+---@field low number[] bounds
+---@field high number[] bounds
+---@field evaluate function evaluate(points) returns one list of residuals per point
+---@field iterations? integer at most (default 50)
+---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-08)
+---@field difference? number step of the differences, over high - low (default 1e-04)
+---@field settle? integer rounds of differences to both sides along combinations that the data fix independently; for residuals in units of their deviation (default 0)
+
+---Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, converged, reason.
+---@param fields fabric_lab_least_squares_fields
+---@return any
+function fabric.lab.least_squares(fields) end
+
+---@class fabric_lab_marks_fields
+---@field E number[] strains of a loading branch
+---@field S number[] Pa: stresses
+---@field kept? number failed when the stress falls below this part of its peak (default 0.8)
+---@field softening? number yielded where the tangent falls below this part of its largest value (default 0.5)
+
+---Rows of yield and of failure (the largest stress), nil where there is none.
+---@param fields fabric_lab_marks_fields
+---@return any
+function fabric.lab.marks(fields) end
+
+---@class fabric_lab_mesh_error_fields
+---@field run function function(n) that returns {name=number, ...} on a mesh refined n = 1, 2, 4 times
+---@field print? boolean a table (default true)
+
+---Richardson's estimate from three meshes. Returns, by name, {f1, f2, f3, limit=, order=, error=}: error is that of the first mesh, a fraction of the limit; no order where the three do not approach one, and then error is their spread.
+---@param fields fabric_lab_mesh_error_fields
+---@return any
+function fabric.lab.mesh_error(fields) end
+
+---@class fabric_lab_monotone_fields
+---@field curves table { {E=, S=}, ... }, one per specimen
+---@field bins? integer of strain, equally wide (default 20)
+
+---Points {{0, 0}, {E, S}, ...} of a strictly rising curve through the means of bins: a card's loading.
+---@param fields fabric_lab_monotone_fields
+---@return any
+function fabric.lab.monotone(fields) end
+
+---@class fabric_lab_parallel_fields
+---@field count integer of items
+---@field work function work(i) returns a list of numbers
+---@field processes? integer at a time, each a copy of this one with one thread (default 2)
+---@field done? function done(i) is called here as each is finished
+
+---Work for items 1 to count in processes side by side: the lists in order; one whose work failed is empty and has trouble, the message.
+---@param fields fabric_lab_parallel_fields
+---@return any
+function fabric.lab.parallel(fields) end
+
+---@class fabric_lab_photograph_fields
+---@field file string ends in .png
+---@field rows integer of dots, following each other along the pull (y)
+---@field columns integer of dots, across
+---@field pitch number pixels: of the undeformed grid
+---@field radius number pixels: of an undeformed dot
+---@field width integer of the picture, pixels
+---@field height integer of the picture, pixels
+---@field F? number[] {F11, F12, F21, F22}: the map of the cloth, y upwards; default: none
+---@field blur? number pixels: standard deviation of the lens (default 1)
+---@field noise? number of a pixel, white being 1 (default 0.01)
+---@field seed? integer of the noise (default 1)
+
+---Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker.
+---@param fields fabric_lab_photograph_fields
+---@return any
+function fabric.lab.photograph(fields) end
+
+---@class fabric_lab_picture_frame_fields
+---@field displacement number[] m: of the crosshead along the diagonal
+---@field force? number[] N: less that of the empty frame
+---@field card? card instead of the force: what the frame would show
+---@field thickness? number m: of the cloth; default: the card's
+---@field frame number m: side of the frame, between hinges
+---@field cloth number m: side of the cloth without its arms
+
+---Picture frame: angle (degrees), normal_force (N/m, normalised by frame / cloth^2), E12, S12 from force and displacement; or force from a card.
+---@param fields fabric_lab_picture_frame_fields
+---@return any
+function fabric.lab.picture_frame(fields) end
+
+---@class fabric_lab_poisson_fields
+---@field specimens table marker grids: { {rows=, columns=, x=, y=}, ... } as of fabric.lab.tracks
+---@field noise? number of a coordinate; default: from the scatter of each specimen
+---@field least? number mean strain along the pull from which on frames count (default 0.01)
+---@field level? number of confidence (default 0.95)
+---@field seed? integer of the bootstrap (default 1)
+---@field common? number relative standard uncertainty that all share (default 0)
+
+---The contraction ratio (eq. 3.3): one line through the origin per specimen with its boxes pooled, then the mean: value, low, high, variance, specimens { {value, plain, noise, uncertainty}, ... }.
+---@param fields fabric_lab_poisson_fields
+---@return any
+function fabric.lab.poisson(fields) end
+
+---@class fabric_lab_poke_fields
+---@field height? number m: that the punch rises to (default 0.4)
+---@field stroke? number s: up and down (default 0.5)
+---@field card card the fabric
+---@field cells? integer along an edge (default 20)
+---@field size? number m: of the square (default 2)
+---@field duration? number s: of the run (default 0.5)
+---@field step? number s: as for fabric.dynamic; default: "auto"
+---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
+---@field points? integer through the thickness, where the card has no bending of its own (default 3)
+---@field gravity? number m/s^2: along -z (default 9.81)
+---@field damping? number 1/s: of the masses (default 0)
+---@field every? number s: time between rows and frames (default 0.005)
+---@field force? boolean as for fabric.dynamic (default false)
+---@field strict? boolean a run that stops by itself is an error; false: it comes back with `trouble` (default true)
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field out? string folder for curve.csv and the VTK series
+
+---A square sheet, its rim held, is pushed up by a punch in its middle and let down. Returns curve (a list of time, height of the punch, lowest: how far the lowest node hangs down, m; E11 and S11 one element beside the punch along the warp, E22 and S22 along the weft; the energies of analysis.energy), analysis, model, mesh, along_warp and along_weft (the two elements), and trouble where the run stopped.
+---@param fields fabric_lab_poke_fields
+---@return any
+function fabric.lab.poke(fields) end
+
+---@class fabric_lab_ratio_fields
+---@field rows integer of markers, following each other along the pull
+---@field columns integer of markers, across the pull
+---@field x table of every marker, row by row, frame after frame; nan: lost
+---@field y table likewise
+---@field noise? number of a coordinate (standard deviation); default: from the scatter
+---@field least? number strain along the pull from which on boxes count (default 0.01)
+
+---Contraction ratio of one specimen (eq. 3.3), boxes pooled, corrected for noise in the positions: value, plain (not corrected), noise, uncertainty (standard, over the boxes).
+---@param fields fabric_lab_ratio_fields
+---@return any
+function fabric.lab.ratio(fields) end
+
+---@class fabric_lab_read_fields
+---@field file string of the load frame: CSV, TSV or the like
+---@field columns? table {displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading
+---@field units? table {displacement='mm', force='N'}; default: those of the headings
+---@field separator? "auto"|","|";"|"tab"|"blank" between cells (default "auto")
+---@field decimal? "auto"|"."|"," decimal sign (default "auto")
+
+---A load frame's record in SI: displacement, force, and time and strain where there are such columns; rows, names, preamble, file.
+---@param fields fabric_lab_read_fields
+---@return any
+function fabric.lab.read(fields) end
+
+---@class fabric_lab_reduce_fields
+---@field displacement number[] m: of the crosshead
+---@field force number[] N: of one length with it
+---@field gauge_length number m: between the grips
+---@field width number m: of the specimen
+---@field thickness number m: of one ply
+---@field plies integer layers that carry: 2 for a sewn loop on two pins
+---@field compliance? number m/N: of the frame, elastic (default 0)
+---@field slip? number m/N: in the grips over the largest force so far; it does not come back (default 0)
+---@field slack? number m: displacement at first contact (default 0)
+---@field contact? number N: find the slack: where the force rises above this for good
+
+---Stress and strain from displacement and force (eqs. 3.1, 3.2): returns displacement (of the specimen's end), E, S, slack, area. The specimen's length is gauge_length + slack.
+---@param fields fabric_lab_reduce_fields
+---@return any
+function fabric.lab.reduce(fields) end
+
+---@class fabric_lab_shear_fields
+---@field card card the fabric
+---@field E12? number largest shear strain (tensor); default: up to where the card was tested
+---@field path? number[] strains visited in turn, as parts of the largest; default {1, -1, 1}
+---@field sides? "driven"|"free" driven: all four edges move, the shear is uniform; free: bottom and top alone (default "driven")
+---@field cells? integer along an edge (default 3)
+---@field steps? integer for the whole history (default 90)
+---@field size? number m: of the square (default 0.0254)
+---@field thickness? number m: default: the card's
+---@field out? string folder for curve.csv and the VTK series square.pvd
+
+---A square in cyclic simple shear, warp along the shear. Returns curve (a list of time, E12, force_x, force_y, S12 from the forces, S12_average, S12_centre, S22_average, S_uncorrected = force_x over area), analysis, model, mesh, E12, volume, and the method mesh_error().
+---@param fields fabric_lab_shear_fields
+---@return any
+function fabric.lab.shear(fields) end
+
+---@class fabric_lab_shear_from_bias_fields
+---@field markers table a marker grid, as of fabric.lab.tracks
+---@field warp? number degrees: from the x of the markers to the warp (default 45)
+---@field force number[] N: at each frame
+---@field displacement number[] m: of the crosshead at each frame
+---@field gauge_length number m: between the grips
+---@field width number m: of the specimen
+---@field thickness number m: of one ply
+---@field plies integer layers that carry
+---@field compliance? number m/N: of the frame (default 0)
+---@field slip? number m/N: in the grips (default 0)
+
+---Shear from a bias pull: E (tensor E12 = lambda1 lambda2 cos(phi)/2 over the boxes of zone 3, eq. 3.16) and S (S12 = P/(2 A0 lambda), eq. 3.15) per frame, zones of the boxes, warp_stretch, weft_stretch, branches: a test for fabric.lab.fit.
+---@param fields fabric_lab_shear_from_bias_fields
+---@return any
+function fabric.lab.shear_from_bias(fields) end
+
+---@class fabric_lab_synthetic_fields
+---@field card card the truth
+---@field direction? "warp"|"weft"|"bias" of the pull (default "warp")
+---@field specimens? integer replicates (default 5)
+---@field seed? integer of all that is random (default 1)
+---@field rows? integer of the record on the way up (default 300)
+---@field reach? number largest strain; default: as tested
+---@field scatter? number of the moduli between specimens, relative (default 0.03)
+---@field slack? number m: largest displacement before first contact (default 5e-04)
+---@field slip? number m/N: in the grips (default 0)
+---@field compliance? number m/N: of the frame (default 0)
+---@field force_noise? number N: standard deviation (default 0.02)
+---@field calibration? number relative error of the load cell, one for all specimens: standard deviation (default 0.003)
+---@field displacement_noise? number m: standard deviation (default 2e-06)
+---@field position_noise? number m: of a marker coordinate (default 1e-05)
+---@field markers? number[] {rows, columns}; default {5, 4}
+---@field pitch? number m: between markers (default 0.005)
+---@field photographs? integer over the whole test (default 60)
+---@field gauge_length? number m: between the grips (default 0.0762)
+---@field width? number m: of the specimen (default 0.0254)
+---@field thickness? number m: default: the card's
+---@field plies? integer layers that carry (default 2)
+
+---Pulls of a card's cloth as a laboratory would have recorded them: a list of specimens {record={displacement, force}, photographs={markers, force, displacement, warp}}.
+---@param fields fabric_lab_synthetic_fields
+---@return any
+function fabric.lab.synthetic(fields) end
+
+---@class fabric_lab_tensile_fields
+---@field file? string of the load frame
+---@field record? table {displacement=, force=} in SI, instead of a file
+---@field columns? table as in fabric.lab.read
+---@field units? table as in fabric.lab.read
+---@field gauge_length number m: between the grips
+---@field width number m: of the specimen
+---@field thickness number m: of one ply
+---@field plies integer layers that carry: 1, or 2 for a sewn loop on two pins
+---@field compliance? number m/N: of frame and load cell (default 0)
+---@field slip? number m/N: in the grips, over the largest force so far (default 0)
+---@field slack? number|"none"|"contact" m: displacement at first contact, or 'contact': found where the force rises above `contact` (default "none")
+---@field contact? number N: default 1 % of the largest force
+---@field tolerance? number m: smallest way back that is a reversal; default 1 % of the largest displacement
+---@field kept? number failed below this part of the peak (default 0.8)
+---@field softening? number yielded below this part of the largest tangent (default 0.5)
+
+---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (rows of the first branch), yield and failure (rows or nil), slack, area.
+---@param fields fabric_lab_tensile_fields
+---@return any
+function fabric.lab.tensile(fields) end
+
+---@class fabric_lab_track_fields.known
+---@field from integer a marker
+---@field to integer another
+---@field distance number m: between them on the first photograph
+
+---@class fabric_lab_track_fields
+---@field files table photographs in order: PNG, JPEG or TIFF
+---@field rows integer of dots, following each other along the pull (y)
+---@field columns integer of dots, across
+---@field scale? number m: of a pixel
+---@field known? fabric_lab_track_fields.known a known distance, instead of the scale
+---@field dark? boolean dots on lighter cloth (default true)
+---@field smallest? number area of a dot, pixels (default 12)
+---@field largest? number area of a dot, pixels (default 1e+05)
+---@field contrast? number least, black on white being 1 (default 0.1)
+
+---Follows a grid of dots through photographs: rows, columns, frames, x, y (m, or pixels without a scale; y upwards; nan: lost), scale, doubtful = { {frame, marker, lost}, ... }; lost ones are looked for again.
+---@param fields fabric_lab_track_fields
+---@return any
+function fabric.lab.track(fields) end
+
+---@class fabric_lab_tracks_fields
+---@field file string a table with columns frame, marker (from 1, row by row), x, y
+---@field rows integer of markers, following each other along the pull
+---@field columns integer of markers, across the pull
+
+---Positions of a marker grid in a series of photographs: rows, columns, frames, x, y; a marker without a row is lost (nan).
+---@param fields fabric_lab_tracks_fields
+---@return any
+function fabric.lab.tracks(fields) end
+
+---@class fabric_lab_uniaxial_fields.grips
+---@field lateral number N/m^2: stiffness across, per metre of edge
+
+---@class fabric_lab_uniaxial_fields
+---@field card card the fabric
+---@field direction? number|"warp"|"weft" degrees: of the pull: warp, weft, or its angle from the warp (default "warp")
+---@field displacement? number m: largest displacement; default: up to where the card was tested
+---@field grips? "clamped"|"free"|fabric_lab_uniaxial_fields.grips clamped ends keep their width, free ends contract, {lateral=k}: springs across, k in N/m per metre of edge (default "clamped")
+---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
+---@field unload? boolean without a path: back again (default true)
+---@field unilateral? boolean the grip lets go where the pull is zero; else it goes on to push (default true)
+---@field release? number that zero, over the largest force (default 1e-06)
+---@field out_of_plane? "held"|"free" free: the strip, bowed by a tenth of its thickness, may buckle (default "held")
+---@field stabilise? number|boolean as for fabric.static: a buckling strip needs it (default false)
+---@field cells? number[] {across, along}; default {3, 9}
+---@field steps? integer for the whole history (default 80)
+---@field rows? integer of the curve, at equal times on which steps land, besides the first; default: one a step, wherever cuts put it
+---@field tolerance? number as for fabric.static (default 1e-10)
+---@field max_iterations? integer as for fabric.static (default 50)
+---@field max_cuts? integer as for fabric.static (default 12)
+---@field most_steps? integer ends a run that cuts its steps again and again
+---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
+---@field width? number m: of the strip (default 0.0254)
+---@field length? number m: between the grips (default 0.0762)
+---@field thickness? number m: default: the card's
+---@field out? string folder for curve.csv and the VTK series strip.pvd
+
+---A strip pulled and let go. Returns curve (a list of time, displacement, force, E, S = force over area, E_lateral, and E and S along the pull as _average over the elements and at the _centre, E12_average, E12_centre, S12_centre), peak (its row of largest displacement), zones (element numbers of the bias test's three zones), analysis, model, mesh, displacement, volume, and the method mesh_error().
+---@param fields fabric_lab_uniaxial_fields
+---@return any
+function fabric.lab.uniaxial(fields) end
+
+---@class fabric_lab_unloading_fields
+---@field E number[] strains from the first row after a reversal
+---@field S number[] Pa: stresses
+---@field rule? "first"|"robust" first: line through the first points; robust: median slope of more of them (default "first")
+---@field count? integer of first points (default 3)
+---@field kept? number robust: points above this part of the first stress (default 0.7)
+
+---The unloading modulus in Pa; nothing when there are too few points.
+---@param fields fabric_lab_unloading_fields
+---@return any
+function fabric.lab.unloading(fields) end
+
+---@class fabric_linear_fields.bending.friction_warp
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+
+---@class fabric_linear_fields.bending.friction_weft
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+
+---@class fabric_linear_fields.bending
+---@field warp number N.m: bending rigidity along the warp
+---@field weft number N.m: bending rigidity along the weft
+---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
+---@field friction_warp? fabric_linear_fields.bending.friction_warp bending hysteresis along the warp
+---@field friction_weft? fabric_linear_fields.bending.friction_weft bending hysteresis along the weft
+
+---@class fabric_linear_fields
+---@field name? string of the fabric (default "")
+---@field source? string where the numbers come from (default "")
+---@field density number kg/m^3: mass over volume
+---@field thickness number m: of the sheet
+---@field bending? fabric_linear_fields.bending own bending rigidity instead of integration through the thickness
+---@field warp number Pa: modulus along the warp
+---@field weft number Pa: modulus along the weft
+---@field shear number Pa: engineering shear modulus, S12 = 2 shear E12
+---@field poisson number|number[] {nu12, nu21}
+
+---A linear orthotropic sheet for small strains; refused unless nu12/warp = nu21/weft.
+---@param fields fabric_linear_fields
+---@return card
+function fabric.linear(fields) end
+
+---@class fabric_mesh_annulus_fields
+---@field inner number m: radius
+---@field outer number m: radius
+---@field around integer elements along the circle
+---@field across integer elements from the inner to the outer circle
+---@field angle? number degrees: of the sector, counter-clockwise from +x (default 360)
+---@field slit? boolean cut a full ring open at angle 0 (default false)
+
+---A ring or a sector of one in the x-y plane about the origin, normal +z; nodes around first, from the inner circle outward. Sets inner, outer, boundary, all. Below 360 degrees the sets start and end are its two cut edges, at 360 degrees seam is the line at angle 0. A slit ring has start and end too.
+---@param fields fabric_mesh_annulus_fields
+---@return mesh
+function fabric.mesh.annulus(fields) end
+
+---@class fabric_mesh_cylinder_fields
+---@field radius number m: of the cylinder
+---@field length number m: from z = 0 up
+---@field around integer elements along the circle
+---@field along integer elements along the axis
+---@field angle? number degrees: of the sector, counter-clockwise from +x (default 360)
+
+---A sleeve, or an open shell cut from one, about the z axis, normal outward; nodes around first, from the bottom up. Sets bottom, top, boundary, all. Below 360 degrees the sets start and end are its two cut edges, at 360 degrees seam is the line at angle 0.
+---@param fields fabric_mesh_cylinder_fields
+---@return mesh
+function fabric.mesh.cylinder(fields) end
+
+---@class fabric_mesh_disk_fields
+---@field radius number m: of the rim
+---@field cells integer elements along each side of the square core; the rim has four times as many
+---@field rings? integer rings of elements around the core, default half of cells
+
+---A disk of quadrilaterals in the x-y plane about the origin, normal +z: a square core, then rings. Sets boundary (the rim), core, all, and centre when cells is even.
+---@param fields fabric_mesh_disk_fields
+---@return mesh
+function fabric.mesh.disk(fields) end
+
+---@class fabric_mesh_hemisphere_fields
+---@field radius number m: of the sphere
+---@field hole? number degrees: polar angle at which the cap is cut off (default 18)
+---@field around integer elements along the equator
+---@field along integer elements from the equator to the hole
+---@field angle? number degrees: of the sector, counter-clockwise from +x (default 90)
+
+---The upper half of a sphere about the origin with a hole at the top, or a sector of it, normal outward; nodes around first, from the equator up. Sets bottom (the equator), top (edge of the hole), boundary, all. Below 360 degrees the sets start and end are its two cut edges, at 360 degrees seam is the line at angle 0.
+---@param fields fabric_mesh_hemisphere_fields
+---@return mesh
+function fabric.mesh.hemisphere(fields) end
+
+---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj. Physical groups and groups become node sets; so do integer arrays: those of 0 and 1 by their name, others as name_value. Nodes in no element are left out; the sets all and boundary are added.
+---@param file string ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh that comes along
+---@return mesh
+function fabric.mesh.read(file) end
+
+---@class fabric_mesh_rectangle_fields
+---@field width number m: size along x
+---@field height number m: size along y
+---@field nx integer elements along x
+---@field ny integer elements along y
+---@field origin? number[] m: corner of smallest x and y, {x, y} or {x, y, z}
+---@field triangles? boolean cut every cell into two triangles, the cuts turning from cell to cell (default false)
+
+---A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin corner; sets left, right, bottom, top, boundary, corners, all.
+---@param fields fabric_mesh_rectangle_fields
+---@return mesh
+function fabric.mesh.rectangle(fields) end
+
+---@class fabric_model_fields
+---@field mesh mesh the surface
+---@field card? card the fabric
+---@field layers? table { {card=, warp=, thickness=}, ... }: plies from below, in place of a card
+---@field thickness? number m: wins over the card's; mass per area follows
+---@field warp? number|function|number[] degrees: warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) returning either; default 0 on a flat generated mesh
+---@field points? integer integration points through the thickness (default 3)
+---@field offset? number reference surface: -1 lower face, 0 middle, 1 upper face (default 0)
+
+---The declared problem: a mesh of a fabric, to be held, moved and loaded.
+---@param fields fabric_model_fields
+---@return model
+function fabric.model(fields) end
+
+---@class fabric_plot_fields
+---@field file string ends in .svg, .png or .pdf
+---@field title? string above the curves (default "")
+---@field xlabel? string with its unit (default "")
+---@field ylabel? string with its unit (default "")
+---@field curves table { {x=, y=, label=, style=}, ... }
+
+---Draws curves into a file (by gnuplot).
+---@param fields fabric_plot_fields
+function fabric.plot(fields) end
+
+---One material point of virgin cloth, to be driven by strains.
+---@param card card the fabric
+---@return point
+function fabric.point(card) end
+
+---A table of coefficients times a unit: fabric.poly({8, 826}, MPa).
+---@param coefficients number[] ascending powers
+---@param unit? number a multiplier of fabric.units (default 1)
+---@return number[]
+function fabric.poly(coefficients, unit) end
+
+---From 0 to value over the duration, then held.
+---@param value number end value
+---@param duration number s: time to reach it
+---@return history
+function fabric.ramp(value, duration) end
+
+---@class fabric_render_fields
+---@field file string to write; ends in .png
+---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
+---@field run? analysis in place of files: the run as it stands
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" what the colours show (default "none")
+---@field title? string on top (default "")
+---@field labels? string|table above the panels
+---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
+---@field factor? number the bar shows that much times the SI value; default: to the unit
+---@field range? number[] {low, high} of the bar; default: those of all panels
+---@field view? "above"|"front"|"side"|"oblique"|number[] above (from +z, y up), front (along +y), side (along -x), oblique, or {azimuth, elevation} in degrees (default "above")
+---@field columns? integer of panels
+---@field width? integer pixels (default 1200)
+---@field height? integer pixels (default 900)
+---@field edges? boolean of the elements (default true)
+---@field axes? boolean with a scale, in mm (m from 1.5 m on) (default true)
+
+---Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual display Xvfb, or where that is not installed on the display of DISPLAY.
+---@param fields fabric_render_fields
+function fabric.render(fields) end
+
+---@class fabric_static_fields
+---@field model model what is computed
+---@field duration number s: time to run to
+---@field step? number s: largest step; default duration/20
+---@field tolerance? number residual over the largest nodal force (default 1e-10)
+---@field max_iterations? integer of one step, before it is cut (default 50)
+---@field max_cuts? integer halvings of one step, before the run gives up (default 12)
+---@field line_search? boolean on the energy along the Newton step (default true)
+---@field min_step? number s: smallest step that cuts go down to
+---@field linear? "auto"|"symmetric"|"unsymmetric" direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
+---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
+---@field method? "newton"|"relaxation"|"either" newton; relaxation: every step by dynamic relaxation; either: it for a step that Newton can't do (default "newton")
+---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
+
+---A quasi-static run: Newton's method through the histories' time.
+---@param fields fabric_static_fields
+---@return analysis
+function fabric.static(fields) end
+
+---@class fabric_svk_fields.bending.friction_warp
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+
+---@class fabric_svk_fields.bending.friction_weft
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+
+---@class fabric_svk_fields.bending
+---@field warp number N.m: bending rigidity along the warp
+---@field weft number N.m: bending rigidity along the weft
+---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
+---@field friction_warp? fabric_svk_fields.bending.friction_warp bending hysteresis along the warp
+---@field friction_weft? fabric_svk_fields.bending.friction_weft bending hysteresis along the weft
+
+---@class fabric_svk_fields
+---@field name? string of the fabric (default "")
+---@field source? string where the numbers come from (default "")
+---@field density number kg/m^3: mass over volume
+---@field thickness number m: of the sheet
+---@field bending? fabric_svk_fields.bending own bending rigidity instead of integration through the thickness
+---@field warp? number Pa: modulus along the warp
+---@field weft? number Pa: modulus along the weft
+---@field shear? number Pa: engineering shear modulus, S12 = 2 shear E12
+---@field young? number Pa: modulus of an isotropic sheet, instead of warp, weft, shear
+---@field poisson number|number[] {nu12, nu21}, or one number for both
+---@field transverse? number[] Pa: {G13, G23}; default 5/6 of shear
+
+---A St. Venant-Kirchhoff sheet: the comparator with constant moduli; S12 = 2 shear E12.
+---@param fields fabric_svk_fields
+---@return card
+function fabric.svk(fields) end
+
+---@class fabric_table_fields
+---@field file string of numbers in columns
+---@field separator? "auto"|","|";"|"tab"|"blank" between cells; auto: found from the file (default "auto")
+---@field decimal? "auto"|"."|"," decimal sign; auto: found from the file (default "auto")
+
+---Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above the numbers).
+---@param fields fabric_table_fields
+---@return any
+function fabric.table(fields) end
+
+---Says a warning on stderr with the deck's line, each text once.
+---@param text string what to say
+function fabric.warn(text) end
+
+---@class fabric_woven_fields.bending.friction_warp
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+
+---@class fabric_woven_fields.bending.friction_weft
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+
+---@class fabric_woven_fields.bending
+---@field warp number N.m: bending rigidity along the warp
+---@field weft number N.m: bending rigidity along the weft
+---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
+---@field friction_warp? fabric_woven_fields.bending.friction_warp bending hysteresis along the warp
+---@field friction_weft? fabric_woven_fields.bending.friction_weft bending hysteresis along the weft
+
+---@class fabric_woven_fields.warp
+---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
+---@field unloading number Pa: unloading modulus
+---@field poisson number nu12: contraction along weft when pulled along warp
+
+---@class fabric_woven_fields.weft
+---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
+---@field unloading number Pa: unloading modulus
+---@field poisson number nu21: contraction along warp when pulled along weft
+
+---@class fabric_woven_fields.shear
+---@field loading number[]|table Pa: tangent modulus in the measure's strain, Pa, as {g0, g1, ...}; or measured points
+---@field unloading number Pa: unloading modulus, in the same measure
+---@field measure? "tensor"|"engineering" tensor: dS12/dE12 in E12; engineering: dS12/d(2E12) in 2E12 (default "tensor")
+---@field memory? "printed"|"fading" what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade (default "printed")
+
+---@class fabric_woven_fields.tested
+---@field warp? number largest E11 tested (default 0)
+---@field weft? number largest E22 tested (default 0)
+---@field shear? number largest E12 tested (tensor) (default 0)
+
+---@class fabric_woven_fields.biaxial
+---@field alpha number weight of E22
+---@field offset number strain where it begins
+---@field loading number Pa: q of T = q y^2 / 2
+---@field unloading number Pa: unloading modulus
+
+---@class fabric_woven_fields.bands.warp
+---@field low number[] of loading coefficients, unloading, poisson
+---@field high number[] of the same parameters
+---@field covariance number[] of the same parameters, row by row
+
+---@class fabric_woven_fields.bands.weft
+---@field low number[] of loading coefficients, unloading, poisson
+---@field high number[] of the same parameters
+---@field covariance number[] of the same parameters, row by row
+
+---@class fabric_woven_fields.bands.shear
+---@field low number[] of loading coefficients, unloading, poisson
+---@field high number[] of the same parameters
+---@field covariance number[] of the same parameters, row by row
+
+---@class fabric_woven_fields.bands
+---@field level? number of confidence (default 0.95)
+---@field warp? fabric_woven_fields.bands.warp of the warp's parameters
+---@field weft? fabric_woven_fields.bands.weft of the weft's parameters
+---@field shear? fabric_woven_fields.bands.shear of the shear's parameters
+
+---@class fabric_woven_fields
+---@field name? string of the fabric (default "")
+---@field source? string where the numbers come from (default "")
+---@field density number kg/m^3: mass over volume
+---@field thickness number m: of the sheet
+---@field bending? fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
+---@field warp fabric_woven_fields.warp along the warp
+---@field weft fabric_woven_fields.weft along the weft
+---@field shear fabric_woven_fields.shear in-plane shear
+---@field tested? fabric_woven_fields.tested strains up to which it was measured
+---@field law? "potential"|"incremental"|"thesis" the law that is compiled from the card (default "potential")
+---@field transverse? "elastic"|"follow" transverse shear of the comparison laws (default "elastic")
+---@field shear_hysteresis? boolean of the comparison laws (default true)
+---@field biaxial? fabric_woven_fields.biaxial a fourth spring that acts when both yarns are stretched
+---@field bands? fabric_woven_fields.bands confidence bands of the measured parameters
+
+---A woven fabric: loading curves, unloading moduli and Poisson ratios along warp and weft, and in shear.
+---@param fields fabric_woven_fields
+---@return card
+function fabric.woven(fields) end
+
+---The history's value at a time.
+---@param time number s: when
+---@return number
+function history:value(time) end
+
+---What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, repeated, orientation, one_sided, unused, duplicate, nonmanifold, aspect, warping, angle, free), severity (note, warning, error), text, elements, nodes.
+---@return any
+function mesh:check() end
+
+---Numbers of the elements all of whose nodes are in the set.
+---@param set string name of a node set
+---@return integer[]
+function mesh:elements(set) end
+
+---Moves every node; on an error none is moved.
+---@param f function function(x, y, z) that returns the new x, y, z
+---@return mesh
+function mesh:map(f) end
+
+---Turns elements around until neighbours agree on the normal, as few as that takes; returns how many.
+---@param direction? number[] {x, y, z}: the mean normal of each part points along it
+---@return integer
+function mesh:orient(direction) end
+
+---Makes or replaces a named set of nodes; with the name alone gives its node numbers.
+---@param name string of the set
+---@param nodes? function|number[] node numbers, or function(x, y, z) that says whether a node is inside
+---@return any
+---@overload fun(self: mesh, name: string): integer[]
+function mesh:set(name, nodes) end
+
+---Writes the mesh with its sets, so that it reads back equal; the old file stays until the new one is whole.
+---@param file string ends in .vtu or .msh (Gmsh 4.1)
+---@return mesh
+function mesh:write(file) end
+
+---@class model_fix_fields.options
+---@field frame? table {e1, e2}: x and y of the call count along them
+
+---Holds freedoms of a node set; fixing twice is harmless.
+---@param set string name of a node set
+---@param freedoms string some of x y z rx ry rz rotation; rotation is both of the director's
+---@param options? model_fix_fields.options frame = {e1, e2} for oblique directions
+---@return model
+function model:fix(set, freedoms, options) end
+
+---@class model_force_fields.components
+---@field x? number|function|history N: history along x
+---@field y? number|function|history N: history along y
+---@field z? number|function|history N: history along z
+
+---@class model_force_fields.options
+---@field frame? table {e1, e2}: x and y of the call count along them
+
+---Loads a node set with a total force; a single node takes it whole.
+---@param set string name of a node set
+---@param components model_force_fields.components {x=, y=, z=}: the total force, shared by length or area
+---@param options? model_force_fields.options frame = {e1, e2} for oblique directions
+---@return model
+function model:force(set, components, options) end
+
+---Lets gravity act on the whole sheet.
+---@param acceleration table m/s^2: {gx, gy, gz}, each a history
+---@return model
+function model:gravity(acceleration) end
+
+---@class model_moment_fields.components
+---@field x? number|function|history N m: history along x
+---@field y? number|function|history N m: history along y
+---@field z? number|function|history N m: history along z
+
+---@class model_moment_fields.options
+---@field frame? table {e1, e2}: x and y of the call count along them
+
+---Loads the directors of a node set with a moment, shared by length or area.
+---@param set string name of a node set
+---@param components model_moment_fields.components {x=, y=, z=}: the total moment about axes that stay fixed in space
+---@param options? model_moment_fields.options frame = {e1, e2} for oblique directions
+---@return model
+function model:moment(set, components, options) end
+
+---@class model_move_fields.components
+---@field x? number|function|history m: history along x
+---@field y? number|function|history m: history along y
+---@field z? number|function|history m: history along z
+
+---@class model_move_fields.options
+---@field frame? table {e1, e2}: x and y of the call count along them
+
+---Prescribes displacements of a node set as histories (number, function(t), fabric.history, fabric.ramp).
+---@param set string name of a node set
+---@param components model_move_fields.components {x=, y=, z=}: displacement from the reference position
+---@param options? model_move_fields.options frame = {e1, e2} for oblique directions
+---@return model
+function model:move(set, components, options) end
+
+---Loads elements with a pressure that follows the surface (its load stiffness is in the tangent).
+---@param value? number|function|history Pa: pressure, positive along the shell normal
+---@param set? string name of a node set; the elements all of whose nodes are in it (default "all")
+---@return model
+function model:pressure(value, set) end
+
+---@class model_spring_fields.stiffness
+---@field x? number N/m: along x
+---@field y? number N/m: along y
+---@field z? number N/m: along z
+
+---@class model_spring_fields.options
+---@field frame? table {e1, e2}: x and y of the call count along them
+
+---Ties a node set to its reference position by springs.
+---@param set string name of a node set
+---@param stiffness model_spring_fields.stiffness {x=, y=, z=}: the total stiffness to ground, shared by length or area
+---@param options? model_spring_fields.options frame = {e1, e2} for oblique directions
+---@return model
+function model:spring(set, stiffness, options) end
+
+---Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out of the plane.
+---@param set string name of a node set
+---@param normal string "x", "y" or "z": normal of the plane
+---@return model
+function model:symmetry(set, normal) end
+
+---Ties nodes to each other exactly, by elimination.
+---@param kind string "equal": the set's nodes share displacements; "straight": they stay on the line between its ends; "rigid": nodes and directors move as one body; "periodic": two sets with one displacement between the pairs, led by the first
+---@param set string name of a node set
+---@param second? string periodic: the set that follows; else freedoms, some of x y z
+---@param freedoms? string periodic: some of x y z rotation; default all
+---@return model
+function model:tie(kind, set, second, freedoms) end
+
+---@class model_traction_fields.components
+---@field x? number|function|history N/m^2 | N/m: history along x
+---@field y? number|function|history N/m^2 | N/m: history along y
+---@field z? number|function|history N/m^2 | N/m: history along z
+
+---@class model_traction_fields.options
+---@field frame? table {e1, e2}: x and y of the call count along them
+
+---Loads a node set with a dead traction on its reference area, or a line load on its reference edges.
+---@param set string name of a node set
+---@param components model_traction_fields.components {x=, y=, z=}: per area where the set holds whole elements, else per edge length
+---@param options? model_traction_fields.options frame = {e1, e2} for oblique directions
+---@return model
+function model:traction(set, components, options) end
+
+---@class model_turn_fields.motion
+---@field axis number[] {x, y, z}: direction of the axis
+---@field angle? number|function|history degrees: angle about the axis
+---@field centre? number[] {x, y, z}, m: with it the nodes turn about this point too
+
+---Turns the directors of a node set rigidly, and with a centre the nodes too: a rotating grip.
+---@param set string name of a node set
+---@param motion model_turn_fields.motion {axis=, angle=, centre=}
+---@return model
+function model:turn(set, motion) end
+
+---@class model_velocity_fields.velocity
+---@field x? number m/s: along x
+---@field y? number m/s: along y
+---@field z? number m/s: along z
+---@field spin? number[] {wx, wy, wz}, degrees/s: beside it a rigid rotation
+---@field centre? number[] {x, y, z}, m: a point of its axis; default {0, 0, 0}
+
+---Velocity of a node set at time 0, for fabric.dynamic.
+---@param set string name of a node set
+---@param velocity model_velocity_fields.velocity {x=, y=, z=, spin=, centre=}
+---@return model
+function model:velocity(set, velocity) end
+
+---E11 = E and E22 = ratio E, for each E of a list: a list of rows, or the columns named.
+---@param ratio number E22 over E11
+---@param E number[] values of E11
+---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
+---@return any
+function point:biaxial(ratio, E, columns) end
+
+---Many straight increments in one call: a list of rows, or the columns named. A component without a column stays.
+---@param strains table { {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }
+---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
+---@return any
+function point:path(strains, columns) end
+
+---Back to virgin cloth at zero strain.
+function point:reset() end
+
+---Where the point is: the row of its last commit, residual strains and slack of both yarns, and the branch (virgin, unloading, slack) of warp, weft and shear.
+---@return any
+function point:state() end
+
+---@class point_strain_fields
+---@field E11? number along the warp
+---@field E22? number along the weft
+---@field E12? number shear, tensor component
+
+---Reaches a total strain in one straight increment and commits it; components not named stay. Returns S11 S22 S12 E11 E22 E12 stored dissipated.
+---@param fields point_strain_fields
+---@return any
+function point:strain(fields) end
+
+---Strain along a direction with the other stresses driven to zero. Returns the same and S, E, E_lateral; for a list of strains a list of such rows, or the columns named.
+---@param direction number|"warp"|"weft" degrees from the warp: warp, weft or an angle
+---@param E number|number[] strain along it, or a list of strains
+---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
+---@return any
+function point:uniaxial(direction, E, columns) end
+
+return fabric
