@@ -27,7 +27,10 @@ end
 
 if #arg > 5 then refuse("expected at most 5 arguments, got " .. #arg) end
 local name = arg[1] or "blend"
-if name == "-h" or name == "--help" then refuse("help") end
+if name == "-h" or name == "--help" then
+  print(usage)
+  return
+end
 local card = fabric.card(name)
 local direction = choice(2, "direction", { "warp", "weft" })
 local grips = choice(3, "grips", { "free", "clamped" })

@@ -39,7 +39,7 @@ local history = {}
 ---A run, static or in motion.
 ---@class analysis
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J, and the error of their balance.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; error: what the balance misses over the largest external work.
 ---@field stable_step number The largest stable step of central differences in the reference configuration, s.
 ---@field step_size number The step that a run in motion goes by, landings apart, s.
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
@@ -60,12 +60,12 @@ local point = {}
 ---@field units table<string, number> multipliers to SI
 local fabric = { mesh = {}, lab = {} }
 
----Runs to an absolute time.
+---Runs to an absolute time and lands on it; returns the analysis.
 ---@param time number s: absolute time to run to and land on
 ---@return analysis
 function analysis:advance(time) end
 
----Averages over the element's reference volume, material axes: E11 ... S23 stored dissipated residual1 residual2 slack1 slack2.
+---Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (tensor), S11 S22 S23 S13 S12 (Pa), stored and dissipated (J/m^3), residual1 residual2 (residual strains), slack1 slack2 (strain that a slack yarn is below its residual strain).
 ---@param number integer of the element
 ---@return any
 function analysis:element(number) end
@@ -86,23 +86,23 @@ function analysis:event(fields) end
 ---@return analysis
 function analysis:every(interval, action) end
 
----The value of every element, in their order.
+---The value of every element, in their order: a list. Stresses in Pa, energies in J/m^3.
 ---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 slack1 slack2
 ---@return number[]
 function analysis:field(name) end
 
----Average over elements.
+---The average of a value over elements, each of which counts once. Stresses in Pa, energies in J/m^3.
 ---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 slack1 slack2
 ---@param set? string elements all of whose nodes are in it (default "all")
 ---@return number
 function analysis:mean(name, set) end
 
----x y z current, X Y Z reference, ux uy uz, vx vy vz, nx ny nz (director).
+---Where a node is: a table of x y z (m), X Y Z (in the reference), ux uy uz (displacement), vx vy vz (velocity, m/s), nx ny nz (director).
 ---@param number integer of the node
 ---@return any
 function analysis:node(number) end
 
----Force that the supports exert on the cloth, summed over the set: x, y, z in N, global.
+---Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global.
 ---@param set string name of a node set
 ---@return number x, number y, number z
 function analysis:reaction(set) end
@@ -118,12 +118,12 @@ function analysis:reaction(set) end
 ---@return analysis
 function analysis:record(path, options) end
 
----Goes back to a snapshot.
+---Goes back to a snapshot; the run goes on from there bit for bit. Returns the analysis.
 ---@param snapshot snapshot taken of this analysis
 ---@return analysis
 function analysis:restore(snapshot) end
 
----A copy of the whole state.
+---A copy of the whole state, to go back to with a:restore.
 ---@return snapshot
 function analysis:snapshot() end
 
@@ -131,7 +131,7 @@ function analysis:snapshot() end
 ---@return analysis
 function analysis:solve() end
 
----One committed step.
+---Makes one step and commits it; returns the analysis.
 ---@return analysis
 function analysis:step() end
 
@@ -186,8 +186,8 @@ function fabric.cards() end
 function fabric.checking() end
 
 ---@class fabric_dynamic_fields.damping
----@field mass? number 1/s: a of a M + b K
----@field stiffness? number s: b of a M + b K
+---@field mass? number 1/s: a of the damping matrix a M + b K_M
+---@field stiffness? number s: b of the damping matrix a M + b K_M
 
 ---@class fabric_dynamic_fields
 ---@field model model what is computed
@@ -197,7 +197,7 @@ function fabric.checking() end
 ---@field gamma? number of Newmark; above 1/2 it damps; default 1/2
 ---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
 ---@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies (default 0)
----@field damping? fabric_dynamic_fields.damping Rayleigh's; none unless given
+---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
 ---@field inertia? "scaled"|"true" of directors: true, or scaled so that it does not limit the explicit step
 ---@field force? boolean take the step even above the stable one (default false)
 ---@field ledger_limit? number energy made, over the external work, at which the run stops (default 0.05)

@@ -13,7 +13,7 @@ namespace fabricsh::fabric {
 namespace {
 
 std::string at(const card::Card& card, const std::string& field) {
-  return "card '" + card.name + "': field '" + field + "': ";
+  return (card.name.empty() ? "the card" : "card '" + card.name + "'") + ": field '" + field + "': ";
 }
 
 void require_positive(const card::Card& card, const std::string& field, double value,

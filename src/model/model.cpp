@@ -95,14 +95,14 @@ void Model::fix(const std::string& set, const Freedoms& fixed, const Mat3& frame
 void Model::move(const std::string& set, Components displacement, const Mat3& frame) {
   check_open("move");
   mesh_->set(set);
-  if (none_given(displacement)) throw Error("move: expected at least one of x, y, z");
+  if (none_given(displacement)) throw Error("move: expected at least one of x, y, z, got none");
   motions_.push_back({set, std::move(displacement), frame});
 }
 
 void Model::force(const std::string& set, Components total, const Mat3& frame) {
   check_open("force");
   mesh_->set(set);
-  if (none_given(total)) throw Error("force: expected at least one of x, y, z");
+  if (none_given(total)) throw Error("force: expected at least one of x, y, z, got none");
   forces_.push_back({set, std::move(total), frame});
 }
 
@@ -122,14 +122,14 @@ void Model::velocity(InitialVelocity velocity) {
 void Model::moment(const std::string& set, Components total, const Mat3& frame) {
   check_open("moment");
   mesh_->set(set);
-  if (none_given(total)) throw Error("moment: expected at least one of x, y, z");
+  if (none_given(total)) throw Error("moment: expected at least one of x, y, z, got none");
   moments_.push_back({set, std::move(total), frame});
 }
 
 void Model::traction(const std::string& set, Components intensity, const Mat3& frame) {
   check_open("traction");
   mesh_->set(set);
-  if (none_given(intensity)) throw Error("traction: expected at least one of x, y, z");
+  if (none_given(intensity)) throw Error("traction: expected at least one of x, y, z, got none");
   tractions_.push_back({set, std::move(intensity), frame});
 }
 

@@ -85,9 +85,9 @@ std::vector<Argument> arguments() {
       number_("hht", "", Range{-1.0 / 3, 0}, "alpha of Hilbert, Hughes and Taylor: damps high frequencies")
           .or_else(0.0),
       fields_("damping",
-              {number_("mass", "1/s", not_negative, "a of a M + b K").optional(),
-               number_("stiffness", "s", not_negative, "b of a M + b K").optional()},
-              "Rayleigh's; none unless given")
+              {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
+               number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},
+              "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
           .optional(),
       value_("inertia", text, "of directors: true, or scaled so that it does not limit the explicit step")
           .optional()

@@ -1,5 +1,6 @@
 // fabric.history, fabric.ramp; numbers and functions as histories.
 #include <algorithm>
+#include <cmath>
 
 #include "script/bind.hpp"
 #include "script/words.hpp"
@@ -21,8 +22,10 @@ History callback(const Function& f, const std::string& what) {
     lua_State* L = f.push();
     lua_pushnumber(L, t);
     lua_call(L, 1, 1);
-    if (lua_type(L, -1) != LUA_TNUMBER)
-      throw Error(what + ": expected the history to return a number at t = " + number_text(t) + " s, got " +
+    char time[32];
+    std::snprintf(time, sizeof time, "%.10g", t);
+    if (lua_type(L, -1) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, -1)))
+      throw Error(what + ": expected the history to return a finite number at t = " + time + " s, got " +
                   describe(L, -1));
     const double value = lua_tonumber(L, -1);
     lua_pop(L, 1);
@@ -106,9 +109,12 @@ std::vector<Entry> rows() {
 }  // namespace
 
 History read_history(Session& session, lua_State* L, int index, const std::string& what) {
-  if (lua_isnumber(L, index)) return History::constant(lua_tonumber(L, index));
+  if (lua_type(L, index) == LUA_TNUMBER) return History::constant(lua_tonumber(L, index));
   if (lua_isfunction(L, index)) return callback(Function(session, L, index), what);
-  return *to_object<History>(L, index);
+  const auto history = to_object<History>(L, index);
+  if (history == nullptr)
+    throw Error(what + ": expected a number, a function or a history, got " + describe(L, index));
+  return *history;
 }
 
 void bind_history(Session& session) {

@@ -26,7 +26,9 @@ int traction(Call& call) {
 int pressure(Call& call) {
   lua_State* L = call.L();
   call.push("value");
-  model::History value = read_history(call.session(), L, -1, "pressure: argument 'value'");
+  model::History value =
+      read_history(call.session(), L, -1,
+                   "pressure '" + (call.has("set") ? call.text("set") : "all") + "': argument 'value'");
   lua_pop(L, 1);
   call.self<Model>()->pressure(call.has("set") ? call.text("set") : "all", std::move(value));
   return return_self(call);
@@ -38,6 +40,7 @@ int spring(Call& call) {
   const char* const axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i)
     if (given.has(axes[i])) k[i] = given.number(axes[i]);
+  if (k[0] + k[1] + k[2] == 0) throw Error("spring: expected at least one of x, y, z above 0, got none");
   call.self<Model>()->spring(call.text("set"), k, read_frame(call));
   return return_self(call);
 }
@@ -48,7 +51,8 @@ int turn(Call& call) {
   std::optional<Vec3> centre;
   if (given.has("centre")) centre = read_vector(given.numbers("centre"), "turn: field 'centre'");
   given.push("angle");
-  model::History angle = read_history(call.session(), call.L(), -1, "turn: field 'angle'");
+  model::History angle =
+      read_history(call.session(), call.L(), -1, "turn '" + call.text("set") + "': field 'angle'");
   lua_pop(call.L(), 1);
   call.self<Model>()->turn(call.text("set"), axis, std::move(angle), centre);
   return return_self(call);

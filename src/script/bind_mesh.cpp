@@ -37,7 +37,8 @@ void push_vector(lua_State* L, const Vec3& v) { push_numbers(L, {v[0], v[1], v[2
 Vec3 origin_of(const Call& call) {
   const auto numbers = call.numbers("origin");
   if (numbers.empty()) return Vec3::Zero();
-  if (numbers.size() < 2 || numbers.size() > 3) call.refuse("origin", "expected {x, y} or {x, y, z}");
+  if (numbers.size() < 2 || numbers.size() > 3)
+    call.refuse("origin", "expected {x, y} or {x, y, z}, got " + counted(numbers.size(), "number"));
   return {numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0};
 }
 

@@ -5,6 +5,7 @@
 #include "files/mesh_file.hpp"
 #include "mesh/check.hpp"
 #include "script/bind_mesh.hpp"
+#include "script/words.hpp"
 
 namespace fabricsh::script {
 
@@ -93,7 +94,8 @@ int orient(Call& call) {
   Vec3 direction = Vec3::Zero();
   if (call.has("direction")) {
     const auto numbers = call.numbers("direction");
-    if (numbers.size() != 3) call.refuse("direction", "expected {x, y, z}");
+    if (numbers.size() != 3)
+      call.refuse("direction", "expected {x, y, z}, got " + counted(numbers.size(), "number"));
     direction = {numbers[0], numbers[1], numbers[2]};
     if (direction.norm() == 0) call.refuse("direction", "expected a direction, got {0, 0, 0}");
   }

@@ -12,7 +12,7 @@ namespace fabricsh::script {
 using model::Model;
 
 Vec3 read_vector(const std::vector<double>& v, const std::string& what) {
-  if (v.size() != 3) throw Error(what + ": expected {x, y, z}, got " + std::to_string(v.size()) + " numbers");
+  if (v.size() != 3) throw Error(what + ": expected {x, y, z}, got " + counted(v.size(), "number"));
   return {v[0], v[1], v[2]};
 }
 
@@ -40,12 +40,12 @@ int return_self(const Call& call) {
 
 model::Components read_components(const Call& call) {
   model::Components components;
-  const std::string name = last_word(call.entry().name);
+  const std::string what = last_word(call.entry().name) + " '" + call.text("set") + "': field '";
   const Fields given = call.fields("components");
   const char* const axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     if (given.push(axes[i]) != LUA_TNIL)
-      components[i] = read_history(call.session(), call.L(), -1, name + ": field '" + axes[i] + "'");
+      components[i] = read_history(call.session(), call.L(), -1, what + axes[i] + "'");
     lua_pop(call.L(), 1);
   }
   return components;
@@ -128,7 +128,7 @@ void read_layers(const Call& call, model::Options& options) {
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
-  if (options.plies.empty()) call.refuse("layers", "expected at least one layer");
+  if (options.plies.empty()) call.refuse("layers", "expected at least one layer, got an empty table");
 }
 
 // A card that fails its check is refused; each of its warnings is said once.
@@ -145,7 +145,9 @@ int make(Call& call) {
   model::Options options;
   read_layers(call, options);
   if (options.plies.empty() == !call.has("card"))
-    call.refuse("card", "expected either a card or layers={ {card=}, ... }");
+    call.refuse("card", options.plies.empty()
+                            ? "expected either a card or layers={ {card=}, ... }, got neither"
+                            : "expected either a card or layers={ {card=}, ... }, got both");
   const card::Card card =
       options.plies.empty() ? *call.object<card::Card>("card") : options.plies.front().card;
   if (call.has("thickness")) options.thickness = call.number("thickness");

@@ -135,7 +135,9 @@ void add_panels(const Call& call, files::Picture& picture) {
 }
 
 int render(Call& call) {
-  if (call.has("vtu") == call.has("run")) call.refuse("vtu", "expected either it or 'run'");
+  if (call.has("vtu") == call.has("run"))
+    call.refuse("vtu",
+                std::string("expected either vtu or run, got ") + (call.has("vtu") ? "both" : "neither"));
   files::Picture picture = read_picture(call);
   std::optional<Frame> frame;
   add_panels(call, picture);

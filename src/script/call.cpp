@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/suggest.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -18,13 +19,19 @@ std::string label(const std::string& path, const std::string& name, bool positio
   return (positional ? "argument '" : "field '") + path + name + "'";
 }
 
+std::string limit_text(double limit) {
+  char words[32];
+  std::snprintf(words, sizeof words, "%.6g", limit);
+  return words;
+}
+
 std::string range_words(const Range& r) {
   const bool low = std::isfinite(r.low), high = std::isfinite(r.high);
   if (low && high)
-    return std::string(r.low_open ? " above " : " from ") + number_text(r.low) +
-           (r.high_open ? " to below " : " to ") + number_text(r.high);
-  if (low) return std::string(r.low_open ? " above " : " of at least ") + number_text(r.low);
-  if (high) return std::string(r.high_open ? " below " : " of at most ") + number_text(r.high);
+    return std::string(r.low_open ? " above " : " from ") + limit_text(r.low) +
+           (r.high_open ? " to below " : " to ") + limit_text(r.high);
+  if (low) return std::string(r.low_open ? " above " : " of at least ") + limit_text(r.low);
+  if (high) return std::string(r.high_open ? " below " : " of at most ") + limit_text(r.high);
   return "";
 }
 
@@ -37,6 +44,27 @@ std::string number_words(const Argument& row, const char* noun) {
   return words;
 }
 
+// "{x, y, z}", of many fields the first ones.
+std::string field_words(const std::vector<Argument>& rows) {
+  std::string words;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i == 6) return "{" + words + ", ...}";
+    words += (i > 0 ? ", " : "") + rows[i].name;
+  }
+  return "{" + words + "}";
+}
+
+// " { {t, v}, ... }" where the sentence of a row begins with the shape of its table.
+std::string shape_words(const std::string& sentence) {
+  if (sentence.empty() || sentence.front() != '{') return "";
+  int depth = 0;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    depth += sentence[i] == '{' ? 1 : sentence[i] == '}' ? -1 : 0;
+    if (depth == 0) return " " + sentence.substr(0, i + 1);
+  }
+  return "";
+}
+
 std::string choice_words(const Argument& row) {
   if (row.choices.empty()) return "a string";
   std::string words;
@@ -47,6 +75,12 @@ std::string choice_words(const Argument& row) {
 bool finite_number(lua_State* L, int index, const Range& range) {
   const double x = lua_tonumber(L, index);
   return std::isfinite(x) && range.holds(x);
+}
+
+bool whole_number(lua_State* L, int index) {
+  int whole = 0;
+  lua_tointegerx(L, index, &whole);  // 1e6 is one
+  return whole != 0;
 }
 
 bool holds_numbers(lua_State* L, int index, const Range& range) {
@@ -79,7 +113,7 @@ bool accepts(lua_State* L, int index, const Argument& row) {
   switch (lua_type(L, index)) {
     case LUA_TNUMBER:
       if ((kinds & number) != 0) return finite_number(L, index, row.range);
-      return (kinds & integer) != 0 && lua_isinteger(L, index) != 0 && finite_number(L, index, row.range);
+      return (kinds & integer) != 0 && whole_number(L, index) && finite_number(L, index, row.range);
     case LUA_TSTRING:
       return (kinds & text) != 0 && chosen(L, index, row);
     case LUA_TBOOLEAN:
@@ -109,6 +143,8 @@ std::string came(lua_State* L, int index, const Argument& row) {
       if (!good) return entry + " at place " + std::to_string(i);
     }
   }
+  if (lua_type(L, index) == LUA_TSTRING && !row.choices.empty())
+    return describe(L, index) + did_you_mean(lua_tostring(L, index), row.choices);
   return describe(L, index);
 }
 
@@ -129,13 +165,16 @@ std::string expected(const Argument& row) {
   if (row.kinds & any) add("a value");
   if (row.kinds & number) add(number_words(row, "number"));
   if (row.kinds & integer) add(number_words(row, "integer"));
-  if (row.kinds & numbers)
+  if ((row.kinds & numbers) != 0 && (row.kinds & table) == 0)
     add("a table of numbers" + range_words(row.range) + (row.unit.empty() ? "" : " in " + row.unit));
-  if (row.kinds & (fields | table)) add("a table");
+  if (row.kinds & table)
+    add("a table" + shape_words(row.sentence));
+  else if (row.kinds & fields)
+    add("a table " + field_words(row.rows));
   if (row.kinds & text) add(choice_words(row));
   if (row.kinds & boolean) add("true or false");
   if (row.kinds & function) add("a function");
-  if (row.kinds & object) add("a " + row.of);
+  if (row.kinds & object) add(with_article(row.of));
   return words;
 }
 

@@ -144,12 +144,13 @@ std::vector<std::pair<double, double>> read_points(const Fields& fields, const s
     const auto xy = read_numbers(L, -1);
     lua_pop(L, 1);
     if (points.empty() && (xy[0] != 0 || xy[1] != 0))
-      fields.refuse("loading", "expected the first point to be {0, 0}");
+      fields.refuse("loading", "expected the first point to be {0, 0}, got {" + number_text(xy[0]) + ", " +
+                                   number_text(xy[1]) + "}");
     if (!points.empty() && (xy[0] <= points.back().first || xy[1] <= points.back().second))
       fields.refuse("loading", "expected strain and stress to increase, at point " + place + " they do not");
     points.emplace_back(xy[0], xy[1]);
   }
-  if (points.size() < 2) fields.refuse("loading", "expected at least two points");
+  if (points.size() < 2) fields.refuse("loading", "expected at least two points, got one");
   return points;
 }
 
@@ -237,6 +238,9 @@ std::pair<double, double> read_ratios(const Fields& f) {
 Svk read_svk(const Fields& f) {
   Svk law;
   std::tie(law.nu12, law.nu21) = read_ratios(f);
+  if (law.nu12 * law.nu21 >= 1)
+    f.refuse("poisson", "expected nu12 nu21 < 1, got " + number_text(law.nu12) + " x " +
+                            number_text(law.nu21) + " = " + number_text(law.nu12 * law.nu21));
   if (f.has("young")) {
     for (const char* name : {"warp", "weft", "shear"})
       if (f.has(name)) f.refuse(name, "expected either young or warp, weft and shear, got both");
@@ -252,7 +256,8 @@ Svk read_svk(const Fields& f) {
   }
   const auto transverse = f.numbers("transverse");
   if (transverse.empty()) return law;
-  if (transverse.size() != 2) f.refuse("transverse", "expected {G13, G23}");
+  if (transverse.size() != 2)
+    f.refuse("transverse", "expected {G13, G23}, got " + counted(transverse.size(), "number"));
   law.g13 = transverse[0];
   law.g23 = transverse[1];
   return law;

@@ -42,7 +42,16 @@ std::string describe(lua_State* L, int index) {
   const int kind = luaL_getmetafield(L, index, "__name");
   const std::string name = kind == LUA_TSTRING ? lua_tostring(L, -1) : luaL_typename(L, index);
   if (kind != LUA_TNIL) lua_pop(L, 1);
-  return "a " + name;
+  return with_article(name);
+}
+
+std::string with_article(const std::string& noun) {
+  const bool vowel = !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + noun;
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string last_word(std::string_view dotted) {

@@ -16,6 +16,12 @@ std::string number_text(double value);
 // The value at index for a message: -1, nil, "left", a table, a mesh.
 std::string describe(lua_State* L, int index);
 
+// "a mesh", "an analysis".
+std::string with_article(const std::string& noun);
+
+// "1 number", "3 numbers".
+std::string counted(std::size_t count, const std::string& noun);
+
 // "name" for fabric.mesh.rectangle, mesh:set -> rectangle, set.
 std::string last_word(std::string_view dotted);
 

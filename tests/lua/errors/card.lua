@@ -1,0 +1,138 @@
+-- Wrong calls and their messages: card. Read by tests/lua/errors.lua.
+-- card:check
+wrong("card:check", "card:check('1')",
+  "deck.lua:1: check: argument 'element_size': expected a positive number in m or a table {element_size}, got '1'")
+wrong("card:check", "card:check(-1)",
+  "deck.lua:1: check: argument 'element_size': expected a positive number in m or a table {element_size}, got -1")
+wrong("card:check", "card:check({ element_size='1' })",
+  "deck.lua:1: check: field 'element_size.element_size': expected a positive number in m, got '1'")
+
+-- card:sample
+wrong("card:sample", "card:sample()",
+  "deck.lua:1: sample: argument 'n': expected an integer of at least 1, got nil (missing, or a misspelt variable)")
+wrong("card:sample", "card:sample(2.5)",
+  "deck.lua:1: sample: argument 'n': expected an integer of at least 1, got 2.5")
+wrong("card:sample", "card:sample(0)",
+  "deck.lua:1: sample: argument 'n': expected an integer of at least 1, got 0")
+
+-- card:with
+wrong("card:with", "card:with()",
+  "deck.lua:1: with: argument 'changes': expected a table, got nil (missing, or a misspelt variable)")
+wrong("card:with", "card:with(5)",
+  "deck.lua:1: with: argument 'changes': expected a table, got 5")
+
+-- card:write
+wrong("card:write", "card:write()",
+  "deck.lua:1: write: argument 'path': expected a string, got nil (missing, or a misspelt variable)")
+wrong("card:write", "card:write(7)",
+  "deck.lua:1: write: argument 'path': expected a string, got 7")
+
+-- fabric.card
+wrong("fabric.card", "fabric.card()",
+  "deck.lua:1: card: argument 'name': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.card", "fabric.card(7)",
+  "deck.lua:1: card: argument 'name': expected a string, got 7")
+
+-- fabric.linear
+wrong("fabric.linear", "fabric.linear{ naem='x' }",
+  "deck.lua:1: linear: unknown field 'naem', did you mean 'name'?")
+wrong("fabric.linear", "fabric.linear{ name=7 }",
+  "deck.lua:1: linear: field 'name': expected a string, got 7")
+wrong("fabric.linear", "fabric.linear{ density=density_ }",
+  "deck.lua:1: linear: field 'density': expected a positive number in kg/m^3, got nil (missing, or a misspelt variable)")
+wrong("fabric.linear", "fabric.linear{ density='1' }",
+  "deck.lua:1: linear: field 'density': expected a positive number in kg/m^3, got '1'")
+wrong("fabric.linear", "fabric.linear{ density=-1 }",
+  "deck.lua:1: linear: field 'density': expected a positive number in kg/m^3, got -1")
+wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, bending=5 }",
+  "deck.lua:1: linear: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft}, got 5")
+wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, warp=1000000, weft=1000000, shear=1000000, poisson='1' }",
+  "deck.lua:1: linear: field 'poisson': expected a number above -1 to 10 or a table of numbers above -1 to 10, got '1'")
+
+-- fabric.svk
+wrong("fabric.svk", "fabric.svk{ naem='x' }",
+  "deck.lua:1: svk: unknown field 'naem', did you mean 'name'?")
+wrong("fabric.svk", "fabric.svk{ name=7 }",
+  "deck.lua:1: svk: field 'name': expected a string, got 7")
+wrong("fabric.svk", "fabric.svk{ density=density_ }",
+  "deck.lua:1: svk: field 'density': expected a positive number in kg/m^3, got nil (missing, or a misspelt variable)")
+wrong("fabric.svk", "fabric.svk{ density='1' }",
+  "deck.lua:1: svk: field 'density': expected a positive number in kg/m^3, got '1'")
+wrong("fabric.svk", "fabric.svk{ density=-1 }",
+  "deck.lua:1: svk: field 'density': expected a positive number in kg/m^3, got -1")
+wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, bending=5 }",
+  "deck.lua:1: svk: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft}, got 5")
+wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, poisson='1' }",
+  "deck.lua:1: svk: field 'poisson': expected a number above -1 to 10 or a table of numbers above -1 to 10, got '1'")
+wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, poisson=0.01, transverse={1, 'two'} }",
+  "deck.lua:1: svk: field 'transverse': expected a table of numbers above 0 in Pa, got 'two' at place 2")
+
+-- fabric.woven
+wrong("fabric.woven", "fabric.woven{ naem='x' }",
+  "deck.lua:1: woven: unknown field 'naem', did you mean 'name'?")
+wrong("fabric.woven", "fabric.woven{ name=7 }",
+  "deck.lua:1: woven: field 'name': expected a string, got 7")
+wrong("fabric.woven", "fabric.woven{ density=density_ }",
+  "deck.lua:1: woven: field 'density': expected a positive number in kg/m^3, got nil (missing, or a misspelt variable)")
+wrong("fabric.woven", "fabric.woven{ density='1' }",
+  "deck.lua:1: woven: field 'density': expected a positive number in kg/m^3, got '1'")
+wrong("fabric.woven", "fabric.woven{ density=-1 }",
+  "deck.lua:1: woven: field 'density': expected a positive number in kg/m^3, got -1")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, bending=5 }",
+  "deck.lua:1: woven: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft}, got 5")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading=5 } }",
+  "deck.lua:1: woven: field 'warp.loading': expected a table, got 5")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading={}, unloading=1000000, poisson=0.01 }, weft={ loading={}, unloading=1000000, poisson=0.01 }, shear={ loading={}, unloading=1000000, measure='tensro' } }",
+  "deck.lua:1: woven: field 'shear.measure': expected 'tensor' or 'engineering', got 'tensro', did you mean 'tensor'?")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading={}, unloading=1000000, poisson=0.01 }, weft={ loading={}, unloading=1000000, poisson=0.01 }, shear={ loading={}, unloading=1000000 }, shear_hysteresis='yes' }",
+  "deck.lua:1: woven: field 'shear_hysteresis': expected true or false, got 'yes'")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading={}, unloading=1000000, poisson=0.01 }, weft={ loading={}, unloading=1000000, poisson=0.01 }, shear={ loading={}, unloading=1000000 }, bands={ warp={ low={1, 'two'} } } }",
+  "deck.lua:1: woven: field 'bands.warp.low': expected a table of numbers, got 'two' at place 2")
+
+-- what a card cannot be
+wrong("fabric.card", "fabric.card 'denm'",
+  "deck.lua:1: card: unknown fabric 'denm', did you mean 'denim'?")
+wrong("fabric.card", "fabric.card './no-such-card.lua'",
+  "deck.lua:1: card: cannot read the card './no-such-card.lua': cannot open ./no-such-card.lua: No such file or directory")
+wrong("object", "return card.warpp",
+  "deck.lua:1: card: unknown field 'warpp', did you mean 'warp'?")
+wrong("object", "card.thickness = 1",
+  "deck.lua:1: card: field 'thickness' cannot be assigned")
+wrong("card:with", "card:with{ warp={poison=1} }",
+  "deck.lua:1: with: unknown field 'warp.poison', did you mean 'warp.poisson'?")
+wrong("card:with", "card:with{ warp={poisson=-0.1} }",
+  "deck.lua:1: with: field 'warp.poisson': expected a number of at least 0, got -0.1")
+wrong("card:with", "card:with{ warp={loading={}} }",
+  "deck.lua:1: with: field 'warp.loading': expected a table of numbers in Pa, got an empty table")
+wrong("card:with", "card:with{ warp={loading={ {0, 0}, {0.1} }} }",
+  "deck.lua:1: with: field 'warp.loading': expected {strain, stress} at point 2, got a table")
+wrong("card:with", "card:with{ warp={loading={ {0, 0}, {0.1, 5}, {0.1, 6} }} }",
+  "deck.lua:1: with: field 'warp.loading': expected strain and stress to increase, at point 3 they do not")
+wrong("card:with", "card:with{ warp={loading={ {0.1, 0}, {0.2, 6} }} }",
+  "deck.lua:1: with: field 'warp.loading': expected the first point to be {0, 0}, got {0.1, 0}")
+wrong("card:with", "card:with{ shear={measure='tenser'} }",
+  "deck.lua:1: with: field 'shear.measure': expected 'tensor' or 'engineering', got 'tenser', did you mean 'tensor'?")
+wrong("card:with", "card:with{ bands={ warp={low={1}, high={1}, covariance={1}} } }",
+  "deck.lua:1: with: field 'bands.warp.low': expected 4 numbers, got 1")
+wrong("card:sample", "card:sample(3)",
+  "deck.lua:1: sample: expected a woven card with bands, got one without")
+wrong("card:write", "card:write '/dev/null/x.lua'",
+  "deck.lua:1: write: cannot make the folder '/dev/null': Not a directory")
+wrong("fabric.svk", "fabric.svk{ young=1e6, poisson=1, density=500, thickness=0.5e-3 }",
+  "deck.lua:1: svk: field 'poisson': expected nu12 nu21 < 1, got 1 x 1 = 1")
+wrong("fabric.svk", "fabric.svk{ young=1e6, warp=1e6, poisson=0.3, density=500, thickness=0.5e-3 }",
+  "deck.lua:1: svk: field 'warp': expected either young or warp, weft and shear, got both")
+wrong("fabric.svk", "fabric.svk{ warp=1e6, poisson=0.3, density=500, thickness=0.5e-3 }",
+  "deck.lua:1: svk: field 'weft': expected a positive number in Pa (or young for an isotropic sheet), got nil")
+wrong("fabric.svk", "fabric.svk{ young=1e6, poisson={0.1, 0.2, 0.3}, density=500, thickness=0.5e-3 }",
+  "deck.lua:1: svk: field 'poisson': expected {nu12, nu21}, got 3 numbers")
+wrong("fabric.svk", "fabric.svk{ young=1e6, poisson=0.3, density=500, thickness=0.5e-3, transverse={1e6} }",
+  "deck.lua:1: svk: field 'transverse': expected {G13, G23}, got 1 number")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=fabric.linear{ warp=2e6, weft=1e6, shear=5e5, poisson={0.2, 0.2}, density=500, thickness=0.5e-3 } }",
+  "deck.lua:1: model: the card: field 'poisson': expected nu12 / E1 = nu21 / E2 (a symmetric law), got nu12 = 0.2, nu21 = 0.2 with E1 = 2 MPa, E2 = 1 MPa; nu21 = 0.1 would do")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ warp={loading={-8e6, 826e6}} } }",
+  "deck.lua:1: model: card 'blend': field 'warp.loading': expected a positive modulus D up to the tested E11 = 0.2641, got D = -8 MPa at E11 = 0 (P/Du = 0)")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ warp={poisson=3} } }",
+  "deck.lua:1: model: card 'blend': field 'warp.poisson': expected nu12 nu21 < 1, got 3 x 0.42 = 1.26")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ warp={unloading=1e6} } }",
+  "deck.lua:1: model: card 'blend': field 'warp.loading': expected a modulus D not above unloading (1 MPa) up to the tested E11 = 0.2641, got D = 8 MPa at E11 = 0 (P/Du = 0)")

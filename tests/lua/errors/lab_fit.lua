@@ -1,0 +1,166 @@
+-- Wrong calls and their messages: lab fit. Read by tests/lua/errors.lua.
+-- fabric.lab.backbone
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curvse={} }",
+  "deck.lua:1: backbone: unknown field 'curvse', did you mean 'curves'?")
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves=curves_ }",
+  "deck.lua:1: backbone: field 'curves': expected a table { {E=, S=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves=5 }",
+  "deck.lua:1: backbone: field 'curves': expected a table { {E=, S=}, ... }, got 5")
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves={}, degrees={1, 'two'} }",
+  "deck.lua:1: backbone: field 'degrees': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves={}, find_slack='yes' }",
+  "deck.lua:1: backbone: field 'find_slack': expected true or false, got 'yes'")
+
+-- fabric.lab.band
+wrong("fabric.lab.band", "fabric.lab.band{ specimesn={} }",
+  "deck.lua:1: band: unknown field 'specimesn', did you mean 'specimens'?")
+wrong("fabric.lab.band", "fabric.lab.band{ specimens=specimens_ }",
+  "deck.lua:1: band: field 'specimens': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.band", "fabric.lab.band{ specimens=5 }",
+  "deck.lua:1: band: field 'specimens': expected a table, got 5")
+wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, level='1' }",
+  "deck.lua:1: band: field 'level': expected a number above 0 to below 1, got '1'")
+wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, level=0 }",
+  "deck.lua:1: band: field 'level': expected a number above 0 to below 1, got 0")
+wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, draws=2.5 }",
+  "deck.lua:1: band: field 'draws': expected an integer of at least 100, got 2.5")
+wrong("fabric.lab.band", "fabric.lab.band{ specimens={}, common={1, 'two'} }",
+  "deck.lua:1: band: field 'common': expected a table of numbers, got 'two' at place 2")
+
+-- fabric.lab.card
+wrong("fabric.lab.card", "fabric.lab.card{ naem='x' }",
+  "deck.lua:1: card: unknown field 'naem', did you mean 'name'?")
+wrong("fabric.lab.card", "fabric.lab.card{ name=name_ }",
+  "deck.lua:1: card: field 'name': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.card", "fabric.lab.card{ name=7 }",
+  "deck.lua:1: card: field 'name': expected a string, got 7")
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density='1' }",
+  "deck.lua:1: card: field 'density': expected a positive number in kg/m^3, got '1'")
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=-1 }",
+  "deck.lua:1: card: field 'density': expected a positive number in kg/m^3, got -1")
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, warp=5 }",
+  "deck.lua:1: card: field 'warp': expected a table, got 5")
+
+-- fabric.lab.fit
+wrong("fabric.lab.fit", "fabric.lab.fit{ tesst={} }",
+  "deck.lua:1: fit: unknown field 'tesst', did you mean 'tests'?")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests=tests_ }",
+  "deck.lua:1: fit: field 'tests': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests=5 }",
+  "deck.lua:1: fit: field 'tests': expected a table, got 5")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, degree='auot' }",
+  "deck.lua:1: fit: field 'degree': expected an integer from 1 to 8 or 'auto' or 'monotone', got 'auot', did you mean 'auto'?")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, degree=0 }",
+  "deck.lua:1: fit: field 'degree': expected an integer from 1 to 8 or 'auto' or 'monotone', got 0")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, find_slack='yes' }",
+  "deck.lua:1: fit: field 'find_slack': expected true or false, got 'yes'")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, upto='failuer' }",
+  "deck.lua:1: fit: field 'upto': expected 'failure' or 'yield', got 'failuer', did you mean 'failure'?")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, count=2.5 }",
+  "deck.lua:1: fit: field 'count': expected an integer of at least 2, got 2.5")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, kept='1' }",
+  "deck.lua:1: fit: field 'kept': expected a number above 0 to 1, got '1'")
+
+-- fabric.lab.identifiability
+wrong("fabric.lab.identifiability", "fabric.lab.identifiability{ jacobina={0.01, 0.01} }",
+  "deck.lua:1: identifiability: unknown field 'jacobina', did you mean 'jacobian'?")
+wrong("fabric.lab.identifiability", "fabric.lab.identifiability{ jacobian=jacobian_ }",
+  "deck.lua:1: identifiability: field 'jacobian': expected a table of numbers, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.identifiability", "fabric.lab.identifiability{ jacobian={1, 'two'} }",
+  "deck.lua:1: identifiability: field 'jacobian': expected a table of numbers, got 'two' at place 2")
+
+-- fabric.lab.identify
+wrong("fabric.lab.identify", "fabric.lab.identify{ parametesr={} }",
+  "deck.lua:1: identify: unknown field 'parametesr', did you mean 'parameters'?")
+wrong("fabric.lab.identify", "fabric.lab.identify{ parameters=parameters_ }",
+  "deck.lua:1: identify: field 'parameters': expected a table { {name=, start=, low=, high=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.identify", "fabric.lab.identify{ parameters=5 }",
+  "deck.lua:1: identify: field 'parameters': expected a table { {name=, start=, low=, high=}, ... }, got 5")
+wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, processes=2.5 }",
+  "deck.lua:1: identify: field 'processes': expected an integer of at least 1, got 2.5")
+wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, processes=0 }",
+  "deck.lua:1: identify: field 'processes': expected an integer of at least 1, got 0")
+wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, checkpoint=7 }",
+  "deck.lua:1: identify: field 'checkpoint': expected a string, got 7")
+wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, tolerance='1' }",
+  "deck.lua:1: identify: field 'tolerance': expected a positive number, got '1'")
+wrong("fabric.lab.identify", "fabric.lab.identify{ parameters={}, tests={}, progress='yes' }",
+  "deck.lua:1: identify: field 'progress': expected true or false, got 'yes'")
+
+-- fabric.lab.least_squares
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ statr={0.01, 0.01} }",
+  "deck.lua:1: least_squares: unknown field 'statr', did you mean 'start'?")
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start=start_ }",
+  "deck.lua:1: least_squares: field 'start': expected a table of numbers, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={1, 'two'} }",
+  "deck.lua:1: least_squares: field 'start': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate='f' }",
+  "deck.lua:1: least_squares: field 'evaluate': expected a function, got 'f'")
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate=print, iterations=2.5 }",
+  "deck.lua:1: least_squares: field 'iterations': expected an integer of at least 1, got 2.5")
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate=print, iterations=0 }",
+  "deck.lua:1: least_squares: field 'iterations': expected an integer of at least 1, got 0")
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={0.01, 0.01}, low={0.01, 0.01}, high={0.01, 0.01}, evaluate=print, tolerance='1' }",
+  "deck.lua:1: least_squares: field 'tolerance': expected a positive number, got '1'")
+
+-- fabric.lab.marks
+wrong("fabric.lab.marks", "fabric.lab.marks{ Ex={0.01, 0.01} }",
+  "deck.lua:1: marks: unknown field 'Ex', did you mean 'E'?")
+wrong("fabric.lab.marks", "fabric.lab.marks{ E=E_ }",
+  "deck.lua:1: marks: field 'E': expected a table of numbers, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.marks", "fabric.lab.marks{ E={1, 'two'} }",
+  "deck.lua:1: marks: field 'E': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.lab.marks", "fabric.lab.marks{ E={0.01, 0.01}, S={1000000, 1000000}, kept='1' }",
+  "deck.lua:1: marks: field 'kept': expected a number above 0 to below 1, got '1'")
+wrong("fabric.lab.marks", "fabric.lab.marks{ E={0.01, 0.01}, S={1000000, 1000000}, kept=0 }",
+  "deck.lua:1: marks: field 'kept': expected a number above 0 to below 1, got 0")
+
+-- fabric.lab.monotone
+wrong("fabric.lab.monotone", "fabric.lab.monotone{ curvse={} }",
+  "deck.lua:1: monotone: unknown field 'curvse', did you mean 'curves'?")
+wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves=curves_ }",
+  "deck.lua:1: monotone: field 'curves': expected a table { {E=, S=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves=5 }",
+  "deck.lua:1: monotone: field 'curves': expected a table { {E=, S=}, ... }, got 5")
+wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves={}, bins=2.5 }",
+  "deck.lua:1: monotone: field 'bins': expected an integer from 2 to 1000, got 2.5")
+wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves={}, bins=1 }",
+  "deck.lua:1: monotone: field 'bins': expected an integer from 2 to 1000, got 1")
+
+-- fabric.lab.parallel
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ coutn=2 }",
+  "deck.lua:1: parallel: unknown field 'coutn', did you mean 'count'?")
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=count_ }",
+  "deck.lua:1: parallel: field 'count': expected an integer of at least 1, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2.5 }",
+  "deck.lua:1: parallel: field 'count': expected an integer of at least 1, got 2.5")
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=0 }",
+  "deck.lua:1: parallel: field 'count': expected an integer of at least 1, got 0")
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2, work='f' }",
+  "deck.lua:1: parallel: field 'work': expected a function, got 'f'")
+
+-- fabric.lab.unloading
+wrong("fabric.lab.unloading", "fabric.lab.unloading{ Ex={0.01, 0.01} }",
+  "deck.lua:1: unloading: unknown field 'Ex', did you mean 'E'?")
+wrong("fabric.lab.unloading", "fabric.lab.unloading{ E=E_ }",
+  "deck.lua:1: unloading: field 'E': expected a table of numbers, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.unloading", "fabric.lab.unloading{ E={1, 'two'} }",
+  "deck.lua:1: unloading: field 'E': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.lab.unloading", "fabric.lab.unloading{ E={0.01, 0.01}, S={1000000, 1000000}, rule='firts' }",
+  "deck.lua:1: unloading: field 'rule': expected 'first' or 'robust', got 'firts', did you mean 'first'?")
+wrong("fabric.lab.unloading", "fabric.lab.unloading{ E={0.01, 0.01}, S={1000000, 1000000}, count=2.5 }",
+  "deck.lua:1: unloading: field 'count': expected an integer of at least 2, got 2.5")
+wrong("fabric.lab.unloading", "fabric.lab.unloading{ E={0.01, 0.01}, S={1000000, 1000000}, count=1 }",
+  "deck.lua:1: unloading: field 'count': expected an integer of at least 2, got 1")
+wrong("fabric.lab.unloading", "fabric.lab.unloading{ E={0.01, 0.01}, S={1000000, 1000000}, kept='1' }",
+  "deck.lua:1: unloading: field 'kept': expected a number above 0 to below 1, got '1'")
+
+-- fits that cannot be
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves={} }",
+  "deck.lua:1: backbone: field 'curves': expected at least one curve {E=, S=}")
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves={ {E={1}, S={1, 2}} } }",
+  "deck.lua:1: backbone: field 'curves[1]': expected E and S of one length")
+wrong("fabric.lab.band", "fabric.lab.band{ specimens={ {1, 'x'} } }",
+  "deck.lua:1: band: field 'specimens[1]': expected a table of numbers, got 'x' at place 2")
+wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={1}, low={0, 1}, high={2}, evaluate=print }",
+  "deck.lua:1: least_squares: field 'low': expected low and high for each of 1 parameters")

@@ -1,0 +1,156 @@
+-- Wrong calls and their messages: mesh. Read by tests/lua/errors.lua.
+-- fabric.mesh.annulus
+wrong("fabric.mesh.annulus", "fabric.mesh.annulus{ innre=0.01 }",
+  "deck.lua:1: annulus: unknown field 'innre', did you mean 'inner'?")
+wrong("fabric.mesh.annulus", "fabric.mesh.annulus{ inner=inner_ }",
+  "deck.lua:1: annulus: field 'inner': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.annulus", "fabric.mesh.annulus{ inner='1' }",
+  "deck.lua:1: annulus: field 'inner': expected a positive number in m, got '1'")
+wrong("fabric.mesh.annulus", "fabric.mesh.annulus{ inner=-1 }",
+  "deck.lua:1: annulus: field 'inner': expected a positive number in m, got -1")
+wrong("fabric.mesh.annulus", "fabric.mesh.annulus{ inner=0.01, outer=0.01, around=2.5 }",
+  "deck.lua:1: annulus: field 'around': expected an integer of at least 1, got 2.5")
+wrong("fabric.mesh.annulus", "fabric.mesh.annulus{ inner=0.01, outer=0.01, around=2, across=2, slit='yes' }",
+  "deck.lua:1: annulus: field 'slit': expected true or false, got 'yes'")
+
+-- fabric.mesh.cylinder
+wrong("fabric.mesh.cylinder", "fabric.mesh.cylinder{ radisu=0.01 }",
+  "deck.lua:1: cylinder: unknown field 'radisu', did you mean 'radius'?")
+wrong("fabric.mesh.cylinder", "fabric.mesh.cylinder{ radius=radius_ }",
+  "deck.lua:1: cylinder: field 'radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.cylinder", "fabric.mesh.cylinder{ radius='1' }",
+  "deck.lua:1: cylinder: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.mesh.cylinder", "fabric.mesh.cylinder{ radius=-1 }",
+  "deck.lua:1: cylinder: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.mesh.cylinder", "fabric.mesh.cylinder{ radius=0.01, length=0.01, around=2.5 }",
+  "deck.lua:1: cylinder: field 'around': expected an integer of at least 1, got 2.5")
+
+-- fabric.mesh.disk
+wrong("fabric.mesh.disk", "fabric.mesh.disk{ radisu=0.01 }",
+  "deck.lua:1: disk: unknown field 'radisu', did you mean 'radius'?")
+wrong("fabric.mesh.disk", "fabric.mesh.disk{ radius=radius_ }",
+  "deck.lua:1: disk: field 'radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.disk", "fabric.mesh.disk{ radius='1' }",
+  "deck.lua:1: disk: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.mesh.disk", "fabric.mesh.disk{ radius=-1 }",
+  "deck.lua:1: disk: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.mesh.disk", "fabric.mesh.disk{ radius=0.01, cells=2.5 }",
+  "deck.lua:1: disk: field 'cells': expected an integer of at least 1, got 2.5")
+
+-- fabric.mesh.hemisphere
+wrong("fabric.mesh.hemisphere", "fabric.mesh.hemisphere{ radisu=0.01 }",
+  "deck.lua:1: hemisphere: unknown field 'radisu', did you mean 'radius'?")
+wrong("fabric.mesh.hemisphere", "fabric.mesh.hemisphere{ radius=radius_ }",
+  "deck.lua:1: hemisphere: field 'radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.hemisphere", "fabric.mesh.hemisphere{ radius='1' }",
+  "deck.lua:1: hemisphere: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.mesh.hemisphere", "fabric.mesh.hemisphere{ radius=-1 }",
+  "deck.lua:1: hemisphere: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.mesh.hemisphere", "fabric.mesh.hemisphere{ radius=0.01, around=2.5 }",
+  "deck.lua:1: hemisphere: field 'around': expected an integer of at least 1, got 2.5")
+
+-- fabric.mesh.read
+wrong("fabric.mesh.read", "fabric.mesh.read()",
+  "deck.lua:1: read: argument 'file': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.read", "fabric.mesh.read(7)",
+  "deck.lua:1: read: argument 'file': expected a string, got 7")
+
+-- fabric.mesh.rectangle
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ widht=0.01 }",
+  "deck.lua:1: rectangle: unknown field 'widht', did you mean 'width'?")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=width_ }",
+  "deck.lua:1: rectangle: field 'width': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width='1' }",
+  "deck.lua:1: rectangle: field 'width': expected a positive number in m, got '1'")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=-1 }",
+  "deck.lua:1: rectangle: field 'width': expected a positive number in m, got -1")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, nx=2.5 }",
+  "deck.lua:1: rectangle: field 'nx': expected an integer of at least 1, got 2.5")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, nx=2, ny=2, origin={1, 'two'} }",
+  "deck.lua:1: rectangle: field 'origin': expected a table of numbers in m, got 'two' at place 2")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, nx=2, ny=2, triangles='yes' }",
+  "deck.lua:1: rectangle: field 'triangles': expected true or false, got 'yes'")
+
+-- mesh:elements
+wrong("mesh:elements", "mesh:elements()",
+  "deck.lua:1: elements: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+wrong("mesh:elements", "mesh:elements(7)",
+  "deck.lua:1: elements: argument 'set': expected a string, got 7")
+
+-- mesh:map
+wrong("mesh:map", "mesh:map()",
+  "deck.lua:1: map: argument 'f': expected a function, got nil (missing, or a misspelt variable)")
+wrong("mesh:map", "mesh:map('f')",
+  "deck.lua:1: map: argument 'f': expected a function, got 'f'")
+
+-- mesh:orient
+wrong("mesh:orient", "mesh:orient({1, 'two'})",
+  "deck.lua:1: orient: argument 'direction': expected a table of numbers, got 'two' at place 2")
+
+-- mesh:set
+wrong("mesh:set", "mesh:set()",
+  "deck.lua:1: set: argument 'name': expected a string, got nil (missing, or a misspelt variable)")
+wrong("mesh:set", "mesh:set(7)",
+  "deck.lua:1: set: argument 'name': expected a string, got 7")
+wrong("mesh:set", "mesh:set('x', {1, 'two'})",
+  "deck.lua:1: set: argument 'nodes': expected a table of numbers or a function, got 'two' at place 2")
+
+-- mesh:write
+wrong("mesh:write", "mesh:write()",
+  "deck.lua:1: write: argument 'file': expected a string, got nil (missing, or a misspelt variable)")
+wrong("mesh:write", "mesh:write(7)",
+  "deck.lua:1: write: argument 'file': expected a string, got 7")
+
+-- numbers that mean nothing
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0/0, height=1, nx=3, ny=9 }",
+  "deck.lua:1: rectangle: field 'width': expected a positive number in m, got nan")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=1/0, height=1, nx=3, ny=9 }",
+  "deck.lua:1: rectangle: field 'width': expected a positive number in m, got inf")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=1, height=1, nx=1e9, ny=1e9 }",
+  "deck.lua:1: rectangle: nx * ny: expected at most 1000000000 cells, got 1000000000 x 1000000000")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=1, height=hieght, nx=3, ny=9 }",
+  "deck.lua:1: rectangle: field 'height': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=1, height=1, nx=3, ny=9, origin={1} }",
+  "deck.lua:1: rectangle: field 'origin': expected {x, y} or {x, y, z}, got 1 number")
+wrong("fabric.mesh.annulus", "fabric.mesh.annulus{ inner=0.1, outer=0.06, around=30, across=6 }",
+  "deck.lua:1: annulus: field 'outer': expected a radius larger than 'inner'")
+
+-- the shape of a call
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle(1, 1, 3, 9)",
+  "deck.lua:1: rectangle: expected one table with named fields, got 4 values")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle()",
+  "deck.lua:1: rectangle: expected a table with named fields, got nil")
+wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ 1, 1 }",
+  "deck.lua:1: rectangle: expected named fields, got an entry without a name at 1")
+wrong("object", "fabric.mesh.rectangel{}",
+  "deck.lua:1: fabric.mesh: unknown field 'rectangel', did you mean 'rectangle'?")
+wrong("mesh:set", "mesh.set('x')",
+  "deck.lua:1: set: called without its mesh (write x:set(...), with a colon), got 'x'")
+wrong("mesh:set", "mesh:set('x', {1}, 2)",
+  "deck.lua:1: set: expected at most 2 arguments, got 3")
+wrong("object", "mesh.nods = 3",
+  "deck.lua:1: mesh: field 'nods' cannot be assigned")
+wrong("object", "return mesh.nods",
+  "deck.lua:1: mesh: unknown field 'nods', did you mean 'nodes'?")
+
+-- sets and files
+wrong("mesh:set", "mesh:set 'lft'",
+  "deck.lua:1: set: unknown set 'lft', did you mean 'left'? known sets: all, bottom, boundary, corners, left, right, top")
+wrong("mesh:set", "mesh:set('s', {0})",
+  "deck.lua:1: set: argument 'nodes': expected node numbers from 1 to 8, got 0")
+wrong("mesh:set", "mesh:set('s', function() error 'inside' end)",
+  "deck.lua:1: inside")
+wrong("mesh:elements", "mesh:elements 'topp'",
+  "deck.lua:1: elements: unknown set 'topp', did you mean 'top'? known sets: all, bottom, boundary, corners, left, right, top")
+wrong("mesh:map", "mesh:map(function(x, y) return x, y end)",
+  "deck.lua:1: map: argument 'f': expected the function to return x, y, z in m, got nil in place 3")
+wrong("mesh:orient", "mesh:orient{0, 0, 0}",
+  "deck.lua:1: orient: argument 'direction': expected a direction, got {0, 0, 0}")
+wrong("mesh:orient", "mesh:orient{1, 0}",
+  "deck.lua:1: orient: argument 'direction': expected {x, y, z}, got 2 numbers")
+wrong("fabric.mesh.read", "fabric.mesh.read 'none.msh'",
+  "deck.lua:1: read: cannot read 'none.msh': No such file or directory")
+wrong("fabric.mesh.read", "fabric.mesh.read 'none.stl'",
+  "deck.lua:1: read: cannot read 'none.stl': expected a name that ends in .msh, .vtu, .vtk or .obj")
+wrong("mesh:write", "mesh:write 'mesh.obj'",
+  "deck.lua:1: write: cannot write 'mesh.obj': expected a name that ends in .vtu or .msh")

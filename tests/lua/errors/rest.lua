@@ -1,0 +1,112 @@
+-- Wrong calls and their messages: rest. Read by tests/lua/errors.lua.
+-- fabric.expect
+wrong("fabric.expect", "fabric.expect()",
+  "deck.lua:1: expect: argument 'rows': expected a table { {label, got, want, relative= or absolute=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.expect", "fabric.expect(5)",
+  "deck.lua:1: expect: argument 'rows': expected a table { {label, got, want, relative= or absolute=}, ... }, got 5")
+
+-- fabric.folder
+wrong("fabric.folder", "fabric.folder()",
+  "deck.lua:1: folder: argument 'path': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.folder", "fabric.folder(7)",
+  "deck.lua:1: folder: argument 'path': expected a string, got 7")
+
+-- fabric.help
+
+-- fabric.plot
+wrong("fabric.plot", "fabric.plot{ fiel='x' }",
+  "deck.lua:1: plot: unknown field 'fiel', did you mean 'file'?")
+wrong("fabric.plot", "fabric.plot{ file=file_ }",
+  "deck.lua:1: plot: field 'file': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.plot", "fabric.plot{ file=7 }",
+  "deck.lua:1: plot: field 'file': expected a string, got 7")
+wrong("fabric.plot", "fabric.plot{ file='x', curves=5 }",
+  "deck.lua:1: plot: field 'curves': expected a table { {x=, y=, label=, style=}, ... }, got 5")
+
+-- fabric.poly
+wrong("fabric.poly", "fabric.poly()",
+  "deck.lua:1: poly: argument 'coefficients': expected a table of numbers, got nil (missing, or a misspelt variable)")
+wrong("fabric.poly", "fabric.poly({1, 'two'})",
+  "deck.lua:1: poly: argument 'coefficients': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.poly", "fabric.poly({0.01, 0.01}, '1')",
+  "deck.lua:1: poly: argument 'unit': expected a number, got '1'")
+
+-- fabric.render
+wrong("fabric.render", "fabric.render{ fiel='x' }",
+  "deck.lua:1: render: unknown field 'fiel', did you mean 'file'?")
+wrong("fabric.render", "fabric.render{ file=file_ }",
+  "deck.lua:1: render: field 'file': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.render", "fabric.render{ file=7 }",
+  "deck.lua:1: render: field 'file': expected a string, got 7")
+wrong("fabric.render", "fabric.render{ file='x', vtu=7 }",
+  "deck.lua:1: render: field 'vtu': expected a table or a string, got 7")
+wrong("fabric.render", "fabric.render{ file='x', run=mesh }",
+  "deck.lua:1: render: field 'run': expected an analysis, got a mesh")
+wrong("fabric.render", "fabric.render{ file='x', field='noen' }",
+  "deck.lua:1: render: field 'field': expected 'none' or 'displacement' or 'ux' or 'uy' or 'uz' or 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'noen', did you mean 'none'?")
+wrong("fabric.render", "fabric.render{ file='x', factor='1' }",
+  "deck.lua:1: render: field 'factor': expected a number, got '1'")
+wrong("fabric.render", "fabric.render{ file='x', range={1, 'two'} }",
+  "deck.lua:1: render: field 'range': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.render", "fabric.render{ file='x', view='aboev' }",
+  "deck.lua:1: render: field 'view': expected a table of numbers or 'above' or 'front' or 'side' or 'oblique', got 'aboev', did you mean 'above'?")
+wrong("fabric.render", "fabric.render{ file='x', columns=2.5 }",
+  "deck.lua:1: render: field 'columns': expected an integer of at least 1, got 2.5")
+wrong("fabric.render", "fabric.render{ file='x', columns=0 }",
+  "deck.lua:1: render: field 'columns': expected an integer of at least 1, got 0")
+wrong("fabric.render", "fabric.render{ file='x', edges='yes' }",
+  "deck.lua:1: render: field 'edges': expected true or false, got 'yes'")
+
+-- fabric.table
+wrong("fabric.table", "fabric.table{ fiel='x' }",
+  "deck.lua:1: table: unknown field 'fiel', did you mean 'file'?")
+wrong("fabric.table", "fabric.table{ file=file_ }",
+  "deck.lua:1: table: field 'file': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.table", "fabric.table{ file=7 }",
+  "deck.lua:1: table: field 'file': expected a string, got 7")
+wrong("fabric.table", "fabric.table{ file='x', separator='auot' }",
+  "deck.lua:1: table: field 'separator': expected 'auto' or ',' or ';' or 'tab' or 'blank', got 'auot', did you mean 'auto'?")
+
+-- fabric.warn
+wrong("fabric.warn", "fabric.warn()",
+  "deck.lua:1: warn: argument 'text': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.warn", "fabric.warn(7)",
+  "deck.lua:1: warn: argument 'text': expected a string, got 7")
+
+-- the program's own names, checks, files
+wrong("object", "fabric.crad 'blend'",
+  "deck.lua:1: fabric: unknown field 'crad', did you mean 'card'?")
+wrong("object", "fabric.lab.uniaxal{ card=card }",
+  "deck.lua:1: fabric.lab: unknown field 'uniaxal', did you mean 'uniaxial'?")
+wrong("fabric.expect", "fabric.expect{ {'x', nil, 2, relative=1e-3} }",
+  "deck.lua:1: expect: row 'x': expected two numbers (got, want), got nil and 2")
+wrong("fabric.expect", "fabric.expect{ {1, 2} }",
+  "deck.lua:1: expect: row 1: expected a label first, got 1")
+wrong("fabric.expect", "fabric.expect{ {'x', 1, 2} }",
+  "deck.lua:1: expect: row 'x': expected relative= or absolute= (one of them)")
+wrong("fabric.expect", "fabric.expect{ {'x', 1, 2, relative=1e-3} }",
+  "deck.lua:1: expect: 1 of 1 missed: 'x'")
+wrong("fabric.folder", "fabric.folder 'no-such-folder'",
+  "deck.lua:1: folder: cannot read the folder 'no-such-folder': No such file or directory")
+wrong("fabric.table", "fabric.table{ file='none.csv' }",
+  "deck.lua:1: table: cannot read 'none.csv': No such file or directory")
+wrong("fabric.plot", "fabric.plot{ file='x.svg', curves={ {x={1, 2}, y={1}} } }",
+  "deck.lua:1: plot: field 'curves[1]': expected x and y of one length, got 2 and 1")
+wrong("fabric.plot", "fabric.plot{ file='x.svg', curves={ 5 } }",
+  "deck.lua:1: plot: field 'curves[1]': expected a table, got 5")
+wrong("fabric.plot", "fabric.plot{ file='x.svg', curves={ {x={1}, y={1}, style='lines'} } }",
+  "deck.lua:1: plot: field 'curves[1].style': expected 'line' or 'dashed' or 'points' or 'line_points', got 'lines', did you mean 'line'?")
+wrong("fabric.plot", "fabric.plot{ file='x.doc', curves={ {x={1, 2}, y={1, 2}} } }",
+  "deck.lua:1: plot: figure: expected a file name that ends in .svg, .png or .pdf, got 'x.doc'")
+wrong("fabric.render", "fabric.render{ file='x.png' }",
+  "deck.lua:1: render: field 'vtu': expected either vtu or run, got neither")
+wrong("fabric.render", "fabric.render{ file='x.png', vtu='none.vtu', field='S1' }",
+  "deck.lua:1: render: field 'field': expected 'none' or 'displacement' or 'ux' or 'uy' or 'uz' or 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'S1', did you mean 'S11'?")
+wrong("lua", "error()",
+  "nil")
+wrong("lua", "error 'a text'",
+  "deck.lua:1: a text")
+wrong("lua", "local x = nil + 1",
+  "deck.lua:1: attempt to perform arithmetic on a nil value")
+wrong("lua", "undefined_name()",
+  "deck.lua:1: attempt to call a nil value (global 'undefined_name')")

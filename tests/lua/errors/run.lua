@@ -1,0 +1,212 @@
+-- Wrong calls and their messages: run. Read by tests/lua/errors.lua.
+-- analysis:advance
+wrong("analysis:advance", "run:advance()",
+  "deck.lua:1: advance: argument 'time': expected a number of at least 0 in s, got nil (missing, or a misspelt variable)")
+wrong("analysis:advance", "run:advance('1')",
+  "deck.lua:1: advance: argument 'time': expected a number of at least 0 in s, got '1'")
+wrong("analysis:advance", "run:advance(-1)",
+  "deck.lua:1: advance: argument 'time': expected a number of at least 0 in s, got -1")
+
+-- analysis:element
+wrong("analysis:element", "run:element()",
+  "deck.lua:1: element: argument 'number': expected an integer of at least 1, got nil (missing, or a misspelt variable)")
+wrong("analysis:element", "run:element(2.5)",
+  "deck.lua:1: element: argument 'number': expected an integer of at least 1, got 2.5")
+wrong("analysis:element", "run:element(0)",
+  "deck.lua:1: element: argument 'number': expected an integer of at least 1, got 0")
+
+-- analysis:event
+wrong("analysis:event", "run:event{ valeu=print }",
+  "deck.lua:1: event: unknown field 'valeu', did you mean 'value'?")
+wrong("analysis:event", "run:event{ value=value_ }",
+  "deck.lua:1: event: field 'value': expected a function, got nil (missing, or a misspelt variable)")
+wrong("analysis:event", "run:event{ value='f' }",
+  "deck.lua:1: event: field 'value': expected a function, got 'f'")
+wrong("analysis:event", "run:event{ value=print, tolerance='1' }",
+  "deck.lua:1: event: field 'tolerance': expected a positive number, got '1'")
+wrong("analysis:event", "run:event{ value=print, tolerance=-1 }",
+  "deck.lua:1: event: field 'tolerance': expected a positive number, got -1")
+
+-- analysis:every
+wrong("analysis:every", "run:every()",
+  "deck.lua:1: every: argument 'interval': expected a positive number in s or 'step', got nil (missing, or a misspelt variable)")
+wrong("analysis:every", "run:every('stpe')",
+  "deck.lua:1: every: argument 'interval': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
+wrong("analysis:every", "run:every(-1)",
+  "deck.lua:1: every: argument 'interval': expected a positive number in s or 'step', got -1")
+wrong("analysis:every", "run:every(1, 'f')",
+  "deck.lua:1: every: argument 'action': expected a function, got 'f'")
+
+-- analysis:field
+wrong("analysis:field", "run:field()",
+  "deck.lua:1: field: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got nil (missing, or a misspelt variable)")
+wrong("analysis:field", "run:field('storde')",
+  "deck.lua:1: field: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'storde', did you mean 'stored'?")
+
+-- analysis:mean
+wrong("analysis:mean", "run:mean()",
+  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got nil (missing, or a misspelt variable)")
+wrong("analysis:mean", "run:mean('storde')",
+  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'storde', did you mean 'stored'?")
+wrong("analysis:mean", "run:mean('E11', 7)",
+  "deck.lua:1: mean: argument 'set': expected a string, got 7")
+
+-- analysis:node
+wrong("analysis:node", "run:node()",
+  "deck.lua:1: node: argument 'number': expected an integer of at least 1, got nil (missing, or a misspelt variable)")
+wrong("analysis:node", "run:node(2.5)",
+  "deck.lua:1: node: argument 'number': expected an integer of at least 1, got 2.5")
+wrong("analysis:node", "run:node(0)",
+  "deck.lua:1: node: argument 'number': expected an integer of at least 1, got 0")
+
+-- analysis:reaction
+wrong("analysis:reaction", "run:reaction()",
+  "deck.lua:1: reaction: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+wrong("analysis:reaction", "run:reaction(7)",
+  "deck.lua:1: reaction: argument 'set': expected a string, got 7")
+
+-- analysis:record
+wrong("analysis:record", "run:record()",
+  "deck.lua:1: record: argument 'path': expected a string, got nil (missing, or a misspelt variable)")
+wrong("analysis:record", "run:record(7)",
+  "deck.lua:1: record: argument 'path': expected a string, got 7")
+wrong("analysis:record", "run:record('x', 5)",
+  "deck.lua:1: record: argument 'options': expected a table {every, columns, order}, got 5")
+wrong("analysis:record", "run:record('x', { every='stpe' })",
+  "deck.lua:1: record: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
+wrong("analysis:record", "run:record('x', { every=-1 })",
+  "deck.lua:1: record: field 'options.every': expected a positive number in s or 'step', got -1")
+wrong("analysis:record", "run:record('x', { columns=5 })",
+  "deck.lua:1: record: field 'options.columns': expected a table, got 5")
+
+-- analysis:restore
+wrong("analysis:restore", "run:restore()",
+  "deck.lua:1: restore: argument 'snapshot': expected a snapshot, got nil (missing, or a misspelt variable)")
+wrong("analysis:restore", "run:restore(mesh)",
+  "deck.lua:1: restore: argument 'snapshot': expected a snapshot, got a mesh")
+
+-- analysis:stop
+wrong("analysis:stop", "run:stop(7)",
+  "deck.lua:1: stop: argument 'reason': expected a string, got 7")
+
+-- analysis:vtk
+wrong("analysis:vtk", "run:vtk()",
+  "deck.lua:1: vtk: argument 'stem': expected a string, got nil (missing, or a misspelt variable)")
+wrong("analysis:vtk", "run:vtk(7)",
+  "deck.lua:1: vtk: argument 'stem': expected a string, got 7")
+wrong("analysis:vtk", "run:vtk('x', 5)",
+  "deck.lua:1: vtk: argument 'options': expected a table {every, fields}, got 5")
+wrong("analysis:vtk", "run:vtk('x', { every='stpe' })",
+  "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
+wrong("analysis:vtk", "run:vtk('x', { every=-1 })",
+  "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got -1")
+wrong("analysis:vtk", "run:vtk('x', { fields=5 })",
+  "deck.lua:1: vtk: field 'options.fields': expected a table, got 5")
+
+-- fabric.dynamic
+wrong("fabric.dynamic", "fabric.dynamic{ modle=held }",
+  "deck.lua:1: dynamic: unknown field 'modle', did you mean 'model'?")
+wrong("fabric.dynamic", "fabric.dynamic{ model=model_ }",
+  "deck.lua:1: dynamic: field 'model': expected a model, got nil (missing, or a misspelt variable)")
+wrong("fabric.dynamic", "fabric.dynamic{ model=mesh }",
+  "deck.lua:1: dynamic: field 'model': expected a model, got a mesh")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration='1' }",
+  "deck.lua:1: dynamic: field 'duration': expected a positive number in s, got '1'")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=-1 }",
+  "deck.lua:1: dynamic: field 'duration': expected a positive number in s, got -1")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, step='auot' }",
+  "deck.lua:1: dynamic: field 'step': expected a positive number in s or 'auto', got 'auot', did you mean 'auto'?")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, scheme='explicti' }",
+  "deck.lua:1: dynamic: field 'scheme': expected 'explicit' or 'implicit', got 'explicti', did you mean 'explicit'?")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, damping=5 }",
+  "deck.lua:1: dynamic: field 'damping': expected a table {mass, stiffness}, got 5")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, force='yes' }",
+  "deck.lua:1: dynamic: field 'force': expected true or false, got 'yes'")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, max_iterations=2.5 }",
+  "deck.lua:1: dynamic: field 'max_iterations': expected an integer of at least 1, got 2.5")
+
+-- fabric.static
+wrong("fabric.static", "fabric.static{ modle=held }",
+  "deck.lua:1: static: unknown field 'modle', did you mean 'model'?")
+wrong("fabric.static", "fabric.static{ model=model_ }",
+  "deck.lua:1: static: field 'model': expected a model, got nil (missing, or a misspelt variable)")
+wrong("fabric.static", "fabric.static{ model=mesh }",
+  "deck.lua:1: static: field 'model': expected a model, got a mesh")
+wrong("fabric.static", "fabric.static{ model=held, duration='1' }",
+  "deck.lua:1: static: field 'duration': expected a positive number in s, got '1'")
+wrong("fabric.static", "fabric.static{ model=held, duration=-1 }",
+  "deck.lua:1: static: field 'duration': expected a positive number in s, got -1")
+wrong("fabric.static", "fabric.static{ model=held, duration=1, max_iterations=2.5 }",
+  "deck.lua:1: static: field 'max_iterations': expected an integer of at least 1, got 2.5")
+wrong("fabric.static", "fabric.static{ model=held, duration=1, line_search='yes' }",
+  "deck.lua:1: static: field 'line_search': expected true or false, got 'yes'")
+wrong("fabric.static", "fabric.static{ model=held, duration=1, linear='auot' }",
+  "deck.lua:1: static: field 'linear': expected 'auto' or 'symmetric' or 'unsymmetric', got 'auot', did you mean 'auto'?")
+wrong("fabric.static", "fabric.static{ model=held, duration=1, stabilise='1' }",
+  "deck.lua:1: static: field 'stabilise': expected a number from 0 to below 1 or true or false, got '1'")
+
+-- runs that cannot be
+wrong("fabric.static", "fabric.static{ model=mesh, duration=1 }",
+  "deck.lua:1: static: field 'model': expected a model, got a mesh")
+wrong("fabric.static", "fabric.static{ model=model }",
+  "deck.lua:1: static: field 'duration': expected a positive number in s, got nil (missing, or a misspelt variable)")
+wrong("fabric.static", "fabric.static{ model=model:fix('top', 'y'):move('top', {y=0.01}), duration=1 }",
+  "deck.lua:1: static: model: node 7: y is fixed (set 'top') and moved (set 'top')")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, step=1 }",
+  "deck.lua:1: dynamic: field 'step': expected at most 1.87594e-05 s, the stable step of this mesh and card, got 1 s (step=\"auto\" takes 1.31316e-05 s; force=true takes it all the same)")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, inertia='scald' }",
+  "deck.lua:1: dynamic: field 'inertia': expected 'scaled' or 'true', got 'scald', did you mean 'scaled'?")
+wrong("object", "return run.tiem",
+  "deck.lua:1: analysis: unknown field 'tiem', did you mean 'time'?")
+wrong("object", "run.time = 3",
+  "deck.lua:1: analysis: field 'time' cannot be assigned")
+
+-- histories and hooks that fail under way
+wrong("analysis:solve", "fabric.static{ duration=1, model=held:move('top', { y=function(t) return t > 0.42 and 0/0 or t*1e-3 end }) }:solve()",
+  "deck.lua:1: solve: move 'top': field 'y': expected the history to return a finite number at t = 0.45 s, got nan")
+wrong("analysis:solve", "fabric.static{ duration=1, model=held:move('top', { y=function(t) return t > 0.42 and 'x' or t*1e-3 end }) }:solve()",
+  "deck.lua:1: solve: move 'top': field 'y': expected the history to return a finite number at t = 0.45 s, got 'x'")
+wrong("fabric.static", "fabric.static{ duration=1, model=held:move('top', { y=function(t) error 'in the history' end }) }",
+  "deck.lua:1: in the history")
+wrong("fabric.static", "fabric.static{ duration=1, model=held:force('top', { y=function(t) return 1/0 end }) }",
+  "deck.lua:1: static: force 'top': field 'y': expected the history to return a finite number at t = 0 s, got inf")
+wrong("fabric.static", "fabric.static{ duration=1, model=held:pressure(function(t) return 'x' end) }",
+  "deck.lua:1: static: pressure 'all': argument 'value': expected the history to return a finite number at t = 0 s, got 'x'")
+wrong("analysis:every", "run:every('step', function() error 'in the hook' end) run:solve()",
+  "deck.lua:1: in the hook")
+wrong("analysis:every", "run:every('step', function() local x = nil + 1 end) run:solve()",
+  "deck.lua:1: attempt to perform arithmetic on a nil value")
+wrong("analysis:every", "run:every('steps', print)",
+  "deck.lua:1: every: argument 'interval': expected a positive number in s or 'step', got 'steps', did you mean 'step'?")
+wrong("analysis:event", "run:event{ value=function() return 'x' end } run:solve()",
+  "deck.lua:1: solve: event: field 'value': expected the function to return a number, got 'x'")
+
+-- reading and writing
+wrong("analysis:advance", "run:advance(0.5):advance(0.25)",
+  "deck.lua:1: advance: expected a time from 0.5 s, where the run is, got 0.25 s (restore(snapshot) goes back)")
+wrong("analysis:mean", "run:mean 'S1'",
+  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'S1', did you mean 'S11'?")
+wrong("analysis:mean", "run:mean('S11', 'bottom')",
+  "deck.lua:1: mean: set 'bottom' holds no whole element")
+wrong("analysis:node", "run:node(99)",
+  "deck.lua:1: node: expected a number from 1 to 8, got 99")
+wrong("analysis:element", "run:element(99)",
+  "deck.lua:1: element: expected a number from 1 to 3, got 99")
+wrong("analysis:reaction", "run:reaction 'tpo'",
+  "deck.lua:1: reaction: unknown set 'tpo', did you mean 'top'? known sets: all, bottom, boundary, corners, left, right, top")
+wrong("analysis:restore", "run:restore(fabric.static{ model=model, duration=1 }:snapshot())",
+  "deck.lua:1: restore: this snapshot was taken of another analysis")
+wrong("analysis:record", "run:record('x.csv', { columns={} })",
+  "deck.lua:1: record: field 'options.columns': expected at least one column")
+wrong("analysis:record", "run:record('x.csv', { columns={ t=1 } })",
+  "deck.lua:1: record: field 'options.columns': expected name = function(a), got 1")
+wrong("analysis:record", "run:record('x.csv', { columns={ t=print }, order={'u'} })",
+  "deck.lua:1: record: field 'options.order': no column 'u'")
+wrong("analysis:record", "run:record('/dev/null/x.csv', { columns={ t=function(a) return a.time end } })",
+  "deck.lua:1: record: cannot make the folder '/dev/null': Not a directory")
+wrong("analysis:vtk", "run:vtk '/dev/null/x'",
+  "deck.lua:1: vtk: cannot make the folder '/dev/null': Not a directory")
+wrong("analysis:vtk", "run:vtk('x', { fields={'S1'} })",
+  "deck.lua:1: vtk: field 'fields': unknown field 'S1', expected some of displacement velocity director E S residual slack energy warp weft")
+wrong("analysis.stable_step", "return run.stable_step",
+  "deck.lua:1: stable_step: a static analysis has no stable step")
