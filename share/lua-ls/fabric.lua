@@ -957,13 +957,20 @@ function fabric.mesh.rectangle(fields) end
 function fabric.model(fields) end
 
 ---@class fabric_plot_fields
----@field file string ends in .svg, .png or .pdf
+---@field curves table { {x=, y=, label=, style=}, ... }: lists of numbers, or {rows=, x="E", y="S"} by the fields of a list of tables; style: line, dashed, points, line_points
+---@field file? string ends in .svg, .png or .pdf; none: drawn in letters
 ---@field title? string above the curves (default "")
----@field xlabel? string with its unit (default "")
----@field ylabel? string with its unit (default "")
----@field curves table { {x=, y=, label=, style=}, ... }
+---@field xlabel? string what x is (default "")
+---@field ylabel? string what y is (default "")
+---@field xunit? string of fabric.units, or %: x is SI and shown in it, behind the label (default "")
+---@field yunit? string likewise (default "")
+---@field xrange? number[] {low, high} shown, in SI; default: all
+---@field yrange? number[] {low, high} shown, in SI; default: all
+---@field log? ""|"x"|"y"|"xy" logarithmic axes (default "")
+---@field columns? integer width of a drawing in letters (default 79)
+---@field lines? integer height of a drawing in letters (default 24)
 
----Draws curves into a file (by gnuplot).
+---Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows.
 ---@param fields fabric_plot_fields
 function fabric.plot(fields) end
 

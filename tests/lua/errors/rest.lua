@@ -14,14 +14,22 @@ wrong("fabric.folder", "fabric.folder(7)",
 -- fabric.help
 
 -- fabric.plot
-wrong("fabric.plot", "fabric.plot{ fiel='x' }",
-  "deck.lua:1: plot: unknown field 'fiel', did you mean 'file'?")
-wrong("fabric.plot", "fabric.plot{ file=file_ }",
-  "deck.lua:1: plot: field 'file': expected a string, got nil (missing, or a misspelt variable)")
-wrong("fabric.plot", "fabric.plot{ file=7 }",
-  "deck.lua:1: plot: field 'file': expected a string, got 7")
-wrong("fabric.plot", "fabric.plot{ file='x', curves=5 }",
+wrong("fabric.plot", "fabric.plot{ curvse={} }",
+  "deck.lua:1: plot: unknown field 'curvse', did you mean 'curves'?")
+wrong("fabric.plot", "fabric.plot{ curves=curves_ }",
+  "deck.lua:1: plot: field 'curves': expected a table { {x=, y=, label=, style=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.plot", "fabric.plot{ curves=5 }",
   "deck.lua:1: plot: field 'curves': expected a table { {x=, y=, label=, style=}, ... }, got 5")
+wrong("fabric.plot", "fabric.plot{ curves={}, file=7 }",
+  "deck.lua:1: plot: field 'file': expected a string, got 7")
+wrong("fabric.plot", "fabric.plot{ curves={}, xrange={1, 'two'} }",
+  "deck.lua:1: plot: field 'xrange': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.plot", "fabric.plot{ curves={}, log='?' }",
+  "deck.lua:1: plot: field 'log': expected '' or 'x' or 'y' or 'xy', got '?'")
+wrong("fabric.plot", "fabric.plot{ curves={}, columns=2.5 }",
+  "deck.lua:1: plot: field 'columns': expected an integer from 10 to 400, got 2.5")
+wrong("fabric.plot", "fabric.plot{ curves={}, columns=9 }",
+  "deck.lua:1: plot: field 'columns': expected an integer from 10 to 400, got 9")
 
 -- fabric.poly
 wrong("fabric.poly", "fabric.poly()",
