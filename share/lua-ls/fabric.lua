@@ -1074,9 +1074,18 @@ function fabric.svk(fields) end
 ---@return any
 function fabric.table(fields) end
 
+---Keeps the session as a deck that can be run; without an argument, the file's name or false. The file is whole at any moment; inputs that failed are comments in it.
+---@param file? string|boolean a new Lua file that holds all that was typed at the prompt so far and will be; false ends it
+---@return any
+function fabric.transcript(file) end
+
 ---Says a warning on stderr with the deck's line, each text once.
 ---@param text string what to say
 function fabric.warn(text) end
+
+---What the globals hold that neither Lua nor fabric put there, objects first: rows of name, class and text, which print as a table.
+---@return any
+function fabric.who() end
 
 ---@class fabric_woven_fields.bending.friction_warp
 ---@field moment number N: friction moment per width

@@ -75,6 +75,10 @@ wrong("fabric.table", "fabric.table{ file=7 }",
 wrong("fabric.table", "fabric.table{ file='x', separator='auot' }",
   "deck.lua:1: table: field 'separator': expected 'auto' or ',' or ';' or 'tab' or 'blank', got 'auot', did you mean 'auto'?")
 
+-- fabric.transcript
+wrong("fabric.transcript", "fabric.transcript(7)",
+  "deck.lua:1: transcript: argument 'file': expected a string or true or false, got 7")
+
 -- fabric.warn
 wrong("fabric.warn", "fabric.warn()",
   "deck.lua:1: warn: argument 'text': expected a string, got nil (missing, or a misspelt variable)")
