@@ -15,6 +15,13 @@ const char* const usage =
     "  -             runs standard input as a deck\n"
     "  --check       validates everything, runs no analysis, writes no file\n"
     "  --threads N   threads to use; else OMP_NUM_THREADS, else all cores\n"
+    "  --safe        for decks from elsewhere: no programs, no C modules; reads only the deck's folder, "
+    "writes only "
+    "--output\n"
+    "  --output DIR  with --safe: the folder that is written (out)\n"
+    "  --limit-memory MB, --limit-seconds S, --limit-instructions N\n"
+    "                with --safe: memory (4096), computing time of all threads (86400), Lua instructions "
+    "(1e10)\n"
     "  --quiet       no progress on standard error\n"
     "  --version     versions of the program and of what it stands on\n"
     "  --help        this text\n"
@@ -29,8 +36,9 @@ class Reader {
 
   void read() {
     while (at_ < count_ && c_.trouble.empty() && !c_.has_deck && !closed_) option(c_.line[at_]);
-    if (c_.has_deck || at_ >= count_ || !c_.trouble.empty()) return;
-    take_deck(c_.line[at_]);
+    if (!c_.has_deck && at_ < count_ && c_.trouble.empty()) take_deck(c_.line[at_]);
+    if (c_.trouble.empty() && !c_.safe && !only_safe_.empty())
+      c_.trouble = "'" + only_safe_ + "' goes with --safe";
   }
 
  private:
@@ -61,6 +69,40 @@ class Reader {
       c_.trouble = "--threads: expected an integer of at least 1, got '" + text + "'";
   }
 
+  // The value of --name=X, or of --name X; false: it is another option, or has no value.
+  bool long_value(const std::string& word, const std::string& name, std::string& out) {
+    if (word.rfind(name + "=", 0) == 0) {
+      out = word.substr(name.size() + 1);
+      ++at_;
+      return true;
+    }
+    if (word != name) return false;
+    if (++at_ < count_) return out = c_.line[at_++], true;
+    c_.trouble = "'" + name + "' needs an argument";
+    return false;
+  }
+
+  template <class Number>
+  bool limit(const std::string& word, const std::string& name, double most, Number& out) {
+    std::string text;
+    if (!long_value(word, name, text)) return !c_.trouble.empty();
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !(value >= 1) || value > most)
+      c_.trouble = name + ": expected a number of at least 1, got '" + text + "'";
+    else
+      out = static_cast<Number>(value);
+    return only_safe_ = name, true;
+  }
+
+  bool safe_option(const std::string& word) {
+    if (word == "--safe") return ++at_, c_.safe = true;
+    if (long_value(word, "--output", c_.output)) return only_safe_ = "--output", true;
+    return limit(word, "--limit-memory", 1e9, c_.limits.megabytes) ||
+           limit(word, "--limit-seconds", 1e9, c_.limits.seconds) ||
+           limit(word, "--limit-instructions", 1e18, c_.limits.instructions);
+  }
+
   bool long_option(const std::string& word) {
     if (word == "--check") return c_.check = true;
     if (word == "--quiet") return c_.quiet = true;
@@ -77,6 +119,7 @@ class Reader {
       closed_ = true;
     } else if (long_option(word)) {
       ++at_;
+    } else if (safe_option(word)) {
     } else if (word == "-i") {
       c_.interactive = true;
       ++at_;
@@ -99,6 +142,7 @@ class Reader {
   std::size_t count_;
   std::size_t at_ = 1;
   bool closed_ = false;
+  std::string only_safe_;  // the last option that means nothing without --safe
 };
 
 }  // namespace

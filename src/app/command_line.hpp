@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "script/limits.hpp"
+
 namespace fabricsh::app {
 
 struct CommandLine {
@@ -11,6 +13,9 @@ struct CommandLine {
   bool interactive = false;                          // -i
   bool check = false, quiet = false, version = false, help = false;
   int threads = 0;
+  bool safe = false;           // --safe, and what goes with it
+  std::string output;          // --output; empty: out
+  script::SafeOptions limits;  // --limit-...
   bool has_deck = false;
   std::string deck;  // empty with has_deck: standard input
   std::size_t deck_place = 0;

@@ -8,6 +8,7 @@
 #include "app/about.hpp"
 #include "app/command_line.hpp"
 #include "app/environment.hpp"
+#include "app/safe.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/history.hpp"
 #include "repl/prompt.hpp"
@@ -41,6 +42,7 @@ class Speaker {
 script::Options session_options(const app::CommandLine& command, const Speaker& speaker) {
   const auto say = [&speaker](const std::string& text) { speaker.say(text); };
   script::Options options;
+  if (command.safe) options.safe = command.limits;
   options.check = command.check;
   options.quiet = command.quiet;
   options.threads = command.threads;
@@ -94,6 +96,7 @@ int main(int count, char** words) {
   if (command.check && !command.has_deck) return std::cerr << "fabricsh: --check needs a deck\n", 2;
   if (command.threads > 0) omp_set_num_threads(command.threads);
   try {
+    if (command.safe) app::go_safe(command, words);
     Speaker speaker;
     script::Session session(session_options(command, speaker));
     const int code = exit_code(run(session, command));

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
-#include "files/descriptor.hpp"
+#include "files/gate.hpp"
 
 namespace fabricsh::files {
 
@@ -31,20 +31,29 @@ fs::path target_of(const std::string& path) {
   return fs::exists(status) ? fs::canonical(path) : fs::path(path).parent_path() / fs::read_symlink(path);
 }
 
-// A new empty file beside the target, its name taken by nobody else.
-std::string make_temporary(const fs::path& target, const std::string& path) {
+// Behind the closed gate a link is refused, not followed.
+void check_plain(const Place& place, const std::string& path) {
+  struct stat about {};
+  if (place.open_gate || fstatat(place.at(), place.name.c_str(), &about, AT_SYMLINK_NOFOLLOW) != 0) return;
+  if (S_ISDIR(about.st_mode)) cannot_write(path, EISDIR);
+  if (S_ISLNK(about.st_mode)) throw Error("cannot write '" + path + "': --safe follows no symbolic link");
+  if (!S_ISREG(about.st_mode)) throw Error("cannot write '" + path + "': it is not a regular file");
+}
+
+// A new empty file beside the target, its name taken by nobody else; what its place calls it.
+std::string make_temporary(const Place& place, const std::string& path) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
   for (int attempt = 0;; ++attempt) {
     const std::string tail = std::to_string(getpid()) + "-" + std::to_string(now + attempt) + ".part";
-    const fs::path name = target.parent_path() / ("." + target.filename().string() + "." + tail);
-    const Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (file.open()) return name.string();
+    const std::string name = place.sibling("." + fs::path(place.name).filename().string() + "." + tail);
+    const Descriptor file(openat(place.at(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.open()) return name;
     if (errno != EEXIST || attempt == 100) cannot_write(path, errno);
   }
 }
 
-int sync_to_disk(const std::string& file) {
-  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+int sync_to_disk(const Place& place, const std::string& file) {
+  const Descriptor opened(openat(place.at(), file.c_str(), O_RDONLY | O_CLOEXEC));
   if (!opened.open() || fsync(opened.number()) != 0) return errno;
   return 0;
 }
@@ -70,6 +79,8 @@ int Descriptor::write(std::string_view bytes) const {
 }
 
 void make_folder_for(const std::string& path) {
+  const Gate& gate = Gate::of_process();
+  if (gate.closed()) return void(gate.writing(path, true));
   const fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) return;
   std::error_code trouble;
@@ -81,28 +92,36 @@ void make_folder_for(const std::string& path) {
 AtomicFile::AtomicFile(const std::string& path) : path_(path) {
   if (path.empty() || path.back() == '/')
     throw Error("cannot write '" + path + "': expected the name of a file");
-  const fs::path target = target_of(path);
-  make_folder_for(target.string());
-  target_ = target.string();
-  temporary_ = make_temporary(target, path);
+  const Gate& gate = Gate::of_process();
+  const std::string target = gate.closed() ? path : target_of(path).string();
+  make_folder_for(target);
+  place_ = gate.writing(target);
+  check_plain(place_, path);
+  part_ = make_temporary(place_, path);
+  temporary_ = place_.path_of(part_);
 }
 
 AtomicFile::~AtomicFile() {
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+  if (!part_.empty()) unlinkat(place_.at(), part_.c_str(), 0);
+}
+
+Descriptor AtomicFile::open() const {
+  Descriptor opened(openat(place_.at(), part_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
+  if (!opened.open()) cannot_write(path_, errno);
+  return opened;
 }
 
 void AtomicFile::commit(Sync sync) {
   if (sync == Sync::yes)
-    if (const int reason = sync_to_disk(temporary_)) cannot_write(path_, reason);
-  if (rename(temporary_.c_str(), target_.c_str()) != 0) cannot_write(path_, errno);
-  temporary_.clear();
+    if (const int reason = sync_to_disk(place_, part_)) cannot_write(path_, reason);
+  if (renameat(place_.at(), part_.c_str(), place_.at(), place_.name.c_str()) != 0) cannot_write(path_, errno);
+  part_.clear();
 }
 
 void write_file(const std::string& path, std::string_view content, Sync sync) {
   AtomicFile file(path);
   {
-    const Descriptor opened(::open(file.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
-    if (!opened.open()) cannot_write(path, errno);
+    const Descriptor opened = file.open();
     if (const int reason = opened.write(content)) cannot_write(path, reason);
   }
   file.commit(sync);

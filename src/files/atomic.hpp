@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "files/gate.hpp"
+
 namespace fabricsh::files {
 
 // Whether the bytes are forced to the disk before the rename: a checkpoint survives a power cut, a frame of a
@@ -16,8 +18,8 @@ void make_folder_for(const std::string& path);
 // Replaces the file at path, or leaves it as it was. A link is followed. Error: path is a folder or a device.
 void write_file(const std::string& path, std::string_view content, Sync sync = Sync::yes);
 
-// The same for a writer that wants a file name: it writes to temporary(), then commit() puts that in place.
-// Without commit() the temporary file goes away and the old file stays.
+// The same in steps: open() or, for a writer that wants a file name, temporary(); then commit() puts that in
+// place. Without commit() the temporary file goes away and the old file stays.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::string& path);
@@ -25,10 +27,13 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   const std::string& temporary() const { return temporary_; }
+  Descriptor open() const;  // the temporary file, empty
   void commit(Sync sync = Sync::yes);
 
  private:
-  std::string path_, target_, temporary_;  // as given; what a link at path points to; beside the target
+  std::string path_;              // as given
+  Place place_;                   // of the target: what a link at path points to
+  std::string part_, temporary_;  // the file beside the target: its name in that place, and its path
 };
 
 // Error: "cannot write 'out/x.csv': No space left on device".

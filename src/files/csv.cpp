@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "files/atomic.hpp"
+#include "files/gate.hpp"
 #include "files/number.hpp"
 
 namespace fabricsh::files {
@@ -45,8 +46,7 @@ CsvWriter::CsvWriter(const std::string& path, const std::vector<std::string>& co
     : path_(path), columns_(columns.size()) {
   check_columns(path, columns);
   make_folder_for(path);
-  file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!file_.open()) cannot_write(path, errno);
+  file_ = Gate::of_process().open_to_write(path, O_WRONLY | O_CREAT | O_TRUNC);
   append(line_of(columns, cell));
 }
 

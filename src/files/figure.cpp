@@ -1,7 +1,9 @@
 #include "files/figure.hpp"
 
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <sstream>
 
@@ -26,14 +28,23 @@ std::string terminal(const std::string& path) {
   throw Error("figure: expected a file name that ends in .svg, .png or .pdf, got '" + path + "'");
 }
 
-// Between single quotes gnuplot takes all but the quote itself as it is; a line end would end the command.
+// Letters, digits, blanks and what is not ASCII as they are, all else by its octal number: nothing is left
+// that gnuplot could take for the end of the text, a command in backquotes or a macro. Control characters are
+// blanks.
 std::string quoted(const std::string& text) {
-  std::string out = "'";
+  std::string out = "\"";
   for (const char c : text) {
-    const bool line_end = c == '\n' || c == '\r' || c == '\0';
-    out += c == '\'' ? std::string("''") : std::string(1, line_end ? ' ' : c);
+    const auto byte = static_cast<unsigned char>(c);
+    char code[8];
+    std::snprintf(code, sizeof code, "\\%03o", byte);
+    if (byte < 32 || byte == 127)
+      out += ' ';
+    else if (byte >= 128 || byte == ' ' || std::isalnum(byte) != 0)
+      out += c;
+    else
+      out += code;
   }
-  return out + "'";
+  return out + "\"";
 }
 
 std::string with(CurveStyle style, bool letters) {
@@ -114,10 +125,8 @@ std::string script_of(const Figure& f, bool letters) {
 }  // namespace
 
 void draw(const std::string& path, const Figure& figure) {
-  const std::string start = "set terminal " + terminal(path) + "\n", script = script_of(figure, false);
-  AtomicFile file(path);
-  run_gnuplot(start + "set output " + quoted(file.temporary()) + "\n" + script + "set output\n");
-  file.commit(Sync::no);
+  const std::string start = "set terminal " + terminal(path) + "\n";
+  write_file(path, run_gnuplot(start + script_of(figure, false) + "unset output\n"), Sync::no);
 }
 
 // The label of y, which letters can't turn, stands above the axis.

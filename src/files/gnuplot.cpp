@@ -11,7 +11,8 @@ std::string run_gnuplot(const std::string& script) {
   if (!result.found)
     throw Error("figure: gnuplot is needed to draw and is not installed (apt-get install gnuplot-nox)");
   if (!result.good) throw Error("figure: gnuplot failed: " + result.said);
-  return result.said;
+  if (result.out.empty()) throw Error("figure: gnuplot drew nothing: " + result.said);
+  return result.out;
 }
 
 }  // namespace fabricsh::files

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "files/gate.hpp"
 #include "files/number.hpp"
 
 namespace fabricsh::files {
@@ -60,8 +61,7 @@ void PvdSeries::keep(std::size_t n) {
   if (n >= before) return;
   entries_.resize(n);
   write_index();
-  std::error_code ignored;
-  for (std::size_t i = n; i < before; ++i) std::filesystem::remove(frame_path(i), ignored);
+  for (std::size_t i = n; i < before; ++i) Gate::of_process().discard(frame_path(i));
 }
 
 void PvdSeries::write_index() const {

@@ -1,15 +1,15 @@
 #include "files/source.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "base/error.hpp"
+#include "files/gate.hpp"
 
 namespace fabricsh::files {
 
@@ -30,18 +30,19 @@ std::uint64_t half_of_memory() {
 }  // namespace
 
 std::string read_file(const std::string& path) {
-  std::error_code trouble;
-  const auto status = std::filesystem::status(path, trouble);
-  if (trouble) cannot_read(path, trouble.message());
-  if (std::filesystem::is_directory(status)) cannot_read(path, "it is a folder");
-  if (!std::filesystem::is_regular_file(status)) cannot_read(path, "it is not a regular file");
-  const auto size = std::filesystem::file_size(path);
+  const Descriptor file = Gate::of_process().open(path);
+  struct stat about {};
+  if (fstat(file.number(), &about) != 0) cannot_read(path, std::generic_category().message(errno));
+  const auto size = static_cast<std::uint64_t>(about.st_size);
   if (size > half_of_memory()) cannot_read(path, "it is larger than half of this machine's memory");
   std::string bytes(static_cast<std::size_t>(size), '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file) cannot_read(path, std::generic_category().message(errno));
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  for (std::size_t at = 0; at < bytes.size();) {
+    const ssize_t n = ::read(file.number(), bytes.data() + at, bytes.size() - at);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) cannot_read(path, std::generic_category().message(errno));
+    if (n == 0) bytes.resize(at);
+    at += static_cast<std::size_t>(n);
+  }
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "repl/lexer.hpp"
 #include "repl/present.hpp"
+#include "script/load.hpp"
 
 namespace fabricsh::repl {
 
@@ -22,12 +23,14 @@ int value_text(lua_State* L) {
 
 // The error on top of the stack as a result; popped. A __tostring of the user's may itself fail.
 Result failed(lua_State* L) {
-  lua_sethook(L, nullptr, 0, 0);  // an interrupt that has been answered must not stop what follows
+  script::Session& session = script::Session::of(L);
+  session.rest_hook(L);  // an interrupt that has been answered must not stop what follows
   Result result{is_numerical(L, -1) ? Outcome::numerical_failure : Outcome::deck_error};
   lua_pushcfunction(L, value_text);
   lua_insert(L, -2);
   lua_pcall(L, 1, 1, 0);
   result.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "(error object without text)";
+  if (session.limits() != nullptr) result.message = session.limits()->explained(result.message);
   lua_settop(L, 0);
   return result;
 }
@@ -108,6 +111,8 @@ bool wants_more(script::Session& session, const std::string& input) {
 
 Result evaluate(script::Session& session, const std::string& input) {
   lua_State* L = session.lua();
+  if (session.limits() != nullptr) session.limits()->renew();
+  session.rest_hook(L);
   lua_settop(L, 0);
   if (load(L, "return " + without_equals(input), "=prompt") == LUA_OK) {
     Result result = finish(session);
@@ -130,7 +135,7 @@ Result run_text(script::Session& session, const std::string& text, const std::st
 Result run_deck(script::Session& session, const std::string& path,
                 const std::vector<std::string>& arguments) {
   lua_State* L = session.lua();
-  if (luaL_loadfilex(L, path.empty() ? nullptr : path.c_str(), "t") != LUA_OK) return failed(L);
+  if (script::load_file(L, path) != LUA_OK) return failed(L);
   luaL_checkstack(L, static_cast<int>(arguments.size()) + 1, "too many arguments");
   for (const std::string& argument : arguments) lua_pushlstring(L, argument.data(), argument.size());
   Result result = call(L, static_cast<int>(arguments.size()));

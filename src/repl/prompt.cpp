@@ -16,7 +16,7 @@ script::Session* interruptible = nullptr;
 volatile std::sig_atomic_t running = 0, asked = 0;  // is something running; Ctrl-C came while it did
 
 void stop_lua(lua_State* L, lua_Debug*) {
-  lua_sethook(L, nullptr, 0, 0);
+  script::Session::of(L).rest_hook(L);
   script::Session::of(L).take_interrupt();
   luaL_error(L, "interrupted");
 }
@@ -51,7 +51,7 @@ class Running {
   ~Running() {
     running = 0;
     session_.take_interrupt();
-    lua_sethook(session_.lua(), nullptr, 0, 0);
+    session_.rest_hook(session_.lua());
   }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;

@@ -1,12 +1,12 @@
 // fabric.woven, fabric.svk, fabric.linear, fabric.card, fabric.cards, and what a card can do.
-#include <dirent.h>
-
 #include <algorithm>
 #include <set>
 
 #include "base/paths.hpp"
+#include "files/gate.hpp"
 #include "script/bind.hpp"
 #include "script/card_rows.hpp"
+#include "script/load.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -87,14 +87,10 @@ bool is_path(const std::string& name) {
 std::vector<std::string> shipped() {
   std::set<std::string> names;
   for (const std::string& root : data_roots()) {
-    DIR* folder = opendir((root + "/share/cards").c_str());
-    if (folder == nullptr) continue;
-    while (const dirent* file = readdir(folder)) {
-      const std::string name = file->d_name;
-      if (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0)
-        names.insert(name.substr(0, name.size() - 4));
-    }
-    closedir(folder);
+    const files::Gate& gate = files::Gate::of_process();
+    if (!gate.exists(root + "/share/cards")) continue;
+    for (const std::string& name : gate.names(root + "/share/cards"))
+      if (name.ends_with(".lua")) names.insert(name.substr(0, name.size() - 4));
   }
   return {names.begin(), names.end()};
 }
@@ -104,8 +100,7 @@ int card_by_name(Call& call) {
   const std::string name = call.text("name");
   const std::string path = is_path(name) ? name : data_file("share/cards/" + name + ".lua");
   if (path.empty()) throw Error(unknown("fabric", name, shipped()));
-  if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK)
-    throw Error("cannot read the card '" + name + "': " + lua_tostring(L, -1));
+  if (load_file(L, path) != LUA_OK) throw Error(lua_tostring(L, -1));
   lua_call(L, 0, 1);
   if (to_object<Card>(L, -1) == nullptr)
     throw Error(path + ": expected the file to return a card, got " + describe(L, -1));

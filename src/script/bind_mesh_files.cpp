@@ -1,7 +1,6 @@
 // fabric.mesh.read, mesh:write, mesh:check, mesh:orient.
-#include <filesystem>
-
 #include "base/paths.hpp"
+#include "files/gate.hpp"
 #include "files/mesh_file.hpp"
 #include "mesh/check.hpp"
 #include "script/bind_mesh.hpp"
@@ -15,9 +14,8 @@ namespace {
 
 // A bare name that is no file here is one of the meshes that come with the program.
 std::string file_of(const std::string& path) {
-  std::error_code trouble;
   const bool bare = path.find('/') == std::string::npos;
-  if (!bare || std::filesystem::exists(path, trouble)) return path;
+  if (!bare || files::Gate::of_process().exists(path)) return path;
   const std::string shipped = data_file("meshes/" + path);
   return shipped.empty() ? path : shipped;
 }

@@ -5,6 +5,7 @@
 
 #include "base/paths.hpp"
 #include "files/atomic.hpp"
+#include "files/gate.hpp"
 #include "files/picture.hpp"
 #include "files/vtu.hpp"
 #include "script/bind_run.hpp"
@@ -115,10 +116,7 @@ class Frame {
       grid.cell_data.push_back({picture.array, 1, a.field(field), {picture.component}});
     files::write_vtu(path_.string(), grid, files::Sync::no);
   }
-  ~Frame() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
+  ~Frame() { files::Gate::of_process().discard(path_.string()); }
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
   std::string path() const { return path_.string(); }
@@ -134,6 +132,15 @@ void add_panels(const Call& call, files::Picture& picture) {
     picture.panels.push_back({paths[i], i < labels.size() ? labels[i] : ""});
 }
 
+// Drawing starts a program with a display of its own, which needs more rights than a deck under --safe has;
+// what was computed is not lost for that.
+int no_picture(Call& call) {
+  const std::string words = "render: no picture '" + call.text("file") +
+                            "': not available under --safe; draw from the .vtu files afterwards";
+  call.session().notices().once(words, "warning: " + words);
+  return 0;
+}
+
 int render(Call& call) {
   if (call.has("vtu") == call.has("run"))
     call.refuse("vtu",
@@ -142,6 +149,7 @@ int render(Call& call) {
   std::optional<Frame> frame;
   add_panels(call, picture);
   if (call.session().options().check) return 0;
+  if (files::Gate::of_process().closed()) return no_picture(call);
   if (call.has("run")) {
     frame.emplace(*call.object<Run>("run"), picture, call.text("field"));
     picture.panels = {{frame->path(), {}}};

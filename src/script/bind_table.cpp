@@ -1,7 +1,5 @@
 // fabric.table and fabric.folder: what lies in a file of numbers, and which files there are.
-#include <algorithm>
-#include <filesystem>
-
+#include "files/gate.hpp"
 #include "files/table.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
@@ -73,12 +71,7 @@ int table_of(Call& call) {
 
 int folder(Call& call) {
   lua_State* L = call.L();
-  std::error_code trouble;
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(call.text("path"), trouble))
-    names.push_back(entry.path().filename().string());
-  if (trouble) throw Error("cannot read the folder '" + call.text("path") + "': " + trouble.message());
-  std::sort(names.begin(), names.end());
+  const std::vector<std::string> names = files::Gate::of_process().names(call.text("path"));
   lua_createtable(L, static_cast<int>(names.size()), 0);
   lua_Integer place = 0;
   for (const std::string& name : names) {

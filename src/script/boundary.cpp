@@ -89,6 +89,8 @@ int enter(lua_State* L) {
     push_failure(L, call, failure);
   } catch (const Error& error) {
     push_error(L, call, error.what());
+  } catch (const std::bad_alloc&) {
+    push_error(L, call, "not enough memory");
   } catch (const std::exception& bug) {
     push_error(L, call, std::string("internal error: ") + bug.what());
   }

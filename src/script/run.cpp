@@ -8,6 +8,7 @@
 #include "base/version.hpp"
 #include "files/atomic.hpp"
 #include "files/json.hpp"
+#include "files/source.hpp"
 #include "script/bind_run.hpp"
 
 namespace fabricsh::script {
@@ -45,13 +46,11 @@ std::string hash_text(const std::string& bytes) {
 }
 
 std::string file_bytes(const std::string& path) {
-  std::string bytes;
-  std::FILE* file = path.empty() ? nullptr : std::fopen(path.c_str(), "rb");
-  if (file == nullptr) return bytes;
-  char buffer[65536];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) bytes.append(buffer, n);
-  std::fclose(file);
-  return bytes;
+  try {
+    return path.empty() ? "" : files::read_file(path);
+  } catch (const Error&) {  // a deck that is gone by now has no hash
+    return {};
+  }
 }
 
 files::Json steps_json(const analysis::Run& run) {

@@ -4,6 +4,7 @@
 #include "base/paths.hpp"
 #include "script/bind.hpp"
 #include "script/call.hpp"
+#include "script/sandbox.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -14,6 +15,17 @@ Session::Session(Options options) : options_(std::move(options)), notices_(optio
   active_ = main_;
   *static_cast<Session**>(lua_getextraspace(main_)) = this;
   open_libraries();
+  if (!options_.safe) return;
+  confine(*this);
+  limits_ = std::make_unique<Limits>(*options_.safe);
+  limits_->watch(main_);
+}
+
+void Session::rest_hook(lua_State* L) {
+  if (limits_)
+    limits_->rest_hook(L);
+  else
+    lua_sethook(L, nullptr, 0, 0);
 }
 
 Session::~Session() { lua_close(main_); }

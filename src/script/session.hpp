@@ -5,18 +5,21 @@
 #include <functional>
 #include <lua.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/notice.hpp"
 #include "script/entry.hpp"
+#include "script/limits.hpp"
 
 namespace fabricsh::script {
 
 struct Options {
-  bool check = false;  // validate everything, run nothing, write nothing
-  bool quiet = false;  // no progress
-  int threads = 0;     // 0: OMP_NUM_THREADS, else all cores
+  std::optional<SafeOptions> safe;  // --safe, with its limits
+  bool check = false;               // validate everything, run nothing, write nothing
+  bool quiet = false;               // no progress
+  int threads = 0;                  // 0: OMP_NUM_THREADS, else all cores
   std::vector<std::string> command_line;
   std::string deck;                                  // path of the deck; empty: none
   std::function<void(const std::string&)> notice;    // a warning or notice, one line
@@ -37,6 +40,10 @@ class Session {
   const Options& options() const { return options_; }
   Notices& notices() { return notices_; }
   Registry& registry() { return registry_; }
+  // Null unless --safe.
+  Limits* limits() { return limits_.get(); }
+  // The hook of L as it stands while no interrupt asks for another: none, or the one that counts.
+  void rest_hook(lua_State* L);
 
   // Asked for by Ctrl-C; a running analysis stops at its next committed step. Safe in a signal handler.
   void interrupt() { interrupted_ = true; }
@@ -49,6 +56,7 @@ class Session {
   Options options_;
   Notices notices_;
   Registry registry_;
+  std::unique_ptr<Limits> limits_;  // outlives the state, whose allocator it is
   lua_State* main_ = nullptr;
   lua_State* active_ = nullptr;
   std::atomic<bool> interrupted_{false};

@@ -64,7 +64,7 @@ TEST_CASE("a numerical failure of a run, uncaught and caught") {
 TEST_CASE("a deck that does not exist, a syntax error") {
   const Ran missing = run("no-such-deck.lua");
   CHECK(missing.code == 1);
-  CHECK(has(missing.out, "no-such-deck.lua: No such file"));
+  CHECK(has(missing.out, "cannot read 'no-such-deck.lua': No such file"));
   write("syntax.lua", "x = = 1\n");
   const Ran syntax = run("syntax.lua");
   CHECK(syntax.code == 1);

@@ -68,5 +68,5 @@ TEST_CASE("what is no picture is said so", "[files]") {
   std::ofstream(folder / "text.png") << "not a picture";
   says(message_of([&] { read_image(folder / "text.png"); }), "expected a png file");
   says(message_of([&] { read_image(folder / "film.gif"); }), "expected a name ending in .png");
-  says(message_of([&] { read_image(folder / "none.jpg"); }), "no such file");
+  says(message_of([&] { read_image(folder / "none.jpg"); }), "No such file");
 }

@@ -4,6 +4,7 @@
 #   - a file includes only its own room and the rooms that LAYERS names for it; never itself in a circle
 #   - a third-party library is included only in its rooms
 #   - only app and repl print; only app ends the program
+#   - what a deck can name is opened in files/gate.cpp and what uses its places, nowhere else
 #   - no file is longer than 800 lines
 
 function fault(place, text) {
@@ -72,6 +73,8 @@ function read_layer(    name, need, n, i) {
 
 room != "app" && room != "repl" && prints($0) { fault(file ":" FNR, "room '" room "' prints; only app and repl do") }
 
+opens_file($0) { fault(file ":" FNR, "opens or moves a file past the gate of room files (files/gate.hpp)") }
+
 room != "app" && code($0) ~ /(^|[^A-Za-z_.>])(std::)?(_?exit|quick_exit|abort)[ ]*\(/ {
   fault(file ":" FNR, "room '" room "' ends the program; only app does")
 }
@@ -109,6 +112,15 @@ function check_library(header,    i) {
   for (i = 1; i <= owners; i++)
     if (header ~ patterns[i] && index(owner_rooms[i], " " room " ") == 0)
       fault(file ":" FNR, "room '" room "' includes <" header ">, which belongs to:" owner_rooms[i])
+}
+
+# render is a program of its own; base and app know only paths that the user or the program gives.
+function opens_file(line) {
+  if (room == "render" || room == "base" || room == "app" || file ~ /^src\/files\/gate\.[ch]pp$/) return 0
+  line = code(line)
+  if (line ~ /luaL_loadfilex\(L, nullptr/) return 0  # standard input
+  return line ~ /(^|[^A-Za-z_.])(fopen|freopen|ifstream|ofstream|fstream|luaL_loadfilex?|luaL_dofile|directory_iterator|opendir|remove_all|tmpfile)([^A-Za-z_]|$)/ ||
+    line ~ /(^|[^:A-Za-z_])::(open|rename|unlink|creat|mkdir)\(/ || line ~ /(^|[^A-Za-z_.>:])(rename|unlink|mkdir)\(/ || line ~ /fs::(rename|remove)\(|filesystem::(rename|remove)\(/
 }
 
 # Depth first; a file met again on the way down closes a circle.

@@ -66,6 +66,8 @@ bad src/solver/s.cpp '  std::cerr << 1;' "prints; only app and repl do"
 bad src/solver/s.cpp '  printf("x");' "prints; only app and repl do"
 bad src/solver/s.cpp '  std::fputs(text, stderr);' "prints; only app and repl do"
 bad src/solver/s.cpp '  std::exit(1);' "ends the program"
+bad src/solver/s.cpp '  std::ifstream file(path);' "opens or moves a file past the gate"
+bad src/solver/s.cpp '  const int n = ::open(path, O_RDONLY);' "opens or moves a file past the gate"
 bad src/base/long.hpp "$(yes '//' | head -n 801)" "is 801 lines long"
 bad scripts/other.lua 'print(1)' "scripts/other.lua: has no expect{...} block"
 

@@ -93,7 +93,7 @@ wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading
 wrong("fabric.card", "fabric.card 'denm'",
   "deck.lua:1: card: unknown fabric 'denm', did you mean 'denim'?")
 wrong("fabric.card", "fabric.card './no-such-card.lua'",
-  "deck.lua:1: card: cannot read the card './no-such-card.lua': cannot open ./no-such-card.lua: No such file or directory")
+  "deck.lua:1: card: cannot read './no-such-card.lua': No such file or directory")
 wrong("object", "return card.warpp",
   "deck.lua:1: card: unknown field 'warpp', did you mean 'warp'?")
 wrong("object", "card.thickness = 1",

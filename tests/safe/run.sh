@@ -1,0 +1,84 @@
+#!/bin/sh
+# Attempts to get out of --safe. Usage: run.sh <fabricsh> <folder with attempts.lua>
+set -u
+program=$1 here=$2
+root=$(mktemp -d) || exit 1
+trap 'rm -rf "$root"' EXIT
+cd "$root" || exit 1
+status=0
+
+mkdir -p deck/folder out secret
+cp "$here/attempts.lua" "$here/race.lua" deck/
+echo 'a,b' >secret/key.csv && echo 1,2 >>secret/key.csv
+cp secret/key.csv secret/key.msh && cp secret/key.csv secret/key.png && echo 'return 1' >secret/module.lua
+printf '\033Lua\124\000' >deck/chunk.luac
+ln -s ../secret deck/way && ln -s ../secret/key.csv deck/link.csv && ln -s ../secret/key.msh deck/link.msh
+ln -s ../secret out/way && ln -s ../secret/key.csv out/link.csv && ln -s ../secret/key.csv out/link.vtu
+ln secret/key.csv out/hard.csv && mkfifo deck/pipe out/pipe
+secret_sum() { cat secret/* | cksum && ls secret; }
+before=$(secret_sum)
+
+# expect <exit code> <words> <arguments...>
+expect() {
+  code=$1 words=$2
+  shift 2
+  said=$(SECRET_KEY=1 SLURM_ARRAY_TASK_ID=7 timeout 120 "$program" --quiet --safe "$@" 2>&1 </dev/null)
+  got=$?
+  case $said in *"$words"*) [ $got -eq "$code" ] && return ;; esac
+  echo "FAILED: $*: expected code $code and '$words', got $got:" && echo "$said" | tail -n 5
+  status=1
+}
+
+expect 0 'all refused' "$root/deck/attempts.lua"
+
+# What cannot be caught, in whatever coroutine, handler or closing variable.
+limit='limit of 1000000 instructions'
+few='--limit-instructions 1e6'
+for chunk in 'while true do end' 'while true do pcall(function() while true do end end) end' \
+  'while true do pcall(pcall, error) end' 'repeat until false' 'local function f() return f() end f()' \
+  'while true do coroutine.wrap(function() while true do end end)() end' \
+  'while true do coroutine.wrap(function() end)() end' \
+  'while true do local c = coroutine.create(function() while true do end end) coroutine.resume(c) end' \
+  'local function deep(n) return coroutine.wrap(function() if n > 0 then return deep(n - 1) end while true do end end)() end while true do pcall(deep, 50) end' \
+  'xpcall(function() while true do end end, function() while true do end end)' \
+  'do local x <close> = setmetatable({}, {__close=function() while true do end end}) while true do end end' \
+  'error(setmetatable({}, {__tostring=function() while true do end end}))' \
+  '("x"):rep(1e5):gsub(".", function() for i = 1, 1e5 do end end)' \
+  'table.sort({3,1,2}, function() while true do end end)' \
+  'load(function() while true do end end)' \
+  'fabric.mesh.rectangle{ width=1, height=1, nx=2, ny=2 }:set("s", function() while true do end end)'; do
+  # shellcheck disable=SC2086  # an option and its value
+  expect 1 "$limit" $few -e "$chunk"
+done
+
+memory='memory limit of 100 MB'
+for chunk in 'x = ("x"):rep(1e9)' 'x = ("x"):rep(1e4, ("y"):rep(1e5))' 'x = {} for i = 1, 1e9 do x[i] = {} end' \
+  'x = "x" while true do x = x .. x end' 'x = table.concat({("x"):rep(6e7), ("y"):rep(6e7)})' \
+  'x = {} while true do x[#x + 1] = coroutine.create(function() end) end' \
+  'x = ("x"):rep(4e7):gsub("x", "yyyy")' 'collectgarbage "stop" x = {} for i = 1, 1e9 do x[i] = ("x"):rep(1e6) .. i end'; do
+  expect 1 "$memory" --limit-memory 100 -e "$chunk"
+done
+expect 1 'memory limit of' --limit-memory 1 -e 'fabric.mesh.rectangle{ width=1, height=1, nx=30000, ny=30000 }'
+
+# C that never comes back to Lua: the last resort.
+for chunk in 'print(("a"):rep(3e4):find((".-"):rep(12) .. "b"))' \
+  'for k in ("a"):rep(3e4):gmatch((".-"):rep(12) .. "b") do end' 'print((("a"):rep(3e4):gsub((".-"):rep(12) .. "b", "")))' \
+  'table.insert(setmetatable({}, {__len=function() return 1 << 60 end}), 1, 1)' \
+  'while true do pcall(string.find, ("a"):rep(3e4), (".-"):rep(12) .. "b") end'; do
+  expect 1 'limit of computing time' --limit-seconds 1 -e "$chunk"
+done
+expect 1 "invalid conversion specification: '%99999d'" -e 'string.format("%99999d", 1)'
+
+# A folder that becomes a link and a folder again, as fast as it goes, while the deck opens files in it.
+mkdir -p deck/swap out/swap && echo mine >deck/swap/key.csv && ln -s ../secret deck/swap-link && ln -s ../secret out/swap-link
+"$program" "$here/swap.lua" "$root" >/dev/null 2>&1 &
+swapper=$!
+expect 0 'never came through' "$root/deck/race.lua"
+kill $swapper 2>/dev/null
+wait $swapper 2>/dev/null
+
+mkdir home && cp deck/race.lua home/deck.lua
+HOME=$root/home expect 1 'all of which it could read' "$root/home/deck.lua"
+expect 2 "unknown option '--safe=no'" --safe=no
+[ "$before" = "$(secret_sum)" ] || { echo "FAILED: the secret folder has changed" && secret_sum && status=1; }
+exit $status
