@@ -4,10 +4,14 @@ _fabricsh() {
   ((COMP_CWORD > 0)) && prev=${COMP_WORDS[COMP_CWORD - 1]}
   COMPREPLY=()
   case $prev in
-    -e | -l | --threads) return ;;
+    -e | -l | --threads | --limit-*) return ;;
+    --output)
+      mapfile -t COMPREPLY < <(compgen -d -- "$cur")
+      return
+      ;;
   esac
   if [[ $cur == -* ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --threads --quiet --version --help" -- "$cur")
+    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
     return
   fi
   compopt -o filenames 2>/dev/null
@@ -15,7 +19,7 @@ _fabricsh() {
   for ((i = 1; i < COMP_CWORD; i++)); do
     word=${COMP_WORDS[i]}
     case $word in
-      -e | -l | --threads) ((i++)) ;;
+      -e | -l | --threads | --output | --limit-*) ((i++)) ;;
       -?*) ;;
       *) deck=$word ;;
     esac
