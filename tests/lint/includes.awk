@@ -114,9 +114,9 @@ function check_library(header,    i) {
       fault(file ":" FNR, "room '" room "' includes <" header ">, which belongs to:" owner_rooms[i])
 }
 
-# render is a program of its own; base and app know only paths that the user or the program gives.
+# render is a program of its own; base, repl and app know only paths that the user or the program gives.
 function opens_file(line) {
-  if (room == "render" || room == "base" || room == "app" || file ~ /^src\/files\/gate\.[ch]pp$/) return 0
+  if (room == "render" || room == "base" || room == "app" || room == "repl" || file ~ /^src\/files\/gate\.[ch]pp$/) return 0
   line = code(line)
   if (line ~ /luaL_loadfilex\(L, nullptr/) return 0  # standard input
   return line ~ /(^|[^A-Za-z_.])(fopen|freopen|ifstream|ofstream|fstream|luaL_loadfilex?|luaL_dofile|directory_iterator|opendir|remove_all|tmpfile)([^A-Za-z_]|$)/ ||
