@@ -3,6 +3,7 @@
 #include "repl/lexer.hpp"
 #include "repl/present.hpp"
 #include "script/load.hpp"
+#include "script/show.hpp"
 
 namespace fabricsh::repl {
 
@@ -16,8 +17,15 @@ bool is_numerical(lua_State* L, int index) {
   return named;
 }
 
+// What error() was given: nothing, a table without a text of its own, or something that has one.
 int value_text(lua_State* L) {
-  luaL_tolstring(L, 1, nullptr);
+  const bool plain = lua_istable(L, 1) && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL;
+  if (lua_isnil(L, 1))
+    lua_pushliteral(L, "error without a message (error() was called with nil)");
+  else if (plain)
+    lua_pushstring(L, ("error without a text: " + script::show(L, 1)).c_str());
+  else
+    luaL_tolstring(L, 1, nullptr);
   return 1;
 }
 

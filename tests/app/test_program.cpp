@@ -34,6 +34,9 @@ TEST_CASE("exit codes") {
   CHECK(run("-e 'x = 1'").code == 0);
   CHECK(run("-e 'error \"no\"'").code == 1);
   CHECK(run("-e 'error{kind=\"numerical\", message=\"stuck\"}'").code == 3);
+  CHECK(run("-e 'error()'").out == "fabricsh: error without a message (error() was called with nil)\n");
+  CHECK(run("-e 'error{ code=7, why=\"no thread\" }'").out ==
+        "fabricsh: error without a text: {code = 7, why = \"no thread\"}\n");
   CHECK(run("--nonsense").code == 2);
   CHECK(run("--threads none -e 'x=1'").code == 2);
   CHECK(run("--check").code == 2);
@@ -89,6 +92,8 @@ TEST_CASE("an interactive session reads standard input when there is no terminal
   CHECK(has(ran.out, "2\n"));
   CHECK(has(ran.out, "prompt:1: no"));
   CHECK(has(ran.out, "1\n2\nend\n"));
+  CHECK(has(run("'" FABRICSH_SOURCE_DIR "/scripts/thesis/uniaxial.lua' -h").out, "usage: fabricsh uniaxial.lua"));
+  CHECK(run("'" FABRICSH_SOURCE_DIR "/scripts/thesis/uniaxial.lua' -h").code == 0);
   write("sets.lua", "y = 5\n");
   CHECK(has(run("-i sets.lua", "echo 'y + 1' | ").out, "6\n"));
 }
