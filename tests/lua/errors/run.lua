@@ -100,7 +100,7 @@ wrong("analysis:vtk", "run:vtk('x', { every='stpe' })",
   "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
 wrong("analysis:vtk", "run:vtk('x', { every=-1 })",
   "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got -1")
-wrong("analysis:vtk", "run:vtk('x', { fields=5 })",
+wrong("analysis:vtk", "run:vtk('out/x', { fields=5 })",
   "deck.lua:1: vtk: field 'options.fields': expected a table, got 5")
 
 -- fabric.dynamic
@@ -206,7 +206,7 @@ wrong("analysis:record", "run:record('/dev/null/x.csv', { columns={ t=function(a
   "deck.lua:1: record: cannot make the folder '/dev/null': Not a directory")
 wrong("analysis:vtk", "run:vtk '/dev/null/x'",
   "deck.lua:1: vtk: cannot make the folder '/dev/null': Not a directory")
-wrong("analysis:vtk", "run:vtk('x', { fields={'S1'} })",
+wrong("analysis:vtk", "run:vtk('out/x', { fields={'S1'} })",
   "deck.lua:1: vtk: field 'fields': unknown field 'S1', expected some of displacement velocity director E S residual slack energy warp weft")
 wrong("analysis.stable_step", "return run.stable_step",
   "deck.lua:1: stable_step: a static analysis has no stable step")
