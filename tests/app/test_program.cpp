@@ -92,7 +92,8 @@ TEST_CASE("an interactive session reads standard input when there is no terminal
   CHECK(has(ran.out, "2\n"));
   CHECK(has(ran.out, "prompt:1: no"));
   CHECK(has(ran.out, "1\n2\nend\n"));
-  CHECK(has(run("'" FABRICSH_SOURCE_DIR "/scripts/thesis/uniaxial.lua' -h").out, "usage: fabricsh uniaxial.lua"));
+  CHECK(has(run("'" FABRICSH_SOURCE_DIR "/scripts/thesis/uniaxial.lua' -h").out,
+            "usage: fabricsh uniaxial.lua"));
   CHECK(run("'" FABRICSH_SOURCE_DIR "/scripts/thesis/uniaxial.lua' -h").code == 0);
   write("sets.lua", "y = 5\n");
   CHECK(has(run("-i sets.lua", "echo 'y + 1' | ").out, "6\n"));

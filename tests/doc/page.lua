@@ -150,8 +150,13 @@ if arg[3] ~= "again" then
 end
 
 local file = assert(io.open(page))
-local blocks = blocks_of(file:read "a")
+local text = file:read "a"
 file:close()
+for link in text:gsub("```.-```", ""):gmatch "%]%(([^)#]+)[^)]*%)" do
+  local target = page:gsub("[^/]*$", "") .. link
+  if not link:find "^https?:" and not os.rename(target, target) then error(("%s: the link '%s' leads nowhere"):format(page, link), 0) end
+end
+local blocks = blocks_of(text)
 for _, block in ipairs(blocks) do
   count = count + 1
   local what = ("%s:%d"):format(page, block.line)

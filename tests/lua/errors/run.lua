@@ -100,7 +100,7 @@ wrong("analysis:vtk", "run:vtk('x', { every='stpe' })",
   "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
 wrong("analysis:vtk", "run:vtk('x', { every=-1 })",
   "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got -1")
-wrong("analysis:vtk", "run:vtk('out/x', { fields=5 })",
+wrong("analysis:vtk", "run:vtk('x', { fields=5 })",
   "deck.lua:1: vtk: field 'options.fields': expected a table, got 5")
 
 -- fabric.dynamic
