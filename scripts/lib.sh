@@ -4,7 +4,7 @@
 # Debian and Ubuntu packages; a|b: either will do.
 packages=(
   g++ cmake ninja-build 'pkg-config|pkgconf' xvfb
-  libeigen3-dev liblua5.4-dev libsuitesparse-dev libopenblas-dev libvtk9-dev libedit-dev
+  libeigen3-dev liblua5.4-dev libsuitesparse-dev libopenblas-dev libvtk9-dev zlib1g-dev libedit-dev
   catch2 'gnuplot-nox|gnuplot-qt|gnuplot-x11'
 )
 build=$root/build

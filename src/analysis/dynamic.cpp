@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "analysis/explicit.hpp"
 #include "analysis/implicit.hpp"
 #include "analysis/number.hpp"
+#include "analysis/settings.hpp"
 #include "base/error.hpp"
 
 namespace fabricsh::analysis {
@@ -42,11 +44,49 @@ void check_options(const DynamicOptions& o) {
 
 Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
                  std::shared_ptr<Notices> notices)
-    : Run(std::move(model), options.duration, std::move(notices), "dynamic"), options_(options) {
+    : Run(std::move(model), options.duration, std::move(notices), "dynamic"),
+      options_(options),
+      given_(options) {
   check_options(options_);
   scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
   stable_ = assembly_->stable_step(scaled_);
   smallest_ = assembly_->smallest_size();
+}
+
+std::string Dynamic::method() const {
+  const auto& o = options_;
+  std::ostringstream text;
+  text << std::boolalpha << (o.scheme == Scheme::explicit_steps ? "explicit" : "implicit") << " with gamma "
+       << number(o.gamma) << ", beta " << number(o.beta.value_or(-1)) << ", hht " << number(o.hht)
+       << ", damping " << number(o.mass_damping) << " and " << number(o.stiffness_damping)
+       << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force;
+  return text.str();
+}
+
+void Dynamic::set(const Settings& settings) {
+  const bool is_explicit = options_.scheme == Scheme::explicit_steps;
+  if (is_explicit && (settings.tolerance || settings.max_iterations || settings.max_cuts))
+    throw Error("set: field '" +
+                std::string(settings.tolerance        ? "tolerance"
+                            : settings.max_iterations ? "max_iterations"
+                                                      : "max_cuts") +
+                "': unknown for scheme=\"explicit\", which does not iterate");
+  DynamicOptions options = options_;
+  take_setting(settings.tolerance, options.tolerance);
+  take_setting(settings.max_iterations, options.max_iterations);
+  take_setting(settings.max_cuts, options.max_cuts);
+  if (settings.step) options.step = settings.step;
+  check_options(options);
+  take_options(options);
+}
+
+void Dynamic::keep_settings(Archive& archive) {
+  DynamicOptions options = options_;
+  keep_setting(archive, given_.tolerance, options.tolerance);
+  keep_setting(archive, given_.max_iterations, options.max_iterations);
+  keep_setting(archive, given_.max_cuts, options.max_cuts);
+  keep_setting(archive, given_.step, options.step);
+  if (archive.reading()) take_options(options);
 }
 
 void Dynamic::begin() {

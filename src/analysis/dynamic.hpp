@@ -32,6 +32,9 @@ class Dynamic : public Run {
   const DynamicOptions& options() const { return options_; }
   const char* kind() const override { return "dynamic"; }
   bool moves() const override { return true; }
+  std::string method() const override;
+  void set(const Settings& settings) override;
+  void keep_settings(Archive& archive) override;
   double stable_step() const { return stable_; }  // s, of the reference configuration (PHYSICS section 7)
   double step_size() const { return now_.step; }  // s, that the run goes by, landings apart
   virtual const assembly::NodalRates& rates() const = 0;  // of the committed state
@@ -59,7 +62,10 @@ class Dynamic : public Run {
   virtual void set_motion(const assembly::NodalRates& rates) = 0;  // at time 0
   void say(const std::string& text) { notices_->say(text); }
 
+  virtual void take_options(const DynamicOptions& options) = 0;  // whose settings have changed
+
   DynamicOptions options_;
+  const DynamicOptions given_;
   bool scaled_;
   double stable_ = 0, smallest_ = 0;  // s; m, the smallest element
   struct Now {
@@ -67,6 +73,10 @@ class Dynamic : public Run {
     std::int64_t steps = 0;
     bool told_error = false, told_split = false, was_over = false;
     mesh::Index began = -1;  // element where energy was made when the first warning came
+    void keep(Archive& archive) {
+      archive(step, damping_work, driven_kinetic_at_0, next_check, steps, told_error, told_split, was_over,
+              began);
+    }
   } now_;
 
  private:

@@ -47,6 +47,18 @@ void Explicit::choose_step() {
       " s");
 }
 
+void Explicit::take_options(const DynamicOptions& options) {
+  const DynamicOptions before = options_;
+  options_ = options;
+  if (options.step == before.step) return;
+  try {
+    choose_step();
+  } catch (...) {
+    options_ = before;
+    throw;
+  }
+}
+
 void Explicit::begin() {
   Dynamic::begin();
   trial_.v = motion_.v;
@@ -177,22 +189,9 @@ void Explicit::give_up(const StepReport& report) {
   throw NumericalFailure(text, now, element);
 }
 
-namespace {
-
-template <class Now, class Motion>
-struct ExplicitMemory {
-  Now now;
-  Motion motion;
-};
-
-}  // namespace
-
-std::any Explicit::memory() const { return ExplicitMemory<Now, Motion>{now_, motion_}; }
-
-void Explicit::recall(const std::any& memory) {
-  const auto& m = std::any_cast<const ExplicitMemory<Now, Motion>&>(memory);
-  now_ = m.now;
-  motion_ = m.motion;
+void Explicit::memory(Archive& archive) {
+  archive(now_, motion_);
+  if (!archive.reading()) return;
   trial_dead_ = dead_;
   dirty_ = tried_ = false;
   rates_version_ = 0;

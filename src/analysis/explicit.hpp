@@ -18,14 +18,14 @@ class Explicit final : public Dynamic {
 
  private:
   void begin() override;
+  void take_options(const DynamicOptions& options) override;
   void set_motion(const assembly::NodalRates& rates) override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   double kinetic() const override;
-  std::any memory() const override;
-  void recall(const std::any& memory) override;
+  void memory(Archive& archive) override;
 
   void choose_step();
   void split();  // where the sheet's stretch has brought the stable step below the one in use
@@ -35,6 +35,7 @@ class Explicit final : public Dynamic {
   struct Motion {
     std::vector<double> v, a;  // per unknown, m/s and 1/s, m/s^2 and 1/s^2
     std::vector<double> c;     // N and N m, of stiffness damping; empty without
+    void keep(Archive& archive) { archive(v, a, c); }
   };
   StiffnessDamping stiffness_;
   std::vector<double> mass_;      // per unknown, kg and kg m^2

@@ -22,13 +22,17 @@ NewmarkScheme scheme_of(const DynamicOptions& o) {
   return s;
 }
 
+StepControl control_of(const DynamicOptions& o) { return {o.step.value_or(o.duration / 200), 0, o.max_cuts}; }
+
 }  // namespace
 
 // What Newton sees of one step: forces, inertia and damping at the trial configuration.
 class Implicit::Problem final : public solver::Problem {
  public:
-  Problem(assembly::Assembly& assembly, const DynamicOptions& options, bool scaled)
+  Problem(assembly::Assembly& assembly, const DynamicOptions& options, bool scaled,
+          const std::function<void()>& poll)
       : assembly_(assembly),
+        poll_(poll),
         scheme_(scheme_of(options)),
         damping_(options.mass_damping),
         mass_(assembly.nodal_mass()),
@@ -43,6 +47,7 @@ class Implicit::Problem final : public solver::Problem {
     std::vector<double> driven, balance;  // driven freedoms then; f_ext - f_int - C v then, per unknown
     std::vector<double> damping;          // b K_M v then, per unknown
     double peak = 0;                      // N, largest nodal force so far
+    void keep(Archive& archive) { archive(motion, driven, balance, damping, peak); }
   };
   Memory memory;
   const NodalMotion& trial() const { return trial_; }
@@ -126,6 +131,7 @@ class Implicit::Problem final : public solver::Problem {
   }
   void accept() override { assembly_.begin_iterate(); }
   bool residual(std::span<double> r) override {
+    if (poll_) poll_();
     if (!assembly_.forces(fabric::AtSwitch::loading)) return false;
     weigh(r);
     return true;
@@ -190,6 +196,7 @@ class Implicit::Problem final : public solver::Problem {
   }
 
   assembly::Assembly& assembly_;
+  const std::function<void()>& poll_;
   NewmarkScheme scheme_;
   double damping_, time_ = 0, dt_ = 0;
   const std::vector<double>&mass_, &rotary_;
@@ -202,17 +209,24 @@ class Implicit::Problem final : public solver::Problem {
 Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
                    std::shared_ptr<Notices> notices)
     : Dynamic(std::move(model), options, std::move(notices)),
-      problem_(std::make_unique<Problem>(*assembly_, options_, scaled_)),
+      problem_(std::make_unique<Problem>(*assembly_, options_, scaled_, poll_)),
       newton_(model_->section().symmetric && assembly_->symmetric_loads() ? solver::make_symmetric_solver()
                                                                           : solver::make_unsymmetric_solver(),
               assembly_->pattern()),
-      control_(options.step.value_or(options.duration / 200), 0, options.max_cuts) {
+      control_(control_of(options)) {
   now_.step = control_.current();
   const std::vector<double> still(3 * assembly_->reference().size(), 0);
   problem_->memory.motion = {{still, still}, {still, still}};
 }
 
 Implicit::~Implicit() = default;
+
+void Implicit::take_options(const DynamicOptions& options) {
+  const bool changed = options.step != options_.step || options.max_cuts != options_.max_cuts;
+  options_ = options;
+  if (changed) control_ = control_of(options_);
+  now_.step = control_.current();
+}
 
 void Implicit::begin() {
   problem_->aim(0, 0);
@@ -228,8 +242,12 @@ void Implicit::set_motion(const assembly::NodalRates& rates) {
 
 double Implicit::try_step(double limit, StepReport& report) {
   double size = control_.end(committed_time(), next_landing(limit));
+  const StepControl before = control_;
   while (!attempt(size, report)) {
-    if (++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) give_up(report);
+    if (++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) {
+      control_ = before;  // a step that fails leaves nothing behind
+      give_up(report);
+    }
     size = control_.end(committed_time(), next_landing(limit));
   }
   return size;
@@ -332,28 +350,13 @@ void Implicit::give_up(const StepReport& report) {
                          now, blame_.element, blame_.yarn);
 }
 
-namespace {
-
-template <class Now, class Memory>
-struct ImplicitMemory {
-  Now now;
-  StepControl control;
-  Memory problem;
-};
-
-}  // namespace
-
-std::any Implicit::memory() const {
-  return ImplicitMemory<Now, Problem::Memory>{now_, control_, problem_->memory};
-}
-
-void Implicit::recall(const std::any& memory) {
-  const auto& m = std::any_cast<const ImplicitMemory<Now, Problem::Memory>&>(memory);
-  now_ = m.now;
-  control_ = m.control;
-  tried_ = false;
-  problem_->aim(committed_time(), 0);
-  problem_->memory = m.problem;
+void Implicit::memory(Archive& archive) {
+  if (archive.reading()) {
+    tried_ = false;
+    problem_->aim(committed_time(), 0);
+  }
+  archive(now_, control_, problem_->memory);
+  newton_.keep(archive);
 }
 
 }  // namespace fabricsh::analysis

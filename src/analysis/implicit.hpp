@@ -24,6 +24,7 @@ class Implicit final : public Dynamic {
  private:
   class Problem;
   void begin() override;
+  void take_options(const DynamicOptions& options) override;
   void set_motion(const assembly::NodalRates& rates) override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
@@ -31,8 +32,7 @@ class Implicit final : public Dynamic {
   [[noreturn]] void give_up(const StepReport& report) override;
   double kinetic() const override;
   double free_kinetic() const;
-  std::any memory() const override;
-  void recall(const std::any& memory) override;
+  void memory(Archive& archive) override;
 
   double along(const assembly::DrivenFreedom& motion, std::span<const double> v) const;
 

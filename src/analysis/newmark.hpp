@@ -15,6 +15,7 @@ struct NewmarkScheme {
 // sphere.
 struct NodalMotion {
   assembly::NodalRates v, a;  // m/s and 1/s; m/s^2 and 1/s^2
+  void keep(Archive& archive) { archive(v.x, v.d, a.x, a.d); }
 };
 
 // What the increment from the committed to the trial configuration makes of the motion, after a time dt.

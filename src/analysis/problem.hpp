@@ -11,8 +11,11 @@ namespace fabricsh::analysis {
 class Static::Problem final : public solver::PathProblem {
  public:
   // small_time: s, that rates are differences over.
-  Problem(assembly::Assembly& assembly, double small_time, double stabilise)
+  // poll: called, where it is set, before each evaluation of forces; may throw.
+  Problem(assembly::Assembly& assembly, double small_time, double stabilise,
+          const std::function<void()>& poll)
       : assembly_(assembly),
+        poll_(poll),
         damping_(assembly, stabilise),
         small_time_(small_time),
         product_(assembly.unknowns()),
@@ -38,23 +41,11 @@ class Static::Problem final : public solver::PathProblem {
     memory_.external = external_;
     memory_.peak = std::max(memory_.peak, assembly_.largest_force());
   }
-  // All that the next step remembers of the last ones.
-  struct Memory {
-    std::vector<double> driven, lead;    // at the last commit; what the last step did to them
-    std::vector<double> external, push;  // dead loads likewise
-    double peak = 0;                     // N, the largest nodal force of the run's committed states
-    bool kink = true;
-    double damping = 0;
-  };
-  Memory memory() const {
-    Memory m = memory_;
-    m.damping = damping_.factor();
-    return m;
-  }
-  void recall(double time, const Memory& memory) {
-    aim(time);
-    memory_ = memory;
-    damping_.set_factor(memory.damping);
+  void keep(Archive& archive) {
+    if (archive.reading()) aim(std::as_const(assembly_).state().time());
+    double damping = damping_.factor();
+    archive(memory_, damping);
+    damping_.set_factor(damping);
   }
   const std::vector<double>& external() const { return external_; }
   Damping& damping() { return damping_; }
@@ -90,6 +81,7 @@ class Static::Problem final : public solver::PathProblem {
   }
   void accept() override { assembly_.begin_iterate(); }
   bool residual(std::span<double> r) override {
+    if (poll_) poll_();
     if (!assembly_.forces(fabric::AtSwitch::loading)) return false;
     assembly_.residual(external_, r);
     damping_.add_force(r);
@@ -166,11 +158,18 @@ class Static::Problem final : public solver::PathProblem {
   }
 
   assembly::Assembly& assembly_;
+  const std::function<void()>& poll_;
   Damping damping_;
   double small_time_, aimed_ = 0;
   std::vector<double> product_, ahead_, later_external_, push_, kept_;
   std::vector<double> lead_, targets_, external_;
-  Memory memory_;
+  struct Memory {                        // all that the next step remembers of the last ones
+    std::vector<double> driven, lead;    // at the last commit; what the last step did to them
+    std::vector<double> external, push;  // dead loads likewise
+    double peak = 0;                     // N, the largest nodal force of the run's committed states
+    bool kink = true;
+    void keep(Archive& archive) { archive(driven, lead, external, push, peak, kink); }
+  } memory_;
 };
 
 }  // namespace fabricsh::analysis

@@ -9,21 +9,6 @@
 
 namespace fabricsh::analysis {
 
-// While a run is under way, its hooks may read it and stop it, not drive it.
-class Run::Busy {
- public:
-  Busy(Run& run, const char* call) : run_(run) {
-    if (run.busy_) throw Error(std::string(call) + ": not from a hook of the same run");
-    run.busy_ = true;
-  }
-  ~Busy() { run_.busy_ = false; }
-  Busy(const Busy&) = delete;
-  Busy& operator=(const Busy&) = delete;
-
- private:
-  Run& run_;
-};
-
 Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
          const char* kind)
     : model_(std::move(model)), duration_(duration), notices_(std::move(notices)) {
@@ -38,23 +23,23 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
 
 Run::~Run() = default;
 
-void Run::every_step(Hook hook, AfterError after) { timed_.push_back({0, std::move(hook), after, 1}); }
+void Run::every_step(Hook hook, AfterError after) {
+  timed_.push_back({0, std::move(hook), after});
+  take_up(timed_.back(), timed_.size() - 1);
+}
 
 void Run::every(double interval, Hook hook, AfterError after) {
   if (!(interval > 0) || !std::isfinite(interval))
     throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
-  const auto passed = static_cast<std::int64_t>(std::floor(time() / interval + 1e-9));
-  timed_.push_back({interval, std::move(hook), after, passed + 1});
+  timed_.push_back({interval, std::move(hook), after});
+  take_up(timed_.back(), timed_.size() - 1);
 }
 
 void Run::event(std::function<double(Run&)> value, double tolerance, Hook hook) {
   if (!(tolerance > 0))
     throw Error("event: field 'tolerance': expected a positive number, got " + number(tolerance));
   Event event{std::move(value), tolerance, std::move(hook)};
-  if (started_) {
-    measure(event);
-    event.settle();
-  }
+  take_up(event, events_.size());
   events_.push_back(std::move(event));
 }
 
@@ -135,6 +120,7 @@ void Run::advance_to(double limit) {
   mark_due();
   run_pending();
   check();
+  for (std::size_t i = 0; i < settled_.size(); ++i) settled_[i](*this);
   if (monitor_) monitor_(*this);
 }
 
@@ -232,86 +218,6 @@ void Run::run_pending() {
     const Hook hook = events_[i].hook;
     if (hook) hook(*this);
   }
-}
-
-// --- snapshots
-
-struct Run::Snapshot {
-  const Run* owner;
-  std::vector<double> state, force_x, force_d, dead;
-  double time, initial_energy;
-  ExternalWork work;
-  std::vector<StepReport> reports;
-  std::vector<std::int64_t> counts;
-  struct Side {
-    double last, largest;
-    int side;
-  };
-  std::vector<Side> sides;
-  bool started, stopped;
-  std::string stop_reason;
-  std::any memory;
-};
-
-std::shared_ptr<const Run::Snapshot> Run::snapshot() const {
-  const auto& a = *assembly_;
-  auto s = std::make_shared<Snapshot>();
-  s->owner = this;
-  s->state = a.state().data();
-  s->force_x.assign(a.internal_on_x().begin(), a.internal_on_x().end());
-  s->force_d.assign(a.internal_on_d().begin(), a.internal_on_d().end());
-  s->dead = dead_;
-  s->time = a.state().time();
-  s->initial_energy = initial_energy_;
-  s->work = work_;
-  s->reports = reports_;
-  for (const auto& t : timed_) s->counts.push_back(t.count);
-  for (const auto& e : events_) s->sides.push_back({e.last, e.largest, e.side});
-  s->started = started_;
-  s->stopped = stopped_;
-  s->stop_reason = stop_reason_;
-  s->memory = memory();
-  return s;
-}
-
-void Run::restore(const Snapshot& s) {
-  if (s.owner != this) throw Error("restore: this snapshot was taken of another analysis");
-  const Busy busy(*this, "restore");
-  assembly_->state().restore(s.state, s.time);
-  assembly_->restore_forces(s.force_x, s.force_d);
-  assembly_->aim(s.time);
-  dead_ = s.dead;
-  trial_time_ = s.time;
-  initial_energy_ = s.initial_energy;
-  work_ = s.work;
-  reports_ = s.reports;
-  started_ = s.started;
-  stopped_ = s.stopped;
-  stop_reason_ = s.stop_reason;
-  recall(s.memory);
-  // Hooks and events that are younger than the snapshot count from here.
-  for (std::size_t i = 0; i < timed_.size(); ++i) {
-    auto& timed = timed_[i];
-    timed.pending = false;
-    if (i < s.counts.size())
-      timed.count = s.counts[i];
-    else if (timed.interval > 0)
-      timed.count = static_cast<std::int64_t>(std::floor(s.time / timed.interval + 1e-9)) + 1;
-  }
-  for (std::size_t i = 0; i < events_.size(); ++i) {
-    auto& event = events_[i];
-    event.pending = false;
-    if (i < s.sides.size()) {
-      event.last = s.sides[i].last;
-      event.largest = s.sides[i].largest;
-      event.side = s.sides[i].side;
-    } else if (started_) {
-      event.side = 0;
-      measure(event);
-      event.settle();
-    }
-  }
-  for (const auto& hook : restored_) hook(*this);
 }
 
 }  // namespace fabricsh::analysis

@@ -2,10 +2,10 @@
 // snapshots are here; static.hpp and dynamic.hpp say how a step is made.
 #pragma once
 #include <algorithm>
-#include <any>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,7 +45,11 @@ class Run {
   // Finds, inside the step, where value(a) comes to zero after it was not: lands there within |value| <=
   // tolerance * largest |value| so far, commits, and runs the hook. Of several, the earliest.
   void event(std::function<double(Run&)> value, double tolerance, Hook hook);
-  void monitor(Hook hook) { monitor_ = std::move(hook); }  // after each step and its hooks; may throw
+  // After each step, when all that belongs to it is done: the state is one to be kept. May throw.
+  void when_settled(Hook hook) { settled_.push_back(std::move(hook)); }
+  void monitor(Hook hook) { monitor_ = std::move(hook); }  // the last of these
+  // Looked in at while a step is solved; what it throws ends the step, the run stays where it was.
+  void poll(std::function<void()> look) { poll_ = std::move(look); }
   void on_restore(Hook hook) { restored_.push_back(std::move(hook)); }
 
   double time() const { return trial_time_; }
@@ -62,15 +66,30 @@ class Run {
   const assembly::Assembly& assembly() const { return *assembly_; }
   const std::vector<StepReport>& steps() const { return reports_; }
   Notices& notices() { return *notices_; }
-  virtual const char* kind() const = 0;           // "static", "dynamic"
+  virtual const char* kind() const = 0;    // "static", "dynamic"
+  virtual std::string method() const = 0;  // all options that a state hangs on, as text
+  // What may change while a run is under way. Errors: out of range, or not of this kind of run.
+  struct Settings {
+    std::optional<double> tolerance = {}, step = {};
+    std::optional<int> max_iterations = {}, max_cuts = {};
+  };
+  virtual void set(const Settings& settings) = 0;
+  // The settings with those that the run was made with: read by a run that was made with others, those of
+  // its own stay.
+  virtual void keep_settings(Archive& archive) = 0;
   virtual bool moves() const { return false; }    // are there velocities
   virtual double tolerance() const { return 0; }  // of a step's residual; 0: steps have none
 
   // A copy of the whole state; restore goes back to it and continues bit for bit. Errors: a snapshot of
   // another analysis; restore from a hook.
   struct Snapshot;
-  std::shared_ptr<const Snapshot> snapshot() const;
+  std::shared_ptr<const Snapshot> snapshot();
   void restore(const Snapshot& snapshot);
+  // The same as bytes, for a run of the same model and options in another process. resume() takes them up as
+  // restore() does, but for on_restore; hooks and events added later have their state in them too. Error:
+  // they are of another model or damaged; the run is then as it was.
+  std::string kept();
+  void resume(const std::string& kept);
 
  protected:
   // Compiles and seals the model. Errors: duration not positive; model.validate().
@@ -95,8 +114,8 @@ class Run {
     return Vec3::Zero();
   }  // N, that a driven node's support overcomes
   virtual Vec3 velocity(mesh::Index) const { return Vec3::Zero(); }  // m/s
-  virtual std::any memory() const = 0;  // all that changes as the run goes, but what Run has
-  virtual void recall(const std::any& memory) = 0;
+  // All that changes as the run goes, but what Run has; what hangs on it is worked out after reading.
+  virtual void memory(Archive& archive) = 0;
 
   double next_landing(double limit) const;  // the next kink, hook or limit
   double committed_time() const { return std::as_const(*assembly_).state().time(); }
@@ -107,6 +126,7 @@ class Run {
   double duration_;
   std::shared_ptr<Notices> notices_;
   std::unique_ptr<assembly::Assembly> assembly_;
+  std::function<void()> poll_;
   std::vector<double> dead_;  // N, 3 per node, dead loads at the trial time
   std::vector<StepReport> reports_;
   ExternalWork work_;
@@ -119,6 +139,12 @@ class Run {
     AfterError after = AfterError::skip;
     std::int64_t count = 0;  // next landing at count * interval
     bool pending = false;
+    bool repeats() const { return after == AfterError::repeat && pending; }
+  };
+  struct TimedState {  // of a Timed
+    std::int64_t count = 0;
+    bool repeats = false;
+    void keep(Archive& archive) { archive(count, repeats); }
   };
   struct Event {
     std::function<double(Run&)> value;
@@ -131,17 +157,39 @@ class Run {
     bool crossed() const;  // beyond zero and its tolerance
     void settle();         // the trial state is committed
   };
-  class Busy;
+  struct EventState {
+    double last = 0, largest = 0;
+    int side = 0;
+    void keep(Archive& archive) { archive(last, largest, side); }
+  };
+  // While a run is under way, its hooks may read it and stop it, not drive it.
+  class Busy {
+   public:
+    Busy(Run& run, const char* call);  // Error: a hook of this run makes the call
+    ~Busy() { run_.busy_ = false; }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+
+   private:
+    Run& run_;
+  };
   void start();
   void advance_to(double limit);  // one committed step towards the limit
   void measure(Event& event);
   double land(double size, StepReport& report);  // shortens the attempt to the first event inside it
   double search(Event& event, double size, StepReport& report);
   void mark_due();
+  void keep(Archive& archive);
+  void keep_hooks(Archive& archive);
+  void take_up(Timed& timed, std::size_t i);  // the state that was kept of the i-th, or as from here
+  void take_up(Event& event, std::size_t i);
   void run_pending();
 
   std::vector<Timed> timed_;
   std::vector<Event> events_;
+  std::vector<TimedState> kept_timed_;  // as last restored: hooks may be added only after that
+  std::vector<EventState> kept_events_;
+  std::vector<Hook> settled_;
   Hook monitor_;
   std::vector<Hook> restored_;
   std::vector<double> kinks_;

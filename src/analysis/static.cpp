@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "analysis/number.hpp"
 #include "analysis/problem.hpp"
+#include "analysis/settings.hpp"
 #include "base/error.hpp"
 
 namespace fabricsh::analysis {
@@ -35,6 +37,10 @@ bool takes_symmetric(const StaticOptions& o, const assembly::Assembly& assembly,
          (o.linear == Linear::automatic && model.section().symmetric && assembly.symmetric_loads());
 }
 
+StepControl control_of(const StaticOptions& o) {
+  return {o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
+}
+
 // Cuts after which relaxation is tried, where it is allowed.
 constexpr int kPatience = 3;
 
@@ -44,9 +50,10 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
                std::shared_ptr<Notices> notices)
     : Run(std::move(model), options.duration, std::move(notices), "static"),
       options_(options),
-      now_{StepControl(options.step.value_or(options.duration / 20), options.min_step, options.max_cuts)} {
+      given_(options),
+      now_{control_of(options)} {
   check_options(options_);
-  problem_ = std::make_unique<Problem>(*assembly_, 1e-7 * options_.duration, options_.stabilise);
+  problem_ = std::make_unique<Problem>(*assembly_, 1e-7 * options_.duration, options_.stabilise, poll_);
   auto linear = takes_symmetric(options_, *assembly_, *model_) ? solver::make_symmetric_solver()
                                                                : solver::make_unsymmetric_solver();
   if (options_.control == Control::arc)
@@ -58,6 +65,36 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
 }
 
 Static::~Static() = default;
+
+std::string Static::method() const {
+  std::ostringstream text;
+  text << std::boolalpha << "static with control " << (arc_ ? "arc" : "load") << ", method "
+       << static_cast<int>(options_.method) << ", linear " << static_cast<int>(options_.linear)
+       << ", line search " << options_.line_search << ", stabilise " << number(options_.stabilise)
+       << ", min_step " << number(options_.min_step);
+  return text.str();
+}
+
+void Static::set(const Settings& settings) {
+  StaticOptions options = options_;
+  take_setting(settings.tolerance, options.tolerance);
+  take_setting(settings.max_iterations, options.max_iterations);
+  take_setting(settings.max_cuts, options.max_cuts);
+  if (settings.step) options.step = settings.step;
+  check_options(options);
+  options_ = options;
+  if (settings.step || settings.max_cuts) now_.step = control_of(options_);
+}
+
+void Static::keep_settings(Archive& archive) {
+  const auto step = options_.step;
+  const int max_cuts = options_.max_cuts;
+  keep_setting(archive, given_.tolerance, options_.tolerance);
+  keep_setting(archive, given_.max_iterations, options_.max_iterations);
+  keep_setting(archive, given_.max_cuts, options_.max_cuts);
+  keep_setting(archive, given_.step, options_.step);
+  if (step != options_.step || max_cuts != options_.max_cuts) now_.step = control_of(options_);
+}
 
 void Static::begin() {
   problem_->aim(0);
@@ -78,9 +115,28 @@ double Static::plan(double limit) {
   return now_.step.end(committed_time(), now_.landing);
 }
 
+// A step that fails or is broken off leaves nothing behind: a run goes on as if it had not been tried.
+class Static::Trace {
+ public:
+  explicit Trace(Static& run) : run_(run), now_(run.now_), damping_(run.problem_->damping().factor()) {}
+  ~Trace() {
+    if (kept_) return;
+    run_.now_ = now_;
+    run_.problem_->damping().set_factor(damping_);
+  }
+  void keep() { kept_ = true; }
+
+ private:
+  Static& run_;
+  const Now now_;
+  double damping_;
+  bool kept_ = false;
+};
+
 double Static::try_step(double limit, StepReport& report) {
   double size = plan(limit);
   const double whole = size;
+  Trace trace(*this);
   while (!attempt(size, report)) {
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
@@ -91,6 +147,7 @@ double Static::try_step(double limit, StepReport& report) {
     size = plan(limit);
   }
   if (problem_->damping().on() && reports_.empty()) calibrate(size, report);
+  trace.keep();
   return size;
 }
 
@@ -266,27 +323,11 @@ void Static::give_up(const StepReport& report) {
   throw NumericalFailure(text, now, blame_.element, blame_.yarn);
 }
 
-namespace {
-
-template <class Now, class Memory>
-struct StaticMemory {
-  Now now;
-  Memory problem;
-  std::vector<double> direction;
-};
-
-}  // namespace
-
-std::any Static::memory() const {
-  return StaticMemory<Now, Problem::Memory>{now_, problem_->memory(),
-                                            arc_ ? arc_->direction() : std::vector<double>{}};
-}
-
-void Static::recall(const std::any& memory) {
-  const auto& m = std::any_cast<const StaticMemory<Now, Problem::Memory>&>(memory);
-  now_ = m.now;
-  problem_->recall(committed_time(), m.problem);
-  if (arc_) arc_->set_direction(m.direction);
+void Static::memory(Archive& archive) {
+  archive(now_);
+  problem_->keep(archive);
+  if (newton_) newton_->keep(archive);
+  if (arc_) arc_->keep(archive);
 }
 
 }  // namespace fabricsh::analysis

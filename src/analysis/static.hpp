@@ -46,9 +46,13 @@ class Static final : public Run {
   const StaticOptions& options() const { return options_; }
   const char* kind() const override { return "static"; }
   double tolerance() const override { return options_.tolerance; }
+  std::string method() const override;
+  void set(const Settings& settings) override;
+  void keep_settings(Archive& archive) override;
 
  private:
   class Problem;  // what Newton sees
+  class Trace;
   void begin() override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
@@ -57,8 +61,7 @@ class Static final : public Run {
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   double damping_work() const override { return now_.damping_work; }
-  std::any memory() const override;
-  void recall(const std::any& memory) override;
+  void memory(Archive& archive) override;
 
   double plan(double limit);                        // size of the next step
   void calibrate(double size, StepReport& report);  // the damping of the first step
@@ -71,6 +74,7 @@ class Static final : public Run {
   void tell(const StepReport& report);  // notices
 
   StaticOptions options_;
+  const StaticOptions given_;
   std::unique_ptr<Problem> problem_;
   std::unique_ptr<solver::Newton> newton_;  // each of the three where it is used
   std::unique_ptr<solver::ArcLength> arc_;
@@ -82,6 +86,10 @@ class Static final : public Run {
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     double damping_work = 0;
     bool told_pivots = false, told_damping = false, told_inverted = false;
+    void keep(Archive& archive) {
+      archive(step, arc_length, tried_length, longest_length, landing, damping_work, told_pivots,
+              told_damping, told_inverted);
+    }
   } now_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/archive.hpp"
+
 namespace fabricsh::analysis {
 
 // Iterations that a step of the right size takes, and those from which the next one had better be smaller.
@@ -23,6 +25,7 @@ class StepControl {
         least_(smallest),
         current_(largest) {}
 
+  void keep(Archive& archive) { archive(current_); }
   double current() const { return current_; }
   double largest() const { return largest_; }
   void set(double step) { current_ = step; }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "tensor/vec.hpp"
 
 namespace fabricsh::analysis {
@@ -40,6 +41,7 @@ struct StepReport {
   int cuts = 0;                      // halvings that this step took
   std::vector<double> residuals;     // relative residual of each iteration, the first one is the predictor's
   std::int64_t negative_pivots = 0;  // of the last tangent: none on a stable path
+  void keep(Archive& archive) { archive(time, step, iterations, cuts, residuals, negative_pivots); }
 };
 
 }  // namespace fabricsh::analysis

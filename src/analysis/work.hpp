@@ -15,6 +15,7 @@ class ExternalWork {
   void add(const assembly::Assembly& assembly, std::span<const double> dead);
   // J, of what is known otherwise.
   void add(double work);
+  void keep(Archive& archive) { archive(total_, largest_, x_, d_, before_.on_x, before_.on_d); }
   double total() const { return total_; }      // J
   double largest() const { return largest_; }  // J, the largest |total| so far
 

@@ -20,10 +20,11 @@ const char* const usage =
     "  --limit-memory MB        with --safe: memory of Lua (4096)\n"
     "  --limit-seconds S        with --safe: computing time of all threads (86400)\n"
     "  --limit-instructions N   with --safe: instructions of Lua (1e10)\n"
+    "  --restart F   runs the deck; the analysis that wrote the checkpoint F begins where it was\n"
     "  --quiet       no progress on standard error\n"
     "  --version     versions of the program and of what it stands on\n"
     "  --help        this text\n"
-    "exit codes: 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure\n";
+    "exit codes: 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended by Ctrl-C\n";
 
 namespace {
 
@@ -121,6 +122,14 @@ class Reader {
     } else if (word == "-i") {
       c_.interactive = true;
       ++at_;
+    } else if (word.rfind("--restart=", 0) == 0) {
+      c_.restart = word.substr(10);
+      ++at_;
+    } else if (word == "--restart") {
+      if (++at_ < count_)
+        c_.restart = c_.line[at_++];
+      else
+        c_.trouble = "'--restart' needs an argument";
     } else if (word.rfind("--threads=", 0) == 0) {
       threads(word.substr(10));
       ++at_;

@@ -16,6 +16,7 @@ struct CommandLine {
   bool safe = false;           // --safe, and what goes with it
   std::string output;          // --output; empty: out
   script::SafeOptions limits;  // --limit-...
+  std::string restart;         // path of a checkpoint; empty: none
   bool has_deck = false;
   std::string deck;  // empty with has_deck: standard input
   std::size_t deck_place = 0;

@@ -1,45 +1,58 @@
-// fabricsh: options and exit codes. 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure.
+// fabricsh: options and exit codes. 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended
+// by Ctrl-C.
 #include <omp.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 #include "app/about.hpp"
 #include "app/command_line.hpp"
 #include "app/environment.hpp"
+#include "app/progress.hpp"
 #include "app/safe.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/history.hpp"
 #include "repl/prompt.hpp"
+#include "script/checkpoint.hpp"
 
 namespace {
 
 using namespace fabricsh;
 using repl::Outcome;
 
-int exit_code(const repl::Result& result) {
+int exit_code(const script::Session& session, const repl::Result& result) {
   if (result.outcome == Outcome::done) return 0;
   std::fflush(stdout);
   std::cerr << "fabricsh: " << result.message << std::endl;
+  if (session.stopped_by_interrupt()) return 130;
   return result.outcome == Outcome::numerical_failure ? 3 : 1;
+}
+
+bool is_dumb() {
+  const char* kind = std::getenv("TERM");
+  return kind == nullptr || std::string(kind) == "dumb";
 }
 
 // Notices and progress. A line that is being typed at the prompt takes them in.
 class Speaker {
  public:
-  void say(const std::string& text) const {
+  void say(const std::string& text) {
+    progress.clear();
     std::fflush(stdout);
     if (lines == nullptr || !lines->interject(style_.dress(repl::Tone::notice, text)))
       std::cerr << style_.dress(repl::Tone::notice, text) << std::endl;
   }
   repl::Lines* lines = nullptr;
+  app::ProgressLine progress{stderr, isatty(STDERR_FILENO) != 0 && !is_dumb()};
 
  private:
   repl::Style style_ = repl::Style::of(STDERR_FILENO);
 };
 
-script::Options session_options(const app::CommandLine& command, const Speaker& speaker) {
+script::Options session_options(const app::CommandLine& command, Speaker& speaker) {
   const auto say = [&speaker](const std::string& text) { speaker.say(text); };
   script::Options options;
   if (command.safe) options.safe = command.limits;
@@ -48,9 +61,20 @@ script::Options session_options(const app::CommandLine& command, const Speaker& 
   options.threads = command.threads;
   options.command_line = command.line;
   options.deck = command.deck;
+  options.arguments = command.arguments;
   options.notice = say;
-  if (!command.quiet) options.progress = say;
+  if (!command.quiet) options.progress = [&speaker](const script::Progress& p) { speaker.progress.show(p); };
+  options.clear_progress = [&speaker] { speaker.progress.clear(); };
   return options;
+}
+
+// A checkpoint that no analysis of the deck took up.
+repl::Result check_restart(const script::Session& session, repl::Result result) {
+  const auto& from = session.restart();
+  if (result.outcome != Outcome::done || !from || from->analysis <= session.analyses()) return result;
+  return {Outcome::deck_error, "--restart: '" + from->path + "' was written by analysis " +
+                                   std::to_string(from->analysis) + " of its deck; this one makes " +
+                                   std::to_string(session.analyses())};
 }
 
 // -e and -l in their order, then the deck. The first failure ends it.
@@ -65,7 +89,7 @@ repl::Result run(script::Session& session, const app::CommandLine& command) {
   }
   if (result.outcome == Outcome::done && command.has_deck)
     result = repl::run_deck(session, command.deck, command.arguments);
-  return result;
+  return check_restart(session, result);
 }
 
 void converse(script::Session& session, Speaker& speaker) {
@@ -94,12 +118,18 @@ int main(int count, char** words) {
   if (command.help) return std::cout << app::usage, 0;
   if (command.version) return std::cout << app::about(), 0;
   if (command.check && !command.has_deck) return std::cerr << "fabricsh: --check needs a deck\n", 2;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file past the user's limit is an error that is said, as a full disk is
   if (command.threads > 0) omp_set_num_threads(command.threads);
   try {
     if (command.safe) app::go_safe(command, words);
     Speaker speaker;
     script::Session session(session_options(command, speaker));
-    const int code = exit_code(run(session, command));
+    if (!command.restart.empty()) session.restart_from(script::load_checkpoint(command.restart));
+    const int code = [&] {
+      const repl::InterruptGuard guard(session);
+      const repl::Running running(session);
+      return exit_code(session, run(session, command));
+    }();
     const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
     if (!prompt) return code;
     converse(session, speaker);

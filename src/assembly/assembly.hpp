@@ -112,8 +112,8 @@ class Assembly {
   // Dead loads, follower loads and the forces of supports that move, at the trial configuration (its forces
   // computed, aimed at its time).
   void working_forces(std::span<const double> dead, WorkingForces& out) const;
-  // Internal forces of a state that has been restored.
-  void restore_forces(std::span<const double> on_x, std::span<const double> on_d);
+  // The committed state and its internal forces. Error when reading: of another model.
+  void keep(Archive& archive);
 
   // --- motion (motion.cpp)
   // kg per unknown displacement, kg m^2 per unknown rotation, lumped. Rotary inertia of an element per mass:

@@ -236,9 +236,10 @@ void Assembly::working_forces(std::span<const double> dead, WorkingForces& out) 
       at(std::span<double>(out.on_d), n) += at(std::span<const double>(force_d_), n);
 }
 
-void Assembly::restore_forces(std::span<const double> on_x, std::span<const double> on_d) {
-  force_x_.assign(on_x.begin(), on_x.end());
-  force_d_.assign(on_d.begin(), on_d.end());
+void Assembly::keep(Archive& archive) {
+  state_->keep(archive);
+  archive.filled(force_x_);
+  archive.filled(force_d_);
 }
 
 }  // namespace fabricsh::assembly

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/aligned.hpp"
+#include "base/archive.hpp"
 
 namespace fabricsh::assembly {
 
@@ -60,19 +61,12 @@ class StateStore {
     evaluated_ = false;
     ++version_;
   }
-  // The committed copy as one block, for snapshots and checkpoints.
-  std::vector<double> data() const {
-    std::vector<double> all(committed_);
-    all.insert(all.end(), committed_law_.begin(), committed_law_.end());
-    return all;
-  }
-  // data: of the same model's data().
-  void restore(const std::vector<double>& data, double time) {
-    const auto law = data.begin() + static_cast<std::ptrdiff_t>(committed_.size());
-    std::copy(data.begin(), law, committed_.begin());
-    std::copy(law, data.end(), committed_law_.begin());
-    time_ = time;
-    rollback();
+  // The committed copy, for snapshots and checkpoints. Error when reading: of another model.
+  void keep(Archive& archive) {
+    archive(time_);
+    archive.filled(committed_);
+    archive.filled(committed_law_);
+    if (archive.reading()) rollback();
   }
 
  private:

@@ -1,10 +1,12 @@
 #include "files/atomic.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <system_error>
@@ -58,6 +60,29 @@ int sync_to_disk(const Place& place, const std::string& file) {
   return 0;
 }
 
+// The names in the folder of the place, which some file systems can't.
+void sync_folder(const Place& place, const std::string& path) {
+  const std::string folder = fs::path(place.name).parent_path().string();
+  const int reason = sync_to_disk(place, folder.empty() ? "." : folder);
+  if (reason != 0 && reason != EINVAL && place.open_gate) cannot_write(path, reason);
+}
+
+std::string folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+// The process number in ".name.PROCESS-NUMBER.part", 0: it is none of ours.
+pid_t writer_of(const std::string& name) {
+  const std::string tail = ".part";
+  if (!name.ends_with(tail)) return 0;
+  const auto dot = name.rfind('.', name.size() - tail.size() - 1);
+  pid_t process = 0;
+  const char* end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data() + dot + 1, end, process);
+  return error == std::errc() && stop != end && *stop == '-' ? process : 0;
+}
+
 }  // namespace
 
 void cannot_write(const std::string& path, int reason) {
@@ -89,12 +114,28 @@ void make_folder_for(const std::string& path) {
   if (!fs::is_directory(folder, trouble)) throw Error("'" + folder.string() + "' is not a folder");
 }
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path) {
+void sync_file(const std::string& path) {
+  const Descriptor file = Gate::of_process().open(path);
+  if (fsync(file.number()) != 0) cannot_write(path, errno);
+}
+
+void remove_leftovers(const std::string& path_begin) {
+  const Gate& gate = Gate::of_process();
+  const std::string folder = folder_of(path_begin);
+  if (!gate.exists(folder)) return;
+  const std::string begin = "." + fs::path(path_begin).filename().string();
+  for (const std::string& name : gate.names(folder)) {
+    const pid_t writer = name.starts_with(begin) ? writer_of(name) : 0;
+    if (writer > 0 && kill(writer, 0) != 0 && errno == ESRCH) gate.discard(folder + "/" + name);
+  }
+}
+
+AtomicFile::AtomicFile(const std::string& path, Folder folder) : path_(path) {
   if (path.empty() || path.back() == '/')
     throw Error("cannot write '" + path + "': expected the name of a file");
   const Gate& gate = Gate::of_process();
   const std::string target = gate.closed() ? path : target_of(path).string();
-  make_folder_for(target);
+  if (folder == Folder::make) make_folder_for(target);
   place_ = gate.writing(target);
   check_plain(place_, path);
   part_ = make_temporary(place_, path);
@@ -116,10 +157,11 @@ void AtomicFile::commit(Sync sync) {
     if (const int reason = sync_to_disk(place_, part_)) cannot_write(path_, reason);
   if (renameat(place_.at(), part_.c_str(), place_.at(), place_.name.c_str()) != 0) cannot_write(path_, errno);
   part_.clear();
+  if (sync == Sync::yes) sync_folder(place_, path_);
 }
 
-void write_file(const std::string& path, std::string_view content, Sync sync) {
-  AtomicFile file(path);
+void write_file(const std::string& path, std::string_view content, Sync sync, Folder folder) {
+  AtomicFile file(path, folder);
   {
     const Descriptor opened = file.open();
     if (const int reason = opened.write(content)) cannot_write(path, reason);

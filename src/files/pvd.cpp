@@ -1,5 +1,6 @@
 #include "files/pvd.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -39,7 +40,18 @@ std::string file_name(const std::string& path) { return std::filesystem::path(pa
 
 PvdSeries::PvdSeries(const std::string& stem) : stem_(without_extension(stem)), path_(stem_ + ".pvd") {
   if (file_name(stem_).empty()) throw Error("series '" + stem + "': expected a name such as out/drape");
-  write_index();
+  write_index(Folder::make);
+  remove_leftovers(stem_);
+}
+
+PvdSeries::PvdSeries(const std::string& stem, const PvdPlace& place)
+    : stem_(without_extension(stem)), path_(stem_ + ".pvd"), place_(place), synced_(frames()) {
+  for (std::size_t i = 0; i < frames(); ++i)
+    if (!Gate::of_process().exists(frame_path(i)))
+      throw Error("cannot go on with '" + path_ + "': its frame '" + frame_path(i) + "' is missing");
+  write_index(Folder::expect);
+  remove_frames(frames());
+  remove_leftovers(stem_);
 }
 
 std::string PvdSeries::frame_path(std::size_t i) const {
@@ -49,28 +61,44 @@ std::string PvdSeries::frame_path(std::size_t i) const {
 }
 
 void PvdSeries::frame(double time, const Grid& grid) {
-  const std::string path = frame_path(entries_.size());
-  write_vtu(path, grid, Sync::no);
-  entries_.push_back("    <DataSet timestep=\"" + short_number(time) + "\" file=\"" + xml(file_name(path)) +
-                     "\"/>\n");
-  write_index();
+  const std::string path = frame_path(frames());
+  write_vtu(path, grid, Sync::no, Folder::expect);
+  place_.entries.push_back("    <DataSet timestep=\"" + short_number(time) + "\" file=\"" +
+                           xml(file_name(path)) + "\"/>\n");
+  try {
+    write_index(Folder::expect);
+  } catch (...) {
+    place_.entries.pop_back();
+    Gate::of_process().discard(path);
+    throw;
+  }
 }
 
 void PvdSeries::keep(std::size_t n) {
-  const std::size_t before = entries_.size();
-  if (n >= before) return;
-  entries_.resize(n);
-  write_index();
-  for (std::size_t i = n; i < before; ++i) Gate::of_process().discard(frame_path(i));
+  if (n >= frames()) return;
+  place_.entries.resize(n);
+  synced_ = std::min(synced_, n);
+  write_index(Folder::expect);
+  remove_frames(n);
 }
 
-void PvdSeries::write_index() const {
+void PvdSeries::sync() {
+  for (; synced_ < frames(); ++synced_) sync_file(frame_path(synced_));
+  sync_file(path_);
+}
+
+// Those from there on that follow one another.
+void PvdSeries::remove_frames(std::size_t from) const {
+  while (Gate::of_process().discard(frame_path(from))) ++from;
+}
+
+void PvdSeries::write_index(Folder folder) const {
   std::string text =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\">\n"
       "  <Collection>\n";
-  for (const std::string& entry : entries_) text += entry;
-  write_file(path_, text + "  </Collection>\n</VTKFile>\n", Sync::no);
+  for (const std::string& entry : place_.entries) text += entry;
+  write_file(path_, text + "  </Collection>\n</VTKFile>\n", Sync::no, folder);
 }
 
 }  // namespace fabricsh::files

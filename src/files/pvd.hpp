@@ -3,27 +3,42 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "files/vtu.hpp"
 
 namespace fabricsh::files {
+
+// How far a series has come, for a program that continues it.
+struct PvdPlace {
+  std::vector<std::string> entries;  // one line of the .pvd each
+  void keep(Archive& archive) { archive(entries); }
+};
 
 class PvdSeries {
  public:
   // stem: "out/drape"; a trailing ".pvd" is taken off. Writes a series without frames at once, so that a
   // folder that cannot be written is known before the run begins.
   explicit PvdSeries(const std::string& stem);
+  // Goes on with the series that another program has left: frames behind the place are taken off. Error: a
+  // frame is missing.
+  PvdSeries(const std::string& stem, const PvdPlace& place);
   // The grid goes to the next .vtu, then the .pvd that names it is replaced: it is valid at any instant.
+  // Error: the folder is gone, and what the system says.
   void frame(double time, const Grid& grid);
   void keep(std::size_t n);  // takes off all frames but the first n
+  void sync();               // to the disk
+  const PvdPlace& place() const { return place_; }
   const std::string& path() const { return path_; }
-  std::size_t frames() const { return entries_.size(); }
+  std::size_t frames() const { return place_.entries.size(); }
 
  private:
   std::string frame_path(std::size_t i) const;
-  void write_index() const;
+  void write_index(Folder folder) const;
+  void remove_frames(std::size_t from) const;
 
   std::string stem_, path_;
-  std::vector<std::string> entries_;  // one line of the .pvd each
+  PvdPlace place_;
+  std::size_t synced_ = 0;  // frames
 };
 
 }  // namespace fabricsh::files

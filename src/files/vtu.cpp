@@ -107,7 +107,7 @@ std::string document(vtkUnstructuredGrid* data) {
 
 }  // namespace
 
-void write_vtu(const std::string& path, const Grid& grid, Sync sync) {
+void write_vtu(const std::string& path, const Grid& grid, Sync sync, Folder folder) {
   vtkNew<vtkUnstructuredGrid> data;
   for (const Array& array : grid.point_data) check_length(array, grid.points.size(), "points");
   for (const Array& array : grid.cell_data) check_length(array, grid.cells.size(), "cells");
@@ -116,7 +116,7 @@ void write_vtu(const std::string& path, const Grid& grid, Sync sync) {
   for (const Array& array : grid.point_data) add(data->GetPointData(), array);
   for (const Array& array : grid.cell_data) add(data->GetCellData(), array);
   if (grid.time) add_time(data, *grid.time);
-  write_file(path, document(data), sync);
+  write_file(path, document(data), sync, folder);
 }
 
 }  // namespace fabricsh::files

@@ -30,6 +30,7 @@ struct Grid {
 
 // Replaces the file, compressed. Error: an array whose length is not components times points (or cells), a
 // file that cannot be written.
-void write_vtu(const std::string& path, const Grid& grid, Sync sync = Sync::yes);
+void write_vtu(const std::string& path, const Grid& grid, Sync sync = Sync::yes,
+               Folder folder = Folder::make);
 
 }  // namespace fabricsh::files

@@ -31,8 +31,34 @@ const std::vector<std::string>& field_names() {
   return names;
 }
 
+namespace {
+
+files::PvdSeries continued(const std::string& stem, std::size_t frames, Archive& from) {
+  files::PvdPlace place;
+  from(place);
+  if (place.entries.size() != frames)
+    throw Error("cannot go on with '" + stem + "': frames were lost count of");
+  return {stem, place};
+}
+
+}  // namespace
+
 VtkSeries::VtkSeries(const std::string& stem, std::vector<std::string> fields)
     : series_(stem), fields_(std::move(fields)) {
+  check_fields();
+}
+
+VtkSeries::VtkSeries(const std::string& stem, std::vector<std::string> fields, Archive& from)
+    : Series(from), series_(continued(stem, frames(), from)), fields_(std::move(fields)) {
+  check_fields();
+}
+
+void VtkSeries::keep_place(Archive& archive) {
+  files::PvdPlace place = series_.place();
+  archive(place);
+}
+
+void VtkSeries::check_fields() const {
   for (const auto& field : fields_) {
     if (std::find(field_names().begin(), field_names().end(), field) != field_names().end()) continue;
     std::string known;
@@ -45,8 +71,7 @@ bool VtkSeries::wants(const std::string& field) const {
   return fields_.empty() || std::find(fields_.begin(), fields_.end(), field) != fields_.end();
 }
 
-void VtkSeries::frame(const analysis::Run& run) {
-  if (!steps_.empty() && run.steps().size() == steps_.back()) return;
+void VtkSeries::write(const analysis::Run& run) {
   const auto& mesh = run.model().mesh();
   std::vector<Vec3> points;
   Array displacement{"displacement", 3, {}, {}}, velocity{"velocity", 3, {}, {}},
@@ -88,12 +113,6 @@ void VtkSeries::frame(const analysis::Run& run) {
   if (wants("warp")) grid.cell_data.push_back(std::move(warp));
   if (wants("weft")) grid.cell_data.push_back(std::move(weft));
   series_.frame(run.time(), grid);
-  steps_.push_back(run.steps().size());
-}
-
-void VtkSeries::rewind(std::size_t step) {
-  while (!steps_.empty() && steps_.back() > step) steps_.pop_back();
-  series_.keep(steps_.size());
 }
 
 }  // namespace fabricsh::output

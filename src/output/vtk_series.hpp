@@ -3,26 +3,29 @@
 #include <string>
 #include <vector>
 
-#include "analysis/run.hpp"
 #include "files/pvd.hpp"
+#include "output/series.hpp"
 
 namespace fabricsh::output {
 
-class VtkSeries {
+class VtkSeries final : public Series {
  public:
   // fields: some of field_names(), empty for all. Errors: unknown field (with the list); a folder that can't
   // be written.
   VtkSeries(const std::string& stem, std::vector<std::string> fields);
-  // The state that the analysis holds now. A frame of the step of the last one is not written again.
-  void frame(const analysis::Run& run);
-  void rewind(std::size_t step);  // takes off the frames later than a step
+  // Goes on with the series that another program has left, from where it was kept.
+  VtkSeries(const std::string& stem, std::vector<std::string> fields, Archive& from);
+  void sync() override { series_.sync(); }
   const std::string& path() const { return series_.path(); }
 
  private:
+  void write(const analysis::Run& run) override;
+  void cut(std::size_t frames) override { series_.keep(frames); }
+  void keep_place(Archive& archive) override;
+  void check_fields() const;
   bool wants(const std::string& field) const;
   files::PvdSeries series_;
   std::vector<std::string> fields_;
-  std::vector<std::size_t> steps_;  // of the frames
 };
 
 // At nodes: displacement (m), velocity (m/s; runs in motion) and director. In elements, averages over the

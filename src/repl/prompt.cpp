@@ -15,11 +15,27 @@ namespace {
 script::Session* interruptible = nullptr;
 volatile std::sig_atomic_t running = 0, asked = 0;  // is something running; Ctrl-C came while it did
 
-void stop_lua(lua_State* L, lua_Debug*) {
-  script::Session::of(L).rest_hook(L);
-  script::Session::of(L).take_interrupt();
+constexpr int kPatience = 10'000'000;  // instructions that a hook of a run may take to come to its end
+
+void stop_late(lua_State* L, lua_Debug*);
+
+// Lua code stops at once, but in a hook of a run, which answers after its step.
+void stop(lua_State* L, bool late) {
+  script::Session& session = script::Session::of(L);
+  session.rest_hook(L);
+  if (!session.interrupted()) return;
+  if (session.drives() && !late) {
+    if (session.limits() == nullptr) lua_sethook(L, stop_late, LUA_MASKCOUNT, kPatience);
+    return;
+  }
+  session.take_interrupt();
+  session.set_stopped_by_interrupt();
   luaL_error(L, "interrupted");
 }
+
+void stop_lua(lua_State* L, lua_Debug*) { stop(L, false); }
+
+void stop_late(lua_State* L, lua_Debug*) { stop(L, true); }
 
 // While a line is being typed the signal need only wake the reader.
 extern "C" void on_interrupt(int) {
@@ -40,25 +56,6 @@ void set_handler(void (*handler)(int)) {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
 }
-
-// Between these two Ctrl-C is for the input that is evaluated.
-class Running {
- public:
-  explicit Running(script::Session& session) : session_(session) {
-    asked = 0;
-    running = 1;
-  }
-  ~Running() {
-    running = 0;
-    session_.take_interrupt();
-    session_.rest_hook(session_.lua());
-  }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-
- private:
-  script::Session& session_;
-};
 
 void show(const Result& result, const Voice& voice) {
   std::fflush(stdout);
@@ -93,6 +90,17 @@ void run(script::Session& session, const std::string& input, const Voice& voice)
 bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") == std::string::npos; }
 
 }  // namespace
+
+Running::Running(script::Session& session) : session_(session) {
+  asked = 0;
+  running = 1;
+}
+
+Running::~Running() {
+  running = 0;
+  session_.take_interrupt();
+  session_.rest_hook(session_.lua());
+}
 
 InterruptGuard::InterruptGuard(script::Session& session) {
   interruptible = &session;

@@ -29,4 +29,16 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
+// While this lives Ctrl-C is for what runs: input that is evaluated, or a deck.
+class Running {
+ public:
+  explicit Running(script::Session& session);
+  ~Running();
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  script::Session& session_;
+};
+
 }  // namespace fabricsh::repl

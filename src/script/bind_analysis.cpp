@@ -1,8 +1,8 @@
 // An analysis: driving it, its hooks, and what can be read from it.
 #include <algorithm>
-#include <chrono>
 
 #include "script/bind_run.hpp"
+#include "script/drive.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -16,92 +16,26 @@ namespace {
 
 // --- driving ---
 
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-// A line of progress every two seconds, and Ctrl-C.
-class Watch {
- public:
-  explicit Watch(const Run& run) : run_(run) {}
-  double seconds() const { return clock_.seconds(); }
-  void look() {
-    report();
-    if (run_.session.take_interrupt())
-      throw Error("interrupted at " + number_text(run_.analysis->time()) +
-                  " s; the run is alive, solve() goes on");
-  }
-
- private:
-  void report() {
-    if (!run_.session.options().progress || clock_.seconds() < last_ + 2) return;
-    last_ = clock_.seconds();
-    const analysis::Run& a = *run_.analysis;
-    const int iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
-    char line[160];
-    std::snprintf(line, sizeof line, "t = %.6g of %.6g s, step %zu, %d iterations, %.0f s", a.time(),
-                  a.duration(), a.steps().size(), iterations, last_);
-    run_.session.options().progress(line);
-  }
-
-  const Run& run_;
-  Clock clock_;
-  double last_ = 0;
-};
-
-// Does the work, keeps the time. Where the run ends or fails, the outputs get its last state; run.json says
-// how far it came.
-template <class Work>
-void drive(Run& run, Work work) {
-  if (run.session.options().check) return;
-  analysis::Run& a = *run.analysis;
-  Watch watch(run);
-  const double before = run.seconds;
-  a.monitor([&watch](analysis::Run&) { watch.look(); });
-  const auto leave = [&](const std::string& status, bool ended) {
-    a.monitor({});
-    run.seconds = before + watch.seconds();
-    if (ended)
-      for (const auto& finish : run.finish) finish();
-    run.record.write(a, status, run.seconds);
-  };
-  try {
-    work(a);
-  } catch (const std::exception& trouble) {
-    leave(trouble.what(), true);
-    throw;
-  } catch (...) {  // an error of Lua's in a hook: what it says stays where Lua has it
-    leave("an error in a hook", false);
-    throw;
-  }
-  const bool ended = a.stopped() || a.time() >= a.duration() * (1 - 1e-12);
-  leave(a.stopped() ? "stopped: " + a.stop_reason() : ended ? "done" : "under way", ended);
-}
-
 int chain(const Call& call) {
   lua_pushvalue(call.L(), 1);
   return 1;
 }
 
 int solve(Call& call) {
-  drive(*call.self<Run>(), [](analysis::Run& a) { a.solve(); });
+  const auto run = call.self<Run>();
+  drive(*run, {false, std::max(run->analysis->duration(), run->analysis->time())});
   return chain(call);
 }
 
 int advance(Call& call) {
   const double time = call.number("time");
-  drive(*call.self<Run>(), [time](analysis::Run& a) { a.advance(time); });
+  drive(*call.self<Run>(), {false, time});
   return chain(call);
 }
 
 int step(Call& call) {
-  drive(*call.self<Run>(), [](analysis::Run& a) { a.step(); });
+  const auto run = call.self<Run>();
+  drive(*run, {true, run->analysis->duration()});
   return chain(call);
 }
 
@@ -250,12 +184,15 @@ int steps(Call& call) {
 }
 
 int snapshot(Call& call) {
-  push_object(call.L(), call.self<Run>()->analysis->snapshot());
+  const auto run = call.self<Run>();
+  auto snapshot = run->analysis->snapshot();
+  if (run->calls < run->passing) run->passed_snapshots.push_back(snapshot);
+  push_object(call.L(), std::move(snapshot));
   return 1;
 }
 
 int restore(Call& call) {
-  call.self<Run>()->analysis->restore(*call.object<const analysis::Run::Snapshot>("snapshot"));
+  go_back(*call.self<Run>(), call.object<const analysis::Run::Snapshot>("snapshot"));
   return chain(call);
 }
 

@@ -168,6 +168,7 @@ void bind_all(Session& session) {
   bind_static(session);
   bind_dynamic(session);
   bind_outputs(session);
+  bind_keep(session);
   bind_check(session);
   bind_table(session);
   bind_lab(session);

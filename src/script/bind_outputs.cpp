@@ -5,15 +5,16 @@
 #include "files/csv.hpp"
 #include "output/vtk_series.hpp"
 #include "script/bind_run.hpp"
+#include "script/checkpoint.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
 
 namespace {
 
-// Calls `frame` as often as the options say, and once more when the run ends.
-template <class Output>
-void schedule(Run& run, const Fields& options, const std::shared_ptr<Output>& output) {
+// Calls `frame` as often as the options say; drive() calls it once more when the run ends.
+void schedule(Run& run, const Fields& options, const std::string& name,
+              const std::shared_ptr<output::Series>& output) {
   const auto frame = [output](analysis::Run& a) { output->frame(a); };
   const auto repeat = analysis::Run::AfterError::repeat;
   if (!options.has("every") || options.is("every", LUA_TSTRING))
@@ -21,42 +22,61 @@ void schedule(Run& run, const Fields& options, const std::shared_ptr<Output>& ou
   else
     run.analysis->every(options.number("every"), frame, repeat);
   run.analysis->on_restore([output](analysis::Run& a) { output->rewind(a.steps().size()); });
-  run.finish.emplace_back([frame, analysis = run.analysis.get()] { frame(*analysis); });
+  run.series.emplace_back(name, output);
 }
 
-// Error: the run writes there already.
+// The output, new or, where the run begins from a checkpoint that has it, continued.
+template <class Output, class Options>
+std::shared_ptr<Output> open(const Run& run, const std::string& name, const std::string& path,
+                             const Options& options) {
+  const std::string* kept = kept_part(run, name);
+  if (kept == nullptr) return std::make_shared<Output>(path, options);
+  Archive from(*kept);
+  return std::make_shared<Output>(path, options, from);
+}
+
+}  // namespace
+
 void claim(Run& run, const std::string& path) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
   if (!run.paths.insert(absolute).second)
     throw Error("argument 1: '" + path + "' is an output of this run already");
 }
 
+namespace {
+
 struct Column {
   std::string name;
   Hook value;
 };
 
-// One row of the table, unless the step has one.
-class Record {
+class Record final : public output::Series {
  public:
   Record(const std::string& path, std::vector<Column> columns)
       : columns_(std::move(columns)), writer_(path, names()) {}
+  // Goes on with a table that another program has left.
+  Record(const std::string& path, std::vector<Column> columns, Archive& from)
+      : Series(from), columns_(std::move(columns)), writer_(path, names(), place(from)) {}
+  void sync() override { writer_.sync(); }
 
-  void frame(const analysis::Run& run) {
-    if (!steps_.empty() && run.steps().size() == steps_.back()) return;
+ private:
+  void write(const analysis::Run& run) override {
     std::vector<double> values = {run.time()};
     for (const Column& column : columns_) values.push_back(value(column));
     writer_.row(values);
-    steps_.push_back(run.steps().size());
+  }
+  void cut(std::size_t rows) override { writer_.keep(rows); }
+  void keep_place(Archive& archive) override {
+    files::CsvPlace place = writer_.place();
+    archive(place);
+  }
+  files::CsvPlace place(Archive& from) const {
+    files::CsvPlace place;
+    from(place);
+    if (place.ends.size() != frames() + 1) throw Error("rows of a table were lost count of");
+    return place;
   }
 
-  // Takes off the rows later than a step.
-  void rewind(std::size_t step) {
-    while (!steps_.empty() && steps_.back() > step) steps_.pop_back();
-    writer_.keep(steps_.size());
-  }
-
- private:
   std::vector<std::string> names() const {
     std::vector<std::string> out = {"time"};
     for (const Column& column : columns_) out.push_back(column.name);
@@ -76,7 +96,6 @@ class Record {
 
   std::vector<Column> columns_;
   files::CsvWriter writer_;
-  std::vector<std::size_t> steps_;  // of the rows
 };
 
 std::vector<std::string> text_list(const Fields& fields, const char* name) {
@@ -144,9 +163,10 @@ int record(Call& call) {
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   claim(*run, call.text("path"));
-  const auto table = std::make_shared<Record>(call.text("path"), std::move(columns));
-  run->record.add_output(call.text("path"));
-  schedule(*run, options, table);
+  const std::string path = call.text("path"), name = "record " + path;
+  const auto table = open<Record>(*run, name, path, columns);
+  run->record.add_output(path);
+  schedule(*run, options, name, table);
   return 1;
 }
 
@@ -162,9 +182,10 @@ int vtk(Call& call) {
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   claim(*run, call.text("stem") + ".pvd");
-  const auto series = std::make_shared<output::VtkSeries>(call.text("stem"), fields);
+  const std::string name = "vtk " + call.text("stem");
+  const auto series = open<output::VtkSeries>(*run, name, call.text("stem"), fields);
   run->record.add_output(series->path());
-  schedule(*run, options, series);
+  schedule(*run, options, name, series);
   return 1;
 }
 

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <set>
 
+#include "base/hash.hpp"
 #include "base/isa.hpp"
 #include "base/version.hpp"
 #include "files/atomic.hpp"
 #include "files/json.hpp"
 #include "files/source.hpp"
 #include "script/bind_run.hpp"
+#include "script/checkpoint.hpp"
 
 namespace fabricsh::script {
 
@@ -36,14 +38,13 @@ void push_self(lua_State* L, const Run* run) {
   lua_remove(L, -2);
 }
 
-// FNV-1a, 64 bits: tells two cards or decks apart, no more.
 std::string hash_text(const std::string& bytes) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
   char text[32];
-  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
+  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(hash(bytes)));
   return text;
 }
+
+}  // namespace
 
 std::string file_bytes(const std::string& path) {
   try {
@@ -52,6 +53,8 @@ std::string file_bytes(const std::string& path) {
     return {};
   }
 }
+
+namespace {
 
 files::Json steps_json(const analysis::Run& run) {
   std::int64_t iterations = 0, cuts = 0;
@@ -67,6 +70,14 @@ files::Json steps_json(const analysis::Run& run) {
   return json;
 }
 
+files::Json program_json(const Options& options) {
+  files::Json json = files::Json::object();
+  json.set("program", "fabricsh").set("version", version()).set("build", build_kind());
+  json.set("compiler", compiler()).set("lua", LUA_RELEASE).set("instructions", name(best_isa()));
+  json.set("deck", options.deck).set("deck_hash", hash_text(file_bytes(options.deck)));
+  return json.set("arguments", options.command_line).set("threads", omp_get_max_threads());
+}
+
 }  // namespace
 
 std::string sample_run() {
@@ -80,6 +91,8 @@ std::string sample_run() {
 
 void push_run(lua_State* L, std::shared_ptr<Run> run) {
   const Run* address = run.get();
+  const auto& checkpoint = run->session.restart();
+  if (checkpoint && checkpoint->analysis == run->number) begin_from(*run, checkpoint);
   push_object(L, std::move(run));
   lua_newtable(L);
   lua_setiuservalue(L, -2, 1);
@@ -100,6 +113,7 @@ Hook::Hook(const Fields& fields, std::string_view name, Run* run) : run_(run) {
 }
 
 lua_State* Hook::push() const {
+  if (run_->session.options().clear_progress) run_->session.options().clear_progress();
   lua_State* L = run_->session.active();
   luaL_checkstack(L, 8, "too many nested callbacks");
   push_self(L, run_);
@@ -112,26 +126,25 @@ lua_State* Hook::push() const {
 
 void RunRecord::write(const analysis::Run& run, const std::string& status, double seconds) const {
   if (outputs_.empty()) return;
-  const Options& options = session_.options();
-  const std::string card = card_text(run.model().card());
-  files::Json json = files::Json::object();
-  json.set("program", "fabricsh")
-      .set("version", version())
-      .set("build", build_kind())
-      .set("compiler", compiler());
-  json.set("lua", LUA_RELEASE).set("instructions", name(best_isa()));
-  json.set("deck", options.deck).set("deck_hash", hash_text(file_bytes(options.deck)));
-  json.set("arguments", options.command_line).set("threads", omp_get_max_threads());
-  json.set("card", run.model().card().name)
-      .set("card_hash", hash_text(card))
-      .set("model", run.model().describe());
-  json.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
-  json.set("steps", steps_json(run)).set("energy_error", run.energy().error).set("outputs", outputs_);
+  const model::Model& model = run.model();
+  files::Json mine = files::Json::object();
+  mine.set("number", number_).set("kind", run.kind()).set("card", model.card().name);
+  mine.set("card_hash", hash_text(card_text(model.card()))).set("model", model.describe());
+  mine.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
+  mine.set("steps", steps_json(run)).set("energy_error", run.energy().error).set("outputs", outputs_);
   std::set<std::string> folders;
   for (const std::string& output : outputs_)
     folders.insert(std::filesystem::path(output).parent_path().string());
-  for (const std::string& folder : folders)
-    files::write_file((folder.empty() ? "" : folder + "/") + "run.json", json.text(), files::Sync::no);
+  for (const std::string& folder : folders) {
+    auto& runs = session_.run_records().folders[folder];
+    runs[number_] = mine;
+    files::Json json = program_json(session_.options());
+    files::Json list = files::Json::array();
+    for (const auto& [number, record] : runs) list.push(record);
+    json.set("runs", list);
+    files::write_file((folder.empty() ? "" : folder + "/") + "run.json", json.text(), files::Sync::no,
+                      files::Folder::expect);
+  }
 }
 
 }  // namespace fabricsh::script

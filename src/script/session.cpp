@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/paths.hpp"
 #include "script/bind.hpp"
+#include "script/bind_run.hpp"
 #include "script/call.hpp"
 #include "script/sandbox.hpp"
 #include "script/words.hpp"
@@ -13,6 +14,7 @@ Session::Session(Options options) : options_(std::move(options)), notices_(optio
   main_ = luaL_newstate();
   if (main_ == nullptr) throw std::bad_alloc();
   active_ = main_;
+  run_records_ = std::make_shared<RunRecords>();
   *static_cast<Session**>(lua_getextraspace(main_)) = this;
   open_libraries();
   if (!options_.safe) return;

@@ -15,16 +15,31 @@
 
 namespace fabricsh::script {
 
+// How far a run is.
+struct Progress {
+  std::int64_t run = 0;           // its number in the session
+  double time = 0, duration = 0;  // s, simulated
+  std::size_t steps = 0;
+  int iterations = 0;                    // of the last step; 0: it had none
+  double elapsed = 0, remaining = -1;    // s, on the clock; negative: not known
+  std::function<double()> ledger_error;  // takes a pass over the elements
+};
+
 struct Options {
   std::optional<SafeOptions> safe;  // --safe, with its limits
   bool check = false;               // validate everything, run nothing, write nothing
   bool quiet = false;               // no progress
   int threads = 0;                  // 0: OMP_NUM_THREADS, else all cores
   std::vector<std::string> command_line;
-  std::string deck;                                  // path of the deck; empty: none
-  std::function<void(const std::string&)> notice;    // a warning or notice, one line
-  std::function<void(const std::string&)> progress;  // a line of progress
+  std::vector<std::string> arguments = {};         // of the deck
+  std::string deck;                                // path of the deck; empty: none
+  std::function<void(const std::string&)> notice;  // a warning or notice, one line
+  std::function<void(const Progress&)> progress;   // after steps, at most every 0.1 s
+  std::function<void()> clear_progress;            // the deck may print now: a bar goes away
 };
+
+struct Checkpoint;
+struct RunRecords;
 
 class Session {
  public:
@@ -49,6 +64,19 @@ class Session {
   void interrupt() { interrupted_ = true; }
   bool take_interrupt() { return interrupted_.exchange(false); }
   bool interrupted() const { return interrupted_; }
+  // While a run is driven, Ctrl-C is for the run, which answers after its step; not for its hooks.
+  bool drives() const { return drives_ > 0; }
+  void count_drive(int by) { drives_ += by; }
+  // Has Ctrl-C ended something in this session?
+  void set_stopped_by_interrupt() { stopped_by_interrupt_ = true; }
+  bool stopped_by_interrupt() const { return stopped_by_interrupt_; }
+
+  // Analyses are numbered from 1; one of them may begin from a checkpoint.
+  std::int64_t count_analysis() { return ++analyses_; }
+  void restart_from(std::shared_ptr<const Checkpoint> checkpoint) { restart_ = std::move(checkpoint); }
+  const std::shared_ptr<const Checkpoint>& restart() const { return restart_; }
+  std::int64_t analyses() const { return analyses_; }
+  RunRecords& run_records() { return *run_records_; }
 
  private:
   friend class ActiveState;
@@ -60,6 +88,11 @@ class Session {
   lua_State* main_ = nullptr;
   lua_State* active_ = nullptr;
   std::atomic<bool> interrupted_{false};
+  bool stopped_by_interrupt_ = false;
+  int drives_ = 0;
+  std::int64_t analyses_ = 0;
+  std::shared_ptr<const Checkpoint> restart_;
+  std::shared_ptr<RunRecords> run_records_;
 };
 
 // Marks L as the state whose binding runs, as long as it lives.

@@ -42,8 +42,10 @@ class ArcLength {
   // of a history), the next one starts forwards in time.
   void committed() { direction_ = increment_; }
   void forget() { direction_.clear(); }
-  const std::vector<double>& direction() const { return direction_; }
-  void set_direction(std::vector<double> direction) { direction_ = std::move(direction); }
+  void keep(Archive& archive) {
+    archive(direction_);
+    keep_doubt(archive, *linear_);
+  }
 
  private:
   struct Step {  // of the predictor or of one correction

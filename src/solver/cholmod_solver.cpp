@@ -52,7 +52,6 @@ class Cholmod final : public LinearSolver {
 
   bool analyse(const SparseMatrix& A) override {
     if (L_ != nullptr) cholmod_l_free_factor(&L_, &common_);
-    by_general_ = false;
     general_.reset();
     common_.method[0].ordering = use_metis(ordering_, A.size) ? CHOLMOD_METIS : CHOLMOD_AMD;
     cholmod_sparse view = upper(A);
@@ -62,8 +61,8 @@ class Cholmod final : public LinearSolver {
 
   bool factorise(const SparseMatrix& A) override {
     if (L_ == nullptr) return false;
-    const bool try_cholesky = !by_general_ || report_.negative_pivots == 0;
-    by_general_ = !(try_cholesky && cholesky(A));
+    by_general_ = doubtful_ || !cholesky(A);
+    doubtful_ = false;
     if (!by_general_) return true;
     if (!general_) {
       general_ = make_unsymmetric_solver(ordering_);
@@ -71,6 +70,7 @@ class Cholmod final : public LinearSolver {
     }
     const bool done = general_->factorise(A);
     report_ = general_->report();
+    doubtful_ = report_.negative_pivots != 0;
     return done;
   }
 
@@ -90,6 +90,8 @@ class Cholmod final : public LinearSolver {
   }
 
   LinearReport report() const override { return report_; }
+  bool doubtful() const override { return doubtful_; }
+  void set_doubtful(bool doubtful) override { doubtful_ = doubtful; }
 
  private:
   static cholmod_sparse upper(const SparseMatrix& A) {
@@ -124,6 +126,7 @@ class Cholmod final : public LinearSolver {
   cholmod_dense *X_ = nullptr, *Y_ = nullptr, *E_ = nullptr;  // solve's workspace
   std::unique_ptr<LinearSolver> general_;                     // made when the first indefinite matrix comes
   bool by_general_ = false;                                   // the last matrix was factorised by it
+  bool doubtful_ = false;                                     // and was indefinite: the next one may be
   LinearReport report_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "solver/sparse.hpp"
 
 namespace fabricsh::solver {
@@ -52,12 +53,19 @@ struct NewtonResult {
   Index negative_pivots = 0;      // of the last tangent that was factorised
 };
 
+inline void keep_doubt(Archive& archive, LinearSolver& linear) {
+  bool doubtful = linear.doubtful();
+  archive(doubtful);
+  linear.set_doubtful(doubtful);
+}
+
 class Newton {
  public:
   Newton(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern);
   NewtonResult solve(Problem& problem, const NewtonOptions& options);    // from the committed configuration
   NewtonResult correct(Problem& problem, const NewtonOptions& options);  // from the trial configuration
   LinearReport linear_report() const { return linear_->report(); }
+  void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:
   NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);

@@ -33,6 +33,10 @@ class LinearSolver {
   virtual bool factorise(const SparseMatrix& A) = 0;  // false: singular; needs analyse() of the same pattern
   virtual bool solve(const SparseMatrix& A, std::span<const double> b, std::span<double> x) = 0;
   virtual LinearReport report() const = 0;
+  // Does the way that the next matrix is factorised hang on the last one? To be kept with a run's state, so
+  // that it continues with the same bits.
+  virtual bool doubtful() const { return false; }
+  virtual void set_doubtful(bool) {}
 };
 
 // What keeps the factors sparse. automatic: AMD for small matrices, METIS for large ones, by measurement

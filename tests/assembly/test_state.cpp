@@ -1,6 +1,8 @@
 #include "assembly/state.hpp"
 #include "catch.hpp"
 
+using fabricsh::Archive;
+using fabricsh::Error;
 using fabricsh::assembly::StateStore;
 
 namespace {
@@ -44,18 +46,23 @@ TEST_CASE("a snapshot brings back kinematics and law, whatever was tried since")
   s.x()[4] = 5;
   evaluate(s, 1);
   s.commit(1);
-  const auto kept = s.data();
-  CHECK(kept.size() == 2 * 9 + 3);
+  Archive kept;
+  s.keep(kept);
+  CHECK(kept.bytes().size() == 8 * (1 + 1 + 2 * 9 + 1 + 3));
   s.x()[4] = 6;
   evaluate(s, 1);
   s.commit(2);
   s.x()[4] = 7;
   evaluate(s, 1);
   const auto version = s.version();
-  s.restore(kept, 1);
+  Archive back(kept.bytes());
+  s.keep(back);
   CHECK(s.version() > version);
   CHECK(std::as_const(s).x()[4] == 5);
   CHECK(s.committed_kinematics()[4] == 5);
   CHECK(law(s) == 1);
   CHECK(s.time() == 1);
+  StateStore other(3, 3);
+  Archive again(kept.bytes());
+  CHECK_THROWS_AS(other.keep(again), Error);
 }

@@ -1,0 +1,40 @@
+// Rows or frames that a run writes as it goes, one a step at most, each whole when it is there.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "analysis/run.hpp"
+#include "base/archive.hpp"
+
+namespace fabricsh::output {
+
+class Series {
+ public:
+  virtual ~Series() = default;
+  Series(const Series&) = delete;
+  Series& operator=(const Series&) = delete;
+
+  // Of the state that the analysis holds now, unless its step has one.
+  void frame(const analysis::Run& run);
+  // The same where a run is broken off: it shows where that was, and goes away when the run goes on.
+  void extra_frame(const analysis::Run& run);
+  void go_on();
+  void rewind(std::size_t step);  // takes off what is later than a step
+  virtual void sync() = 0;        // to the disk
+  // How far it is, for a program that continues it.
+  void keep(Archive& archive);
+
+ protected:
+  Series() = default;
+  explicit Series(Archive& from) { from(steps_, extra_); }
+  std::size_t frames() const { return steps_.size(); }
+  virtual void write(const analysis::Run& run) = 0;
+  virtual void cut(std::size_t frames) = 0;  // keeps the first ones
+  virtual void keep_place(Archive& archive) = 0;
+
+ private:
+  std::vector<std::size_t> steps_;  // of the frames
+  bool extra_ = false;              // is the last one
+};
+
+}  // namespace fabricsh::output

@@ -1,0 +1,130 @@
+// a:checkpoint, a:restart, a:set: what outlives a run, and what may change while it is under way.
+#include "files/atomic.hpp"
+#include "script/checkpoint.hpp"
+#include "script/lua_table.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+constexpr double usual_minutes = 10;
+
+int chain(const Call& call) {
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+std::shared_ptr<Keeper> make_keeper(Run& run, const std::string& path, const Fields* options) {
+  std::optional<double> every, minutes;
+  if (options != nullptr && options->has("every"))
+    every = options->is("every", LUA_TSTRING) ? 0 : options->number("every");
+  if (options != nullptr && options->has("minutes")) minutes = options->number("minutes");
+  if (!every && !minutes) minutes = usual_minutes;
+  return std::make_shared<Keeper>(run, path, every, minutes);
+}
+
+// The deck's table goes along with the checkpoint, and is filled from the one that the run begins from.
+void keep_table(Run& run, const std::string& path, const Fields& options, Keeper& keeper) {
+  options.push("keep");
+  lua_State* L = options.L();
+  pack_table(L, -1, "keep");  // what can't be kept is said at once
+  if (const std::string* kept = kept_part(run, "keep " + path)) fill_table(L, -1, *kept);
+  lua_pop(L, 1);
+  keeper.keep_table(Hook(options, "keep", &run));
+}
+
+int checkpoint(Call& call) {
+  const auto run = call.self<Run>();
+  const std::string path = call.text("path");
+  std::optional<Fields> options;
+  if (call.has("options")) options.emplace(call.fields("options"));
+  const auto keeper = make_keeper(*run, path, options ? &*options : nullptr);
+  if (options && options->has("keep")) keep_table(*run, path, *options, *keeper);
+  if (call.session().options().check) return chain(call);
+  claim(*run, path);
+  files::make_folder_for(path);
+  files::remove_leftovers(path);
+  // In a restarted deck the analyses before the one that is taken up are done again: the file is not theirs.
+  const auto& begun = call.session().restart();
+  if (begun && run->number < begun->analysis) return chain(call);
+  run->checkpoints.push_back(keeper);
+  run->analysis->when_settled([keeper](analysis::Run&) { keeper->look(); });
+  return chain(call);
+}
+
+int restart_run(Call& call) {
+  restart(*call.self<Run>(), load_checkpoint(call.text("path")));
+  return chain(call);
+}
+
+int set(Call& call) {
+  analysis::Run::Settings settings;
+  if (call.has("tolerance")) settings.tolerance = call.number("tolerance");
+  if (call.has("step")) settings.step = call.number("step");
+  if (call.has("max_iterations")) settings.max_iterations = static_cast<int>(call.integer("max_iterations"));
+  if (call.has("max_cuts")) settings.max_cuts = static_cast<int>(call.integer("max_cuts"));
+  call.self<Run>()->analysis->set(settings);
+  return chain(call);
+}
+
+std::vector<Entry> rows() {
+  const std::string sample = sample_run() + "local name = os.tmpname()\n";
+  return {
+      {"analysis:checkpoint",
+       Style::positional,
+       {value_("path", text, "of the file, which is replaced each time; its folder is made"),
+        fields_(
+            "options",
+            {Argument{"every",
+                      number | text,
+                      "s",
+                      positive,
+                      "simulated time between two of them, or 'step'; no step is made shorter for it",
+                      true,
+                      {},
+                      {"step"}}
+                 .optional(),
+             number_("minutes", "min", positive,
+                     "time on the clock between two of them; 10 where neither it nor 'every' is given")
+                 .optional(),
+             value_("keep", table,
+                    "a table of the deck's (numbers, texts, booleans, tables) that is kept along and filled "
+                    "again on restart")
+                 .optional()},
+            "how often, and what besides the run")
+            .optional()},
+       "Keeps all of the run in one file as it goes, and when it ends, fails or is interrupted; --restart "
+       "and "
+       "analysis:restart go on from there with the same bits.",
+       sample + "local seen = { n=0 }\na:every('step', function() seen.n = seen.n + 1 end)\n"
+                "a:checkpoint(name, { every='step', keep=seen })\na:advance(0.5)\n"
+                "local b, again = fabric.static{ model=m, duration=1, step=0.25 }, { n=0 }\n"
+                "b:restart(name):checkpoint(name, { keep=again })\n"
+                "assert(b.time == 0.5 and again.n == 3)\nos.remove(name)",
+       checkpoint},
+      {"analysis:restart",
+       Style::positional,
+       {value_("path", text, "of a checkpoint of the same problem")},
+       "Goes to where a checkpoint was written; 'record', 'vtk' and 'checkpoint' called after it go on with "
+       "their files.",
+       sample + "a:checkpoint(name)\na:solve()\n"
+                "local b = fabric.static{ model=m, duration=1, step=0.25 }:restart(name)\n"
+                "assert(b.time == 1 and b:mean 'S11' == a:mean 'S11')\nos.remove(name)",
+       restart_run},
+      {"analysis:set",
+       Style::fields,
+       {number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force").optional(),
+        number_("step", "s", positive, "largest step").optional(),
+        integer_("max_iterations", from_one, "of one step, before it is cut").optional(),
+        integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").optional()},
+       "Changes settings of a run, also one that is under way or has failed.",
+       sample_run() + "a:advance(0.5):set{ tolerance=1e-6, step=0.1 }\nassert(a:solve().time == 1)",
+       set},
+  };
+}
+
+}  // namespace
+
+void bind_keep(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,190 @@
+#include "script/checkpoint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/hash.hpp"
+#include "base/isa.hpp"
+#include "base/version.hpp"
+#include "files/checkpoint.hpp"
+#include "script/lua_table.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+void add_part(model::Fingerprint& parts, const std::string& name, const std::string& text,
+              const std::string& bytes) {
+  parts.push_back({name, text, hash(bytes)});
+}
+
+// All that a run's state hangs on.
+model::Fingerprint problem_of(const analysis::Run& a) {
+  model::Fingerprint parts;
+  add_part(parts, "method", a.method(), a.method());
+  const std::string duration = number_text(a.duration()) + " s";
+  add_part(parts, "duration", duration, duration);
+  const model::Model& m = a.model();
+  std::string cards = card_text(m.card());
+  for (const auto& ply : m.options().plies) cards += card_text(ply.card);
+  add_part(parts, "card", m.card().name, cards);
+  for (auto& part : model::fingerprint(m, a.duration())) parts.push_back(std::move(part));
+  return parts;
+}
+
+// Of the deck's text and arguments.
+std::uint64_t deck_hash(const Options& options) {
+  std::string all = file_bytes(options.deck);
+  for (const std::string& argument : options.arguments) all += '\0' + argument;
+  return hash(all);
+}
+
+std::string table_name(const std::string& path) { return "keep " + path; }
+
+Checkpoint checkpoint_of(Run& run) {
+  analysis::Run& a = *run.analysis;
+  const Options& options = run.session.options();
+  Checkpoint c;
+  c.version = version();
+  c.instructions = name(best_isa());
+  c.deck = options.deck;
+  c.deck_hash = deck_hash(options);
+  c.analysis = run.number;
+  c.problem = problem_of(a);
+  c.time = a.time();
+  c.state = a.kept();
+  Archive settings;
+  a.keep_settings(settings);
+  c.settings = settings.bytes();
+  c.calls = run.calls;
+  c.under_way = run.under_way;
+  c.failed = run.failed;
+  c.seconds = run.seconds_now();
+  for (const auto& [name, series] : run.series) {
+    Archive place;
+    series->keep(place);
+    c.parts.push_back({name, place.bytes()});
+  }
+  return c;
+}
+
+}  // namespace
+
+std::shared_ptr<const Checkpoint> load_checkpoint(const std::string& path) {
+  auto c = std::make_shared<Checkpoint>();
+  Archive archive(files::read_checkpoint(path));
+  const auto refuse = [&](const std::string& why) { throw Error("checkpoint '" + path + "': " + why); };
+  try {
+    archive(c->version);
+    if (c->version != version()) refuse("it was written by version " + c->version + ", this is " + version());
+    archive(c->instructions, c->deck, c->deck_hash, c->analysis, c->problem, c->time, c->state, c->settings);
+    archive(c->calls, c->under_way, c->failed, c->seconds, c->parts);
+  } catch (const Error& error) {
+    if (std::string(error.what()).starts_with("checkpoint ")) throw;
+    refuse(std::string("it is damaged: ") + error.what());
+  }
+  if (!archive.at_end()) refuse("it is damaged: there is more in it than belongs there");
+  if (c->instructions != name(best_isa()))
+    refuse("it was written with the instructions " + c->instructions + ", this machine has " +
+           name(best_isa()) + ": its bits would not be the same");
+  c->path = path;
+  return c;
+}
+
+void begin_from(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
+  const std::string differs = difference(checkpoint->problem, problem_of(*run.analysis));
+  if (!differs.empty())
+    throw Error("checkpoint '" + checkpoint->path + "' is of another problem: it differs in " + differs);
+  const Options& options = run.session.options();
+  run.same_deck = checkpoint->deck_hash == deck_hash(options);
+  if (!options.deck.empty() && !run.same_deck)
+    run.session.notices().say("restart: the deck or its arguments are not those that wrote '" +
+                              checkpoint->path + "'; the problem is the same, so the run goes on");
+  run.from = std::move(checkpoint);
+}
+
+void take_up(Run& run) {
+  if (!run.from || run.taken_up) return;
+  const Checkpoint& c = *run.from;
+  try {
+    Archive settings(c.settings);
+    run.analysis->keep_settings(settings);
+    run.analysis->resume(c.state);
+  } catch (const Error& error) {
+    throw Error("checkpoint '" + c.path + "': it is damaged: " + error.what());
+  }
+  run.taken_up = true;
+  run.failed = c.failed;
+  run.seconds = c.seconds;
+  run.session.notices().say("restart: from '" + c.path + "' at time " + number_text(c.time) + " s");
+}
+
+void restart(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
+  if (!run.series.empty() || !run.checkpoints.empty())
+    throw Error(
+        "expected to be called before 'record', 'vtk' and 'checkpoint', which then go on with their files");
+  begin_from(run, std::move(checkpoint));
+  run.taken_up = false;
+  take_up(run);
+  run.passing = 0;
+}
+
+const std::string* kept_part(const Run& run, const std::string& name) {
+  if (!run.from) return nullptr;
+  const auto& parts = run.from->parts;
+  const auto part = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; });
+  return part == parts.end() ? nullptr : &part->bytes;
+}
+
+Keeper::Keeper(Run& run, std::string path, std::optional<double> every, std::optional<double> minutes)
+    : run_(run),
+      path_(std::move(path)),
+      every_(every),
+      minutes_(minutes),
+      last_(std::chrono::steady_clock::now()) {}
+
+bool Keeper::due() const {
+  if (forced_) return true;
+  if (every_ && run_.analysis->time() >= next_ - analysis::same_time * run_.analysis->duration()) return true;
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
+  return minutes_ && since.count() >= 60 * *minutes_;
+}
+
+// The times of `every` are counted from 0, whenever the run was taken up: what is written does not hang on
+// it.
+void Keeper::look() {
+  const double time = run_.analysis->time();
+  if (every_ && *every_ > 0 && next_ == 0 && written_ == static_cast<std::size_t>(-1)) {
+    const auto passed = run_.analysis->steps().empty() ? 0.0 : time - run_.analysis->steps().back().step;
+    next_ = *every_ * (std::floor(passed / *every_ + 1e-9) + 1);
+  }
+  if (due()) write();
+}
+
+void Keeper::write() {
+  const std::size_t step = run_.analysis->steps().size();
+  if (step == written_ && !forced_) return;
+  try {
+    for (const auto& part : run_.series) part.second->sync();
+    Checkpoint c = checkpoint_of(run_);
+    if (table_) {
+      lua_State* L = table_->push();
+      c.parts.push_back({table_name(path_), pack_table(L, -2, "keep")});
+      lua_pop(L, 2);
+    }
+    Archive archive;
+    c.keep(archive);
+    files::write_checkpoint(path_, archive.bytes());
+  } catch (const Error& error) {
+    throw Error("checkpoint: " + std::string(error.what()) + " (the run is alive at " +
+                number_text(run_.analysis->time()) + " s, solve() goes on)");
+  }
+  written_ = step;
+  forced_ = false;
+  last_ = std::chrono::steady_clock::now();
+  const double time = run_.analysis->time();
+  if (every_ && *every_ > 0) next_ = *every_ * (std::floor(time / *every_ + 1e-9) + 1);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,183 @@
+#include "script/drive.hpp"
+
+#include <algorithm>
+
+#include "script/checkpoint.hpp"
+#include "script/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// Progress, and Ctrl-C.
+class Watch {
+ public:
+  explicit Watch(Run& run) : run_(run), from_(run.analysis->time()) { run_.session.count_drive(1); }
+  ~Watch() {
+    run_.session.count_drive(-1);
+    if (run_.session.options().clear_progress) run_.session.options().clear_progress();
+  }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  void listen() const {
+    if (!run_.session.take_interrupt()) return;
+    run_.session.rest_hook(run_.session.active());
+    run_.session.set_stopped_by_interrupt();
+    throw Interrupted("interrupted at " +
+                      number_text(run_.analysis->steps().empty() ? run_.analysis->time()
+                                                                 : run_.analysis->steps().back().time) +
+                      " s; the run is alive, solve() goes on");
+  }
+
+  // After a step; several times a second at most.
+  void report() {
+    const auto& options = run_.session.options();
+    const double now = run_.clock.seconds();
+    if (!options.progress || now < next_) return;
+    next_ = now + 0.1;
+    const analysis::Run& a = *run_.analysis;
+    Progress p;
+    p.run = run_.number;
+    p.time = a.time();
+    p.duration = a.duration();
+    p.steps = a.steps().size();
+    p.iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
+    p.elapsed = run_.seconds_now();
+    const double done = a.time() - from_, left = run_.under_way.target - a.time();
+    if (done > 0) p.remaining = now * std::max(0.0, left) / done;
+    p.ledger_error = [&a] { return a.energy().error; };
+    options.progress(p);
+  }
+
+ private:
+  Run& run_;
+  double from_, next_ = 0;
+};
+
+// Runs all of them, whatever the others do; the first trouble is thrown at the end.
+class All {
+ public:
+  template <class Work>
+  void run(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+  void finish() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  std::exception_ptr first_;
+};
+
+void leave(Run& run, const std::string& status, bool ended, bool broken) {
+  analysis::Run& a = *run.analysis;
+  a.monitor({});
+  a.poll({});
+  run.seconds += run.clock.seconds();
+  run.clock_runs = false;
+  All all;
+  if (ended) {
+    for (const auto& [name, series] : run.series)
+      all.run([&a, broken, s = series.get()] { broken ? s->extra_frame(a) : s->frame(a); });
+    for (const auto& checkpoint : run.checkpoints) all.run([&checkpoint] { checkpoint->write(); });
+  }
+  all.run([&] { run.record.write(a, status, run.seconds); });
+  if (!broken) all.finish();
+}
+
+void note_failure(Run& run, const std::exception& trouble) {
+  FailedCall failed;
+  failed.call = run.calls;
+  failed.message = trouble.what();
+  if (const auto* numerical = dynamic_cast<const NumericalFailure*>(&trouble)) {
+    failed.numerical = true;
+    failed.time = numerical->time;
+    failed.element = numerical->element;
+    failed.yarn = numerical->yarn;
+  }
+  run.failed.push_back(failed);
+}
+
+// Is the call one that the run, restarted, has behind it?
+bool passes_over(Run& run) {
+  if (run.calls >= run.passing) return false;
+  for (const FailedCall& failed : run.failed) {
+    if (failed.call != run.calls) continue;
+    if (failed.numerical) throw NumericalFailure(failed.message, failed.time, failed.element, failed.yarn);
+    throw Error(failed.message);
+  }
+  return true;
+}
+
+// Begins from the checkpoint, where there is one; counts the call.
+void begin_call(Run& run) {
+  if (run.from && !run.taken_up) {
+    take_up(run);
+    run.passing = run.from->calls;
+  }
+  ++run.calls;
+}
+
+void work(Run& run) {
+  if (run.under_way.single)
+    run.analysis->step();
+  else
+    run.analysis->advance(run.under_way.target);
+}
+
+}  // namespace
+
+void drive(Run& run, Drive call) {
+  if (run.session.options().check) return;
+  begin_call(run);
+  if (passes_over(run)) return;
+  const bool under_way = run.passing > 0 && run.calls == run.passing;
+  if (under_way && run.from->under_way.single) return;  // the step was done
+  if (under_way && run.same_deck) call = run.from->under_way;
+  for (const auto& part : run.series) part.second->go_on();
+  std::erase_if(run.failed, [&](const FailedCall& failed) { return failed.call == run.calls; });
+  run.under_way = call;
+  run.clock = {};
+  run.clock_runs = true;
+  analysis::Run& a = *run.analysis;
+  Watch watch(run);
+  a.monitor([&watch](analysis::Run&) {
+    watch.report();
+    watch.listen();
+  });
+  a.poll([&watch] { watch.listen(); });
+  if (run.seconds == 0) run.record.write(a, "running", 0);
+  try {
+    work(run);
+  } catch (const Interrupted&) {
+    leave(run, "interrupted", true, true);
+    throw;
+  } catch (const std::exception& trouble) {
+    note_failure(run, trouble);
+    leave(run, trouble.what(), true, true);
+    throw;
+  } catch (...) {  // an error of Lua's in a hook: what it says stays where Lua has it
+    note_failure(run, Error("an error in a hook"));
+    leave(run, "an error in a hook", false, true);
+    throw;
+  }
+  const bool ended = a.stopped() || a.time() >= a.duration() * (1 - 1e-12);
+  leave(run, a.stopped() ? "stopped: " + a.stop_reason() : ended ? "done" : "under way", ended, false);
+}
+
+void go_back(Run& run, const std::shared_ptr<const analysis::Run::Snapshot>& snapshot) {
+  begin_call(run);
+  if (passes_over(run) || (run.passing > 0 && run.calls == run.passing)) return;
+  const auto& gone = run.passed_snapshots;
+  if (std::find(gone.begin(), gone.end(), snapshot) != gone.end())
+    throw Error("this snapshot belongs to a part of the run that the restart passed over");
+  run.analysis->restore(*snapshot);
+  for (const auto& checkpoint : run.checkpoints) checkpoint->force();
+}
+
+}  // namespace fabricsh::script

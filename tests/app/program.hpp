@@ -1,0 +1,72 @@
+// The program as a child that can be killed, and what lies in the folder of its outputs.
+#pragma once
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fabricsh::test {
+
+inline std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class Program {
+ public:
+  // Its output goes to the file `log`.
+  explicit Program(std::vector<std::string> words, const std::string& log = "/dev/null") {
+    words.insert(words.begin(), FABRICSH_PROGRAM);
+    process_ = fork();
+    if (process_ != 0) return;
+    const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    dup2(out, STDOUT_FILENO);
+    dup2(out, STDERR_FILENO);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execv(FABRICSH_PROGRAM, arguments.data());
+    _exit(127);
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program() {
+    if (process_ > 0) end(SIGKILL);
+  }
+  void signal(int number) const { kill(process_, number); }
+  // Exit code; 128 and the signal's number where one ended it.
+  int wait() {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  int end(int number) {
+    signal(number);
+    return wait();
+  }
+
+ private:
+  pid_t process_ = 0;
+};
+
+// Names and contents of all files of a folder, but for what names times and arguments.
+inline std::map<std::string, std::string> files_of(const std::string& folder) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "run.json" && name != "run.ckpt") all[name] = content_of(entry.path());
+  }
+  return all;
+}
+
+}  // namespace fabricsh::test

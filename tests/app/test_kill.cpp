@@ -1,0 +1,177 @@
+// kill -9 at random moments of runs with all outputs on: each file opens, a restart goes on, and the results
+// are those of the undisturbed run, bit for bit.
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <thread>
+
+#include "app/program.hpp"
+#include "catch.hpp"
+#include "files/checkpoint.hpp"
+#include "files/mesh_file.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string deck = FABRICSH_SOURCE_DIR "/tests/app/decks/killed.lua";
+
+// Each line has as many numbers as the header has names, and an end.
+void check_csv(const std::string& text) {
+  REQUIRE(!text.empty());
+  REQUIRE(text.back() == '\n');
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const auto commas = std::count(line.begin(), line.end(), ',');
+  REQUIRE(line.starts_with("time,"));
+  while (std::getline(lines, line)) {
+    REQUIRE(std::count(line.begin(), line.end(), ',') == commas);
+    const char* at = line.c_str();
+    for (long i = 0; i <= commas; ++i) {
+      char* end = nullptr;
+      REQUIRE(std::isfinite(std::strtod(at, &end)));
+      REQUIRE(end != at);
+      at = end + 1;
+    }
+  }
+}
+
+// The index is whole and every frame that it names can be read.
+std::size_t check_series(const fs::path& folder, const std::string& text) {
+  REQUIRE(text.starts_with("<?xml version=\"1.0\"?>\n<VTKFile"));
+  REQUIRE(text.ends_with("  </Collection>\n</VTKFile>\n"));
+  std::size_t frames = 0;
+  const std::string mark = "file=\"";
+  for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at), ++frames) {
+    at += mark.size();
+    const std::string name = text.substr(at, text.find('"', at) - at);
+    REQUIRE(!files::read_mesh((folder / name).string()).nodes.empty());
+  }
+  return frames;
+}
+
+void check_json(const std::string& text) {
+  REQUIRE(text.starts_with("{\n"));
+  REQUIRE((text.ends_with("}\n") || text.ends_with("}")));
+  REQUIRE(std::count(text.begin(), text.end(), '{') == std::count(text.begin(), text.end(), '}'));
+  REQUIRE(text.find("\"status\": ") != std::string::npos);
+}
+
+void check_folder(const fs::path& folder) {
+  if (!fs::exists(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    INFO(name);
+    const std::string text = content_of(entry.path());
+    if (name.ends_with(".part")) continue;  // what was being written; the next run takes it away
+    if (name.ends_with(".csv")) check_csv(text);
+    if (name.ends_with(".pvd")) check_series(folder, text);
+    if (name == "run.json") check_json(text);
+    if (name == "run.ckpt") files::read_checkpoint(entry.path().string());
+  }
+}
+
+std::vector<std::string> words_for(const fs::path& folder, int threads) {
+  std::vector<std::string> words{"--quiet", "--threads", std::to_string(threads)};
+  const std::string checkpoint = (folder / "run.ckpt").string();
+  if (fs::exists(checkpoint)) words.insert(words.end(), {"--restart", checkpoint});
+  words.insert(words.end(), {deck, folder.string()});
+  return words;
+}
+
+struct Tally {
+  int kills = 0, restarts = 0, finished = 0;
+};
+
+Tally kill_often(int kills, unsigned seed) {
+  fs::remove_all("whole");
+  fs::remove_all("killed");
+  const auto start = std::chrono::steady_clock::now();
+  REQUIRE(Program(words_for("whole", 1)).wait() == 0);
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
+  const auto wanted = files_of("whole");
+  REQUIRE(wanted.count("explicit.txt") == 1);
+  REQUIRE(wanted.size() > 40);
+  std::mt19937 random(seed);
+  Tally tally;
+  const auto finish = [&] {
+    REQUIRE(Program(words_for("killed", 1 + tally.kills % 2)).wait() == 0);
+    check_folder("killed");
+    const auto got = files_of("killed");
+    for (const auto& [name, text] : wanted) {
+      INFO(name);
+      REQUIRE(got.count(name) == 1);
+      CHECK((got.at(name) == text));
+    }
+    CHECK(got.size() == wanted.size());
+    ++tally.finished;
+    fs::remove_all("killed");
+  };
+  while (tally.kills < kills) {
+    // Up to half of what the whole run takes, with luck in each of its parts.
+    const double wait = whole.count() / 2 * static_cast<double>(random()) / 4294967296.0;
+    const auto words = words_for("killed", 1 + tally.kills % 2);
+    if (words.size() > 5) ++tally.restarts;
+    Program program(words, "killed.log");
+    std::this_thread::sleep_for(std::chrono::duration<double>(wait));
+    const int code = program.end(SIGKILL);
+    INFO(content_of("killed.log"));
+    REQUIRE((code == 128 + SIGKILL || code == 0));
+    check_folder("killed");
+    if (code != 0) ++tally.kills;
+    if (code == 0 || tally.kills % 9 == 8) finish();
+  }
+  finish();
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("killed ten times, all files open and the results are the same bits") {
+  const Tally tally = kill_often(10, 1);
+  CHECK(tally.restarts >= 3);
+}
+
+TEST_CASE("killed two hundred times, all files open and the results are the same bits", "[long]") {
+  const Tally tally = kill_often(200, 8);
+  WARN(tally.kills << " kills, " << tally.restarts << " restarts from a checkpoint, " << tally.finished
+                   << " runs finished, all with the bits of the undisturbed run");
+  CHECK(tally.restarts >= 100);
+}
+
+TEST_CASE("Ctrl-C ends a script with its outputs whole, and a restart gives the same bits") {
+  fs::remove_all("whole");
+  fs::remove_all("stopped");
+  const auto start = std::chrono::steady_clock::now();
+  REQUIRE(Program(words_for("whole", 1)).wait() == 0);
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
+  const auto wanted = files_of("whole");
+  int stopped = 0;
+  for (const double share : {0.2, 0.35, 0.5}) {
+    Program program(words_for("stopped", 1), "stopped.log");
+    std::this_thread::sleep_for(share * whole);
+    const int code = program.end(SIGINT);
+    const std::string said = content_of("stopped.log");
+    INFO(said);
+    REQUIRE((code == 130 || code == 0));
+    if (code == 0) break;
+    CHECK(said.find("interrupted") != std::string::npos);
+    check_folder("stopped");
+    if (fs::exists("stopped/run.json") && said.find("the run is alive") != std::string::npos) {
+      CHECK(content_of("stopped/run.json").find("\"status\": \"interrupted\"") != std::string::npos);
+      ++stopped;
+    }
+  }
+  CHECK(stopped >= 1);
+  REQUIRE(Program(words_for("stopped", 2)).wait() == 0);
+  const auto got = files_of("stopped");
+  for (const auto& [name, text] : wanted) {
+    INFO(name);
+    REQUIRE(got.count(name) == 1);
+    CHECK((got.at(name) == text));
+  }
+  CHECK(got.size() == wanted.size());
+}

@@ -1,0 +1,216 @@
+-- Checkpoints from the side of a deck: what is continued, what is kept along, what is refused, and what a disk that is full
+-- or a folder that is gone does.
+local fabric = require "fabric"
+
+local function text_of(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read "a"
+  file:close()
+  return text
+end
+local function write(path, text)
+  local file = assert(io.open(path, "wb"))
+  file:write(text)
+  file:close()
+end
+local function fails(f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok, "no error")
+  return tostring(message)
+end
+local function says(message, part) assert(message:find(part, 1, true), message .. "\nis without: " .. part) end
+local function run_program(words)
+  local pipe = assert(io.popen(("'%s' %s 2>&1"):format(arg[-1], words)))
+  local talk = pipe:read "a"
+  local _, _, code = pipe:close()
+  return code, talk
+end
+os.execute "rm -rf out whole part gone; mkdir out whole part"
+
+local function make(t)
+  t = t or {}
+  local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = t.nx or 1, ny = 3 }
+  local m = fabric.model { mesh = mesh, card = fabric.card(t.card or "blend"), warp = 90 }
+  m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(t.stroke or 0.018, 1) })
+  if t.dynamic then return fabric.dynamic { model = m, duration = 0.001 } end
+  return fabric.static { model = m, duration = t.duration or 1, step = 0.05 }
+end
+local function outputs(a, folder, seen)
+  a:every("step", function(run) seen[#seen + 1] = run.time end)
+  a:record(folder .. "/pull.csv", { columns = { force = function(run) return select(2, run:reaction "top") end } })
+  a:vtk(folder .. "/pull", { every = 0.2 })
+  return a:checkpoint(folder .. "/run.ckpt", { every = 0.3, keep = seen })
+end
+local function same_files(one, other, names)
+  for _, name in ipairs(names) do assert(text_of(one .. "/" .. name) == text_of(other .. "/" .. name), name) end
+end
+local pull = { "pull.csv", "pull.pvd", "pull_00000.vtu", "pull_00003.vtu", "pull_00005.vtu" }
+
+-- --- the same bits, whoever does the second half ---
+local whole, part = {}, {}
+local a = outputs(make(), "whole", whole):solve()
+outputs(make(), "part", part):advance(0.73)
+local b = make():restart "part/run.ckpt"
+assert(b.time == 0.6)
+part = {}
+outputs(b, "part", part)
+assert(#part == 13 and part[13] == b.time)
+b:solve()
+same_files("whole", "part", pull)
+assert(#whole == 21 and table.concat(whole, " ") == table.concat(part, " "))
+for name, value in pairs(a.energy) do assert(b.energy[name] == value, name) end
+assert(#fabric.folder "part" == #fabric.folder "whole")
+
+-- outputs come after it
+says(fails(function() outputs(make(), "out", {}):restart "part/run.ckpt" end), "expected to be called before 'record', 'vtk' and 'checkpoint'")
+
+-- --- kept tables: shared ones, circles, and in their places ---
+local inner = { 1, 2.5, "x", true }
+local kept = { inner = inner, again = inner, [2] = -0.0, [2.5] = math.huge, deep = { { {} } } }
+kept.self = kept
+make():checkpoint("out/t.ckpt", { every = "step", keep = kept }):step()
+local mine = { inner = { "old", "older", 3, 4, 5 }, gone = 1 }
+local held = mine.inner
+make():restart("out/t.ckpt"):checkpoint("out/t.ckpt", { keep = mine })
+assert(mine.self == mine and mine.inner == held and mine.again == held and mine.gone == nil and #held == 4)
+assert(held[2] == 2.5 and held[3] == "x" and held[4] == true and math.type(held[1]) == "integer")
+assert(1 / mine[2] == -math.huge and mine[2.5] == math.huge and next(mine.deep[1][1]) == nil)
+says(fails(function() make():checkpoint("out/u.ckpt", { keep = { a = setmetatable({}, {}) } }) end), "field 'keep.a': expected a plain table, got one with a metatable")
+
+-- --- refused, with what differs ---
+says(fails(function() make { nx = 2 }:restart "part/run.ckpt" end), "it differs in the mesh (8 nodes and 3 elements there, 12 nodes and 6 elements here)")
+says(fails(function() make { stroke = 0.017 }:restart "part/run.ckpt" end), "of another problem: it differs in the motions")
+says(fails(function() make { card = "denim" }:restart "part/run.ckpt" end), "the card (blend there, denim here)")
+says(fails(function() make { duration = 2 }:restart "part/run.ckpt" end), "the duration (1 s there, 2 s here)")
+says(fails(function() make { dynamic = true }:restart "part/run.ckpt" end), "it differs in the method (static")
+local bytes = text_of "part/run.ckpt"
+local function refused(text, part)
+  write("out/bad.ckpt", text)
+  says(fails(function() make():restart "out/bad.ckpt" end), "checkpoint 'out/bad.ckpt': " .. part)
+end
+refused("", "it is cut short")
+refused(bytes:sub(1, 30), "it is cut short")
+refused(bytes:sub(1, -2), "it is cut short: ")
+refused(bytes .. "x", "it is damaged: its checksum does not fit")
+refused(bytes:sub(1, 500) .. string.char(bytes:byte(501) ~ 1) .. bytes:sub(502), "it is damaged: its checksum does not fit")
+refused("time,force\n", "it is no checkpoint of fabricsh")
+refused(bytes:gsub("checkpoint 1", "checkpoint 2", 1), "its format has version 2, this program reads version 1")
+
+-- --- settings under way ---
+local s = make():advance(0.5):set { tolerance = 1e-4, step = 0.5 }:solve()
+assert(s.steps[#s.steps].step == 0.5)
+says(fails(function() make { dynamic = true }:set { tolerance = 1e-4 } end), "unknown for scheme=\"explicit\"")
+
+-- --- a folder that goes away, and comes back: the run is alive, nothing is lost ---
+os.execute "rm -rf part; mkdir part"
+part = {}
+local gone = false
+a = make()
+a:every("step", function(run)
+  if gone or run.time < 0.5 then return end
+  gone = true
+  assert(os.rename("part", "gone"))
+end)
+outputs(a, "part", part)
+local message = fails(a.solve, a)
+says(message, "cannot write 'part/pull.csv': No such file or directory")
+assert(a.time >= 0.5 and a.time < 1 and not pcall(a.solve, a))
+assert(os.rename("gone", "part"))
+a:solve()
+same_files("whole", "part", pull)
+assert(table.concat(whole, " ") == table.concat(part, " "))
+
+-- a table that was removed is written again
+os.execute "rm -rf part; mkdir part"
+a = outputs(make(), "part", {}):advance(0.5)
+os.remove "part/pull.csv"
+a:solve()
+same_files("whole", "part", pull)
+
+-- --- a run that failed, was helped and went on: the restarted deck goes the same way ---
+write("helped.lua", [[
+local fabric = require "fabric"
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.history { { 0, 0 }, { 0.5, 0.01 }, { 1, 0.004 } } })
+local a = fabric.static { model = m, duration = 1, step = 0.1, max_cuts = 0 }
+local seen = { n = 0 }
+a:record("out/helped.csv", { columns = { f = function(run) return select(2, run:reaction "top") end } })
+a:every("step", function(run)
+  seen.n = seen.n + 1
+  if run.time > 0.7 and arg[1] == "dies" then os.exit(9, false) end
+end)
+a:checkpoint("out/helped.ckpt", { every = "step", keep = seen })
+a:advance(0.3)
+local before = a:snapshot()
+a:set { max_iterations = 1 }
+local ok, e = pcall(a.solve, a)
+assert(not ok and e.kind == "numerical")
+a:set { max_iterations = 50 }
+a:advance(0.5)
+a:restore(before)
+a:step()
+a:step()
+a:solve()
+print(seen.n, a.time, #a.steps, a.energy.external)
+]])
+local code, wanted = run_program "--quiet helped.lua lives"
+assert(code == 0, wanted)
+local table_of_whole = text_of "out/helped.csv"
+code = run_program "--quiet helped.lua dies"
+assert(code == 9)
+local _, got = run_program "--quiet --threads 1 --restart out/helped.ckpt helped.lua lives"
+says(got, "the deck or its arguments are not those that wrote 'out/helped.ckpt'")
+assert(got:match "[^\n]*\n$" == wanted:match "[^\n]*\n$", got .. wanted)
+assert(text_of "out/helped.csv" == table_of_whole)
+code, got = run_program "--restart out/helped.ckpt -e 'x = 1'"
+assert(code == 1)
+says(got, "was written by analysis 1 of its deck; this one makes 0")
+
+-- --- run.json speaks of all runs in its folder ---
+local json = text_of "out/run.json"
+assert(select(2, json:gsub('"number": ', "")) == 1 and json:find('"status": "done"', 1, true))
+for i = 1, 2 do make():record("out/" .. i .. ".csv", { columns = { x = function() return 0 end } }):solve() end
+json = text_of "out/run.json"
+assert(select(2, json:gsub('"number": ', "")) >= 2 and json:find("out/1.csv", 1, true) and json:find("out/2.csv", 1, true))
+
+-- --- a full disk ---
+write("full.lua", [[
+local folder = arg[1]
+local fabric = require "fabric"
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.018, 1) })
+local a = fabric.static { model = m, duration = 1, step = 0.05 }
+local full
+a:every("step", function(run)
+  if full ~= nil or run.time < 0.5 or arg[2] ~= "fill" then return end
+  full = true
+  local file = io.open(folder .. "/filler", "wb")
+  file:setvbuf "no"
+  while file:write(("x"):rep(512)) do end
+  file:close()
+end)
+a:record(folder .. "/pull.csv", { columns = { force = function(run) return select(2, run:reaction "top") end } })
+a:vtk(folder .. "/pull", { every = "step" })
+a:checkpoint(folder .. "/run.ckpt", { every = "step" })
+local ok, message = pcall(a.solve, a)
+if arg[2] == "fill" then
+  assert(not ok and tostring(message):find("No space left on device", 1, true), message)
+  for _, name in ipairs(fabric.folder(folder)) do assert(not name:find "part$", name) end
+  local b = fabric.static { model = m, duration = 1, step = 0.05 }:restart(folder .. "/run.ckpt")
+  assert(b.time > 0.4 and b.time < a.time + 1e-9)
+  os.remove(folder .. "/filler")
+  a:solve()
+end
+assert(a.time == 1)
+os.execute(("cat %s/pull.csv %s/pull.pvd %s/*.vtu > %s"):format(folder, folder, folder, arg[3]))
+]])
+local private = "unshare -rm sh -c 'mkdir -p disk && mount -t tmpfs -o size=1m tmpfs disk && exec \"$0\" \"$@\"' "
+if not os.execute(private .. "true 2>/dev/null") then
+  io.stderr:write "SKIPPED: a full disk; this machine allows no file system of one's own (unshare -rm)\n"
+else
+  assert(os.execute(private .. ("'%s' --quiet full.lua disk no plain.out"):format(arg[-1])))
+  assert(os.execute(private .. ("'%s' --quiet full.lua disk fill full.out"):format(arg[-1])))
+  assert(text_of "plain.out" == text_of "full.out")
+end
