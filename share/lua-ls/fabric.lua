@@ -65,6 +65,17 @@ local fabric = { mesh = {}, lab = {} }
 ---@return analysis
 function analysis:advance(time) end
 
+---@class analysis_checkpoint_fields.options
+---@field every? number|"step" s: simulated time between two of them, or 'step'; no step is made shorter for it
+---@field minutes? number min: time on the clock between two of them; 10 where neither it nor 'every' is given
+---@field keep? table a table of the deck's (numbers, texts, booleans, tables) that is kept along and filled again on restart
+
+---Keeps all of the run in one file as it goes, and when it ends, fails or is interrupted; --restart and analysis:restart go on from there with the same bits.
+---@param path string of the file, which is replaced each time; its folder is made
+---@param options? analysis_checkpoint_fields.options how often, and what besides the run
+---@return any
+function analysis:checkpoint(path, options) end
+
 ---Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (tensor), S11 S22 S23 S13 S12 (Pa), stored and dissipated (J/m^3), residual1 residual2 (residual strains), slack1 slack2 (strain that a slack yarn is below its residual strain).
 ---@param number integer of the element
 ---@return any
@@ -118,10 +129,26 @@ function analysis:reaction(set) end
 ---@return analysis
 function analysis:record(path, options) end
 
+---Goes to where a checkpoint was written; 'record', 'vtk' and 'checkpoint' called after it go on with their files.
+---@param path string of a checkpoint of the same problem
+---@return any
+function analysis:restart(path) end
+
 ---Goes back to a snapshot; the run goes on from there bit for bit. Returns the analysis.
 ---@param snapshot snapshot taken of this analysis
 ---@return analysis
 function analysis:restore(snapshot) end
+
+---@class analysis_set_fields
+---@field tolerance? number residual over the largest nodal force
+---@field step? number s: largest step
+---@field max_iterations? integer of one step, before it is cut
+---@field max_cuts? integer halvings of one step, before the run gives up
+
+---Changes settings of a run, also one that is under way or has failed.
+---@param fields analysis_set_fields
+---@return any
+function analysis:set(fields) end
 
 ---A copy of the whole state, to go back to with a:restore.
 ---@return snapshot

@@ -51,7 +51,7 @@ local whole, part = {}, {}
 local a = outputs(make(), "whole", whole):solve()
 outputs(make(), "part", part):advance(0.73)
 local b = make():restart "part/run.ckpt"
-assert(b.time == 0.6)
+assert(b.time == part[13])
 part = {}
 outputs(b, "part", part)
 assert(#part == 13 and part[13] == b.time)
@@ -66,13 +66,13 @@ says(fails(function() outputs(make(), "out", {}):restart "part/run.ckpt" end), "
 
 -- --- kept tables: shared ones, circles, and in their places ---
 local inner = { 1, 2.5, "x", true }
-local kept = { inner = inner, again = inner, [2] = -0.0, [2.5] = math.huge, deep = { { {} } } }
+local kept = { own = { 1, 2.5, "x", true }, inner = inner, again = inner, [2] = -0.0, [2.5] = math.huge, deep = { { {} } } }
 kept.self = kept
 make():checkpoint("out/t.ckpt", { every = "step", keep = kept }):step()
-local mine = { inner = { "old", "older", 3, 4, 5 }, gone = 1 }
-local held = mine.inner
+local mine = { own = { "old", "older", 3, 4, 5 }, gone = 1 }
+local held = mine.own
 make():restart("out/t.ckpt"):checkpoint("out/t.ckpt", { keep = mine })
-assert(mine.self == mine and mine.inner == held and mine.again == held and mine.gone == nil and #held == 4)
+assert(mine.self == mine and mine.own == held and mine.again == mine.inner and #mine.inner == 4 and mine.gone == nil and #held == 4)
 assert(held[2] == 2.5 and held[3] == "x" and held[4] == true and math.type(held[1]) == "integer")
 assert(1 / mine[2] == -math.huge and mine[2.5] == math.huge and next(mine.deep[1][1]) == nil)
 says(fails(function() make():checkpoint("out/u.ckpt", { keep = { a = setmetatable({}, {}) } }) end), "field 'keep.a': expected a plain table, got one with a metatable")
@@ -122,8 +122,10 @@ assert(table.concat(whole, " ") == table.concat(part, " "))
 
 -- a table that was removed is written again
 os.execute "rm -rf part; mkdir part"
-a = outputs(make(), "part", {}):advance(0.5)
-os.remove "part/pull.csv"
+a = outputs(make(), "part", {})
+a:every("step", function(run)
+  if math.abs(run.time - 0.5) < 0.01 then os.remove "part/pull.csv" end
+end)
 a:solve()
 same_files("whole", "part", pull)
 

@@ -29,9 +29,9 @@ wrong("analysis:restart", "run:restart('no-such-file')",
 wrong("analysis:set", "run:set{ tolerence=1 }",
   "deck.lua:1: set: unknown field 'tolerence', did you mean 'tolerance'?")
 wrong("analysis:set", "run:set{ tolerance='1' }",
-  "deck.lua:1: set: field 'tolerance': expected a number above 0 and below 1, got '1'")
+  "deck.lua:1: set: field 'tolerance': expected a number above 0 to below 1, got '1'")
 wrong("analysis:set", "run:set{ tolerance=2 }",
-  "deck.lua:1: set: field 'tolerance': expected a number above 0 and below 1, got 2")
+  "deck.lua:1: set: field 'tolerance': expected a number above 0 to below 1, got 2")
 wrong("analysis:set", "run:set{ step='1' }",
   "deck.lua:1: set: field 'step': expected a positive number in s, got '1'")
 wrong("analysis:set", "run:set{ max_iterations='1' }",
