@@ -11,7 +11,7 @@ _fabricsh() {
       ;;
   esac
   if [[ $cur == -* ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
+    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --restart --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
     return
   fi
   compopt -o filenames 2>/dev/null
