@@ -1,4 +1,5 @@
 -- What `require "fabric"` adds to the bindings: the part of the library that is written in Lua.
 require "fabric.expect"
 require "fabric.lab"
+require "fabric.study"
 require "fabric.help"

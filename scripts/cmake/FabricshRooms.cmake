@@ -8,14 +8,15 @@ target_compile_features(fabricsh_flags INTERFACE cxx_std_20)
 set(own_options -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno
   "$<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local;-Wno-restrict,-Wshadow>"
   $<$<BOOL:${FABRICSH_WERROR}>:-Werror>
-  "$<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined;-fno-omit-frame-pointer>")
+  "$<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined;-fno-omit-frame-pointer>"
+  "$<$<BOOL:${FABRICSH_FUZZ}>:-fsanitize=fuzzer-no-link,address,undefined;-fno-sanitize-recover=undefined;-fno-omit-frame-pointer>")
 target_compile_options(fabricsh_flags INTERFACE "$<BUILD_INTERFACE:${own_options}>")
 # Sums are rounded as written, the same on every machine; the kernels of an instruction set with fused
 # multiply-add use it.
 target_compile_options(fabricsh_flags INTERFACE
   "$<BUILD_INTERFACE:$<$<NOT:$<BOOL:$<TARGET_PROPERTY:FABRICSH_FUSED>>>:-ffp-contract=off>>")
 target_link_options(fabricsh_flags INTERFACE
-  $<BUILD_INTERFACE:$<$<BOOL:${FABRICSH_SANITIZE}>:-fsanitize=address,undefined>>)
+  $<BUILD_INTERFACE:$<$<OR:$<BOOL:${FABRICSH_SANITIZE}>,$<BOOL:${FABRICSH_FUZZ}>>:-fsanitize=address,undefined>>)
 target_link_libraries(fabricsh_flags INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX)
 
 # Sources named *_isa.cpp hold the batch kernels: compiled once per instruction set, each into its own

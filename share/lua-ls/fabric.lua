@@ -598,8 +598,10 @@ function fabric.lab.monotone(fields) end
 ---@class fabric_lab_parallel_fields
 ---@field count integer of items
 ---@field work function work(i) returns a list of numbers
----@field processes? integer at a time, each a copy of this one with one thread (default 2)
+---@field processes? integer at a time, each a copy of this one with one thread; default: the threads that the program may use
 ---@field done? function done(i) is called here as each is finished
+---@field isolated? boolean a process of its own even where they come one at a time (default false)
+---@field progress? string led by this word it is said how far the work is (default "")
 
 ---Work for items 1 to count in processes side by side: the lists in order; one whose work failed is empty and has trouble, the message.
 ---@param fields fabric_lab_parallel_fields
@@ -1058,6 +1060,18 @@ function fabric.render(fields) end
 ---@return analysis
 function fabric.static(fields) end
 
+---@class fabric_study_fields
+---@field parameters table { name={values}, ... }: every combination; or { {name=value, ...}, ... }: these cases
+---@field run function run(p), p.name being the values of a case, returns a table of named numbers, strings, true or false
+---@field folder? string where each finished case is kept, and study.csv when all are (default "out/study")
+---@field workers? integer cases side by side, each in a process with one thread; default: the threads that the program may use
+---@field again? boolean runs cases again that failed before (default false)
+
+---The same run for many parameters, in processes side by side. What is finished is kept and not run again when the deck is; one that fails leaves its message and the others alone. As a task of a Slurm array job it runs its share. Returns the cases in order, each {parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).
+---@param fields fabric_study_fields
+---@return any
+function fabric.study(fields) end
+
 ---@class fabric_svk_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
@@ -1197,6 +1211,12 @@ function fabric.who() end
 ---@param fields fabric_woven_fields
 ---@return card
 function fabric.woven(fields) end
+
+---Writes a file as a whole, with the folders it lies in: whoever reads it sees the old one or the new one, never a part.
+---@param path string of the file
+---@param content string all of it
+---@return any
+function fabric.write(path, content) end
 
 ---The history's value at a time.
 ---@param time number s: when

@@ -2,6 +2,9 @@
 
 #include <omp.h>
 #include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,24 +14,51 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <optional>
 #include <system_error>
 
 namespace fabricsh::lab {
 
 namespace {
 
+using Work = std::function<std::vector<double>(std::size_t)>;
+
 struct Worker {
   pid_t process = -1;
   int pipe = -1;  // what it answers
   std::size_t item = 0;
   std::string bytes;
+  int status = 0;  // how it ended
 };
 
-Answer answer_of(const std::function<std::vector<double>(std::size_t)>& work, std::size_t i) {
+double seconds_used() {
+  double seconds = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    getrusage(who, &used);
+    for (const timeval& t : {used.ru_utime, used.ru_stime})
+      seconds += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  }
+  return seconds;
+}
+
+// A copy's clock starts at zero; its limit is what the others have left.
+void limit_time(double used) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  const double left = static_cast<double>(limit.rlim_cur) - used;
+  limit.rlim_cur = left < 1 ? 1 : static_cast<rlim_t>(left);
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
+Answer answer_of(const Work& work, std::size_t i, bool forked) {
   try {
     return {work(i), ""};
   } catch (const std::exception& error) {
     return {{}, *error.what() == 0 ? "unknown trouble" : error.what()};
+  } catch (...) {  // an error of Lua, which has no type that is known here, must not leave a copy running on
+    if (!forked) throw;
+    return {{}, "unknown trouble"};
   }
 }
 
@@ -40,7 +70,11 @@ std::string encoded(const Answer& answer) {
   return bytes;
 }
 
-Answer decoded(const std::string& bytes) {
+Answer decoded(const std::string& bytes, int status) {
+  if (WIFSIGNALED(status))
+    return {{},
+            "the process was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
+                strsignal(WTERMSIG(status)) + ")"};
   if (bytes.empty()) return {{}, "the process ended without an answer"};
   if (bytes[0] == 't') return {{}, bytes.substr(1)};
   Answer answer;
@@ -58,40 +92,43 @@ void write_all(int pipe, const std::string& bytes) {
 }
 
 // Leaves without destructors or flushing: what they would close and write belongs to the parent.
-[[noreturn]] void work_and_leave(int pipe, const std::function<std::vector<double>(std::size_t)>& work,
-                                 std::size_t i) {
+[[noreturn]] void work_and_leave(int pipe, const Work& work, std::size_t i, double used) {
+  std::signal(SIGINT, SIG_DFL);      // Ctrl-C ends it at once
+  prctl(PR_SET_PDEATHSIG, SIGTERM);  // and so does the end of its parent
+  limit_time(used);
   omp_set_num_threads(1);  // a forked copy has none of the other threads
-  write_all(pipe, encoded(answer_of(work, i)));
+  write_all(pipe, encoded(answer_of(work, i, true)));
   std::_Exit(0);
 }
 
-Worker started(const std::function<std::vector<double>(std::size_t)>& work, std::size_t i) {
+Worker started(const Work& work, std::size_t i) {
   int ends[2];
+  const double used = seconds_used();
   if (::pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   const pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (process == 0) {
     ::close(ends[0]);
-    work_and_leave(ends[1], work, i);
+    work_and_leave(ends[1], work, i, used);
   }
   ::close(ends[1]);
-  return {process, ends[0], i, {}};
+  return {process, ends[0], i, {}, 0};
 }
 
 // The running workers; whoever is left when this goes away is stopped.
 class Crew {
  public:
   ~Crew() {
-    for (const Worker& w : workers_) {
+    for (Worker& w : workers_) {
       ::kill(w.process, SIGTERM);
       finish(w);
     }
   }
   std::size_t size() const { return workers_.size(); }
   void add(Worker worker) { workers_.push_back(std::move(worker)); }
-  // Waits until a worker has answered in full and takes it out.
-  Worker next() {
-    while (true) {
+  // Waits until a worker has answered in full and takes it out; none: it was to stop.
+  std::optional<Worker> next(const std::function<bool()>& stop) {
+    while (!stop || !stop()) {
       std::vector<pollfd> polled;
       for (const Worker& w : workers_) polled.push_back({w.pipe, POLLIN, 0});
       if (::poll(polled.data(), polled.size(), -1) < 0) continue;
@@ -103,6 +140,7 @@ class Crew {
           return done;
         }
     }
+    return std::nullopt;
   }
 
  private:
@@ -112,9 +150,9 @@ class Crew {
     if (n > 0) worker.bytes.append(buffer, static_cast<std::size_t>(n));
     return n == 0 || (n < 0 && errno != EINTR);
   }
-  static void finish(const Worker& worker) {
+  static void finish(Worker& worker) {
     ::close(worker.pipe);
-    while (::waitpid(worker.process, nullptr, 0) < 0 && errno == EINTR) {
+    while (::waitpid(worker.process, &worker.status, 0) < 0 && errno == EINTR) {
     }
   }
   std::vector<Worker> workers_;
@@ -122,25 +160,23 @@ class Crew {
 
 }  // namespace
 
-std::vector<Answer> in_processes(std::size_t count, int processes,
-                                 const std::function<std::vector<double>(std::size_t)>& work,
-                                 const std::function<void(std::size_t)>& done) {
-  std::vector<Answer> answers(count);
+std::vector<Answer> in_processes(std::size_t count, const Work& work, const Processes& how) {
+  std::vector<Answer> answers(count, Answer{{}, "stopped"});
+  const bool forks = how.always || (how.at_a_time > 1 && count > 1);
   Crew crew;
-  std::size_t next = 0, finished = 0;
-  while (finished < count) {
+  for (std::size_t next = 0, finished = 0; finished < count; ++finished) {
     std::size_t item = next;
-    if (processes > 1 && count > 1) {
-      while (next < count && crew.size() < static_cast<std::size_t>(processes))
+    if (forks) {
+      while (next < count && crew.size() < static_cast<std::size_t>(how.at_a_time))
         crew.add(started(work, next++));
-      const Worker worker = crew.next();
-      item = worker.item;
-      answers[item] = decoded(worker.bytes);
+      const auto worker = crew.next(how.stop);
+      if (!worker) break;
+      item = worker->item;
+      answers[item] = decoded(worker->bytes, worker->status);
     } else {
-      answers[item] = answer_of(work, next++);
+      answers[item] = answer_of(work, next++, false);
     }
-    ++finished;
-    if (done) done(item);
+    if (how.done) how.done(item, answers[item]);
   }
   return answers;
 }

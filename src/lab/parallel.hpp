@@ -12,10 +12,21 @@ struct Answer {
   std::string trouble;  // not empty: what the work threw
 };
 
-// work(i) for i = 0 .. count-1, `processes` at a time, each in a forked copy with one thread; the answers in
-// order. done(i) after each, in this process. With one process nothing is forked.
-std::vector<Answer> in_processes(std::size_t count, int processes,
+struct Processes {
+  int at_a_time = 2;
+  bool always = false;  // a process of its own for each item even when they come one at a time
+  // In this process, after each item.
+  std::function<void(std::size_t, const Answer&)> done = {};
+  // Asked when a signal came; true: the workers are stopped, and what is missing has trouble.
+  std::function<bool()> stop = {};
+};
+
+// work(i) for i = 0 .. count-1, some at a time, each in a forked copy with one thread that ends with this
+// process; the answers in order. One that is killed has trouble that says by what. With one at a time nothing
+// is forked unless `always`. A limit on computing time holds for all together: each copy has what is left of
+// it.
+std::vector<Answer> in_processes(std::size_t count,
                                  const std::function<std::vector<double>(std::size_t)>& work,
-                                 const std::function<void(std::size_t)>& done = {});
+                                 const Processes& how);
 
 }  // namespace fabricsh::lab

@@ -1,4 +1,4 @@
-// What a deck writes by itself: card:write.
+// What a deck writes by itself: card:write, fabric.write.
 #include "files/atomic.hpp"
 #include "script/bind.hpp"
 
@@ -14,8 +14,21 @@ int write_card(Call& call) {
   return 0;
 }
 
+int write(Call& call) {
+  if (!call.session().options().check) files::write_file(call.text("path"), call.text("content"));
+  return 0;
+}
+
 std::vector<Entry> rows() {
   return {
+      {"fabric.write",
+       Style::positional,
+       {value_("path", text, "of the file"), value_("content", text, "all of it")},
+       "Writes a file as a whole, with the folders it lies in: whoever reads it sees the old one or the new "
+       "one, never a part.",
+       "local path = os.tmpname()\nrequire 'fabric'.write(path, 'a,b\\n1,2\\n')\n"
+       "assert(io.open(path):read 'a' == 'a,b\\n1,2\\n')\nos.remove(path)",
+       write},
       {"card:write",
        Style::positional,
        {value_("path", text, "of the Lua file")},

@@ -1,4 +1,9 @@
 // fabric.lab: least squares and parallel work for the identification through simulation.
+#include <omp.h>
+
+#include <chrono>
+#include <cstdio>
+
 #include "lab/least_squares.hpp"
 #include "lab/parallel.hpp"
 #include "lab/settle.hpp"
@@ -35,20 +40,64 @@ std::vector<double> work_on(const Function& work, std::size_t i) {
   return pop_numbers(L, "work");
 }
 
+// "study: 3 of 12 done, 1 failed, 40 s, about 120 s more"
+std::string progress_words(const std::string& title, std::size_t count, std::size_t finished,
+                           std::size_t failed, double seconds) {
+  char times[80];
+  const double more = seconds / static_cast<double>(finished) * static_cast<double>(count - finished);
+  std::snprintf(times, sizeof times, ", %.0f s, about %.0f s more", seconds, more);
+  return title + ": " + std::to_string(finished) + " of " + std::to_string(count) + " done" +
+         (failed > 0 ? ", " + std::to_string(failed) + " failed" : "") + times;
+}
+
+// Says how far it is, at most every other second and at the end.
+class Progress {
+ public:
+  Progress(Session& session, std::string title, std::size_t count)
+      : session_(session), title_(std::move(title)), count_(count) {}
+  void done(bool failed) {
+    ++finished_;
+    failed_ += failed ? 1 : 0;
+    const double seconds = seconds_since(begin_);
+    if (title_.empty() || session_.options().quiet || !session_.options().notice) return;
+    if (finished_ < count_ && seconds < said_ + 2) return;
+    said_ = seconds;
+    session_.options().notice(progress_words(title_, count_, finished_, failed_, seconds));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+  Session& session_;
+  std::string title_;
+  std::size_t count_, finished_ = 0, failed_ = 0;
+  Clock::time_point begin_ = Clock::now();
+  double said_ = 0;
+};
+
 int parallel(Call& call) {
   lua_State* L = call.L();
   const Function work = call.function("work"), done = call.function("done");
   const bool tell = call.has("done");
+  const auto count = static_cast<std::size_t>(call.integer("count"));
+  Session& session = call.session();
+  Progress progress(session, call.text("progress"), count);
+  lab::Processes how;
+  how.at_a_time = call.has("processes") ? static_cast<int>(call.integer("processes")) : omp_get_max_threads();
+  how.always = call.flag("isolated");
+  how.stop = [&session] { return session.interrupted(); };
+  how.done = [&](std::size_t i, const lab::Answer& answer) {
+    progress.done(!answer.trouble.empty());
+    if (!tell) return;
+    lua_State* on = done.push();
+    lua_pushinteger(on, static_cast<lua_Integer>(i + 1));
+    call_one(on);
+    lua_pop(on, 1);
+  };
   const auto answers = lab::in_processes(
-      static_cast<std::size_t>(call.integer("count")), static_cast<int>(call.integer("processes")),
-      [&](std::size_t i) { return work_on(work, i); },
-      [&](std::size_t i) {
-        if (!tell) return;
-        lua_State* on = done.push();
-        lua_pushinteger(on, static_cast<lua_Integer>(i + 1));
-        call_one(on);
-        lua_pop(on, 1);
-      });
+      count, [&](std::size_t i) { return work_on(work, i); }, how);
   lua_createtable(L, static_cast<int>(answers.size()), 0);
   lua_Integer place = 0;
   for (const lab::Answer& answer : answers) {
@@ -136,8 +185,13 @@ std::vector<Entry> rows() {
        Style::fields,
        {integer_("count", from_one, "of items"),
         value_("work", function, "work(i) returns a list of numbers"),
-        integer_("processes", from_one, "at a time, each a copy of this one with one thread").or_else(2.0),
-        value_("done", function, "done(i) is called here as each is finished").optional()},
+        integer_("processes", {1, 4096},
+                 "at a time, each a copy of this one with one thread; default: the threads "
+                 "that the program may use")
+            .optional(),
+        value_("done", function, "done(i) is called here as each is finished").optional(),
+        value_("isolated", boolean, "a process of its own even where they come one at a time").or_else(false),
+        value_("progress", text, "led by this word it is said how far the work is").or_else("")},
        "Work for items 1 to count in processes side by side: the lists in order; one whose work failed is "
        "empty and has trouble, the "
        "message.",

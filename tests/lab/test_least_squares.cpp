@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <thread>
 
 #include "lab/least_squares.hpp"
@@ -134,14 +135,14 @@ TEST_CASE("processes answer in order, side by side, and say their trouble", "[la
   const auto own = static_cast<double>(getpid());
   const auto begin = std::chrono::steady_clock::now();
   std::size_t told = 0;
-  const auto answers = in_processes(
-      4, 4,
-      [](std::size_t i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        if (i == 2) throw Error("no such cloth");
-        return std::vector<double>(10000 * i + 1, static_cast<double>(getpid()));
-      },
-      [&](std::size_t) { ++told; });
+  const auto answers =
+      in_processes(4,
+                   [](std::size_t i) {
+                     std::this_thread::sleep_for(std::chrono::milliseconds(500));
+                     if (i == 2) throw Error("no such cloth");
+                     return std::vector<double>(10000 * i + 1, static_cast<double>(getpid()));
+                   },
+                   {4, false, [&](std::size_t, const Answer&) { ++told; }, {}});
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   CHECK(told == 4);
   CHECK(spent.count() < 1.9);  // one after the other takes 2
@@ -150,7 +151,27 @@ TEST_CASE("processes answer in order, side by side, and say their trouble", "[la
     CHECK(answers[i].values[0] != own);
   }
   CHECK(answers[2].trouble == "no such cloth");
-  const auto here =
-      in_processes(2, 1, [](std::size_t) { return std::vector<double>{static_cast<double>(getpid())}; });
-  CHECK(here[1].values[0] == own);
+  const auto who = [](std::size_t) { return std::vector<double>{static_cast<double>(getpid())}; };
+  CHECK(in_processes(2, who, {1, false, {}, {}})[1].values[0] == own);
+  CHECK(in_processes(2, who, {1, true, {}, {}})[1].values[0] != own);
+}
+
+TEST_CASE("a process that is killed, one that throws no exception, and work that is told to stop", "[lab]") {
+  const auto answers = in_processes(3,
+                                    [](std::size_t i) {
+                                      if (i == 0) std::raise(SIGKILL);
+                                      if (i == 1) throw 7;
+                                      return std::vector<double>{1};
+                                    },
+                                    {2, false, {}, {}});
+  CHECK(answers[0].trouble == "the process was ended by signal 9 (Killed)");
+  CHECK(answers[1].trouble == "unknown trouble");
+  CHECK(answers[2].values == std::vector<double>{1});
+  std::size_t finished = 0;
+  const auto stopped =
+      in_processes(6, [](std::size_t) { return std::vector<double>{1}; },
+                   {1, true, [&](std::size_t, const Answer&) { ++finished; }, [&] { return finished == 2; }});
+  CHECK(finished == 2);
+  CHECK(stopped[1].trouble.empty());
+  CHECK(stopped[2].trouble == "stopped");
 }

@@ -29,11 +29,9 @@ local function open_cache(path, signature)
   end
   function cache.save()
     if not path then return end
-    local out = assert(io.open(path .. ".part", "w"))
-    out:write(signature, "\n")
-    for _, point in ipairs(cache.order) do out:write(point, " : ", key_of(cache.values[point]), "\n") end
-    out:close()
-    assert(os.rename(path .. ".part", path))
+    local lines = { signature }
+    for _, point in ipairs(cache.order) do lines[#lines + 1] = point .. " : " .. key_of(cache.values[point]) end
+    fabric.write(path, table.concat(lines, "\n") .. "\n")
   end
   return cache
 end

@@ -138,6 +138,12 @@ wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=0 }",
   "deck.lua:1: parallel: field 'count': expected an integer of at least 1, got 0")
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2, work='f' }",
   "deck.lua:1: parallel: field 'work': expected a function, got 'f'")
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2, work=print, processes=0 }",
+  "deck.lua:1: parallel: field 'processes': expected an integer from 1 to 4096, got 0")
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2, work=print, isolated='yes' }",
+  "deck.lua:1: parallel: field 'isolated': expected true or false, got 'yes'")
+wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2, work=print, progress=7 }",
+  "deck.lua:1: parallel: field 'progress': expected a string, got 7")
 
 -- fabric.lab.unloading
 wrong("fabric.lab.unloading", "fabric.lab.unloading{ Ex={0.01, 0.01} }",

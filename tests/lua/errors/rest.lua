@@ -122,3 +122,27 @@ wrong("lua", "local x = nil + 1",
   "deck.lua:1: attempt to perform arithmetic on a nil value")
 wrong("lua", "undefined_name()",
   "deck.lua:1: attempt to call a nil value (global 'undefined_name')")
+
+-- fabric.study
+wrong("fabric.study", "fabric.study{ paramters={} }",
+  "deck.lua:1: study: unknown field 'paramters', did you mean 'parameters'?")
+wrong("fabric.study", "fabric.study{ parameters=7 }",
+  "deck.lua:1: study: field 'parameters': expected a table { name={values}, ... }, got 7")
+wrong("fabric.study", "fabric.study{ parameters={a={1}}, run='f' }",
+  "deck.lua:1: study: field 'run': expected a function, got 'f'")
+wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, folder=7 }",
+  "deck.lua:1: study: field 'folder': expected a string, got 7")
+wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, workers=2.5 }",
+  "deck.lua:1: study: field 'workers': expected an integer from 1 to 4096, got 2.5")
+wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, workers=0 }",
+  "deck.lua:1: study: field 'workers': expected an integer from 1 to 4096, got 0")
+wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, again='yes' }",
+  "deck.lua:1: study: field 'again': expected true or false, got 'yes'")
+
+-- fabric.write
+wrong("fabric.write", "fabric.write()",
+  "deck.lua:1: write: argument 'path': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.write", "fabric.write('x', 7)",
+  "deck.lua:1: write: argument 'content': expected a string, got 7")
+wrong("fabric.write", "fabric.write('/dev/null', 'x')",
+  "deck.lua:1: write: cannot write '/dev/null': it is not a regular file")

@@ -1,0 +1,207 @@
+-- fabric.study: the same run for many parameters, side by side in processes; what is finished stays finished.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local fail = define.fail
+local case_file = require "fabric.study_case"
+
+local function sorted_keys(t)
+  local keys = {}
+  for key in pairs(t) do keys[#keys + 1] = key end
+  table.sort(keys)
+  return keys
+end
+
+local function check_value(path, value)
+  local kind = type(value)
+  if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
+    fail(("study: field '%s': expected a number, a string or true or false, got %s"):format(path, kind == "nil" and "nil" or "a " .. kind))
+  end
+end
+
+-- The list of cases as it is written: {{a=1, b=2}, ...}.
+local function listed(list)
+  for i, case in ipairs(list) do
+    if type(case) ~= "table" then fail(("study: field 'parameters[%d]': expected a table of named values, got %s"):format(i, tostring(case))) end
+    for name, value in pairs(case) do
+      if type(name) ~= "string" then fail(("study: field 'parameters[%d]': expected names, got '%s'"):format(i, tostring(name))) end
+      check_value(("parameters[%d].%s"):format(i, name), value)
+    end
+  end
+  return list
+end
+
+-- Every combination of {a={1,2}, b={...}}: names by the alphabet, the last one fastest.
+local function grid(lists)
+  local cases = { {} }
+  for _, name in ipairs(sorted_keys(lists)) do
+    local values, more = lists[name], {}
+    if type(name) ~= "string" or type(values) ~= "table" or #values == 0 then
+      fail(("study: field 'parameters.%s': expected a list of values, got %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)))
+    end
+    for i, value in ipairs(values) do check_value(("parameters.%s[%d]"):format(name, i), value) end
+    for _, case in ipairs(cases) do
+      for _, value in ipairs(values) do
+        local longer = { [name] = value }
+        for k, v in pairs(case) do longer[k] = v end
+        more[#more + 1] = longer
+      end
+    end
+    cases = more
+  end
+  return cases
+end
+
+local function cases_of(parameters)
+  if next(parameters) == nil then fail "study: field 'parameters': expected lists of values by name, or a list of cases, got an empty table" end
+  local cases = #parameters > 0 and listed(parameters) or grid(parameters)
+  local seen = {}
+  for i, case in ipairs(cases) do
+    local key = case_file.key(case)
+    if seen[key] then fail(("study: field 'parameters': cases %d and %d are the same (%s)"):format(seen[key], i, case_file.words(case))) end
+    seen[key] = i
+  end
+  return cases
+end
+
+-- Which cases are this process' own: all, or those of a task in an array job.
+local function whole_number(name, default)
+  local text = os.getenv(name)
+  if text == nil or text == "" then return default end
+  local n = math.tointeger(tonumber(text))
+  if not n then fail(("study: the variable %s: expected a whole number, got '%s'"):format(name, text)) end
+  return n
+end
+
+local function share()
+  local id = whole_number "SLURM_ARRAY_TASK_ID"
+  if not id then return function() return true end end
+  local count, first, step = whole_number("SLURM_ARRAY_TASK_COUNT", 1), whole_number("SLURM_ARRAY_TASK_MIN", 0), whole_number("SLURM_ARRAY_TASK_STEP", 1)
+  local place = (id - first) // step
+  if count < 1 or place < 0 or place >= count then
+    fail(("study: task %d is none of the %d tasks from %d: give the array as a plain range, --array=1-%d"):format(id, count, first, math.max(count, 1)))
+  end
+  return function(i) return (i - 1) % count == place end
+end
+
+-- A folder belongs to one deck as it stands: other results in it would be mixed up.
+local function claim(folder, deck)
+  local path = folder .. "/study.txt"
+  local f = io.open(path)
+  if f then
+    local owner = f:read "a"
+    f:close()
+    if owner ~= deck then
+      fail(("study: the folder '%s' holds results of another deck, or of this one before it was changed: remove it, or give another folder"):format(folder))
+    end
+    return
+  end
+  fabric.write(path, deck)
+end
+
+local function identity()
+  local f = arg and arg[0] and io.open(arg[0], "rb")
+  local text = f and f:read "a" or ""
+  if f then f:close() end
+  return "fabricsh study 1\ndeck " .. case_file.hash(text) .. "\n"
+end
+
+local function work(t, case)
+  local good, values = pcall(t.run, case)
+  collectgarbage()  -- closes files that run left open: the process leaves without more ado
+  if not good then
+    case_file.save(t.folder, case, nil, tostring(values))
+    error(values, 0)
+  end
+  if type(values) ~= "table" then error("study: expected run(p) to return a table of named values, got " .. tostring(values), 0) end
+  for name, value in pairs(values) do
+    if type(name) ~= "string" then error("study: expected run(p) to return named values, got an entry without a name", 0) end
+    check_value(name, value)
+  end
+  case_file.save(t.folder, case, values)
+  return { 1 }  -- the values lie in the file
+end
+
+-- Runs what is missing of this share; troubles of processes that left no file, by case.
+local function compute(t, cases)
+  local mine, missing, troubles = share(), {}, {}
+  for i, case in ipairs(cases) do
+    local known = mine(i) and case_file.load(t.folder, case)
+    if mine(i) and (not known or (t.again and known.trouble)) then missing[#missing + 1] = i end
+  end
+  if #missing == 0 then return troubles end
+  local answers = fabric.lab.parallel { count = #missing, processes = t.workers, isolated = true, progress = "study",
+    work = function(k) return work(t, cases[missing[k]]) end }
+  local stopped = 0
+  for k, answer in ipairs(answers) do
+    troubles[missing[k]] = answer.trouble
+    if answer.trouble == "stopped" then stopped = stopped + 1 end
+  end
+  if stopped > 0 then
+    fail(("study: interrupted; %d of %d cases are kept in '%s', the same deck goes on from there"):format(#cases - stopped, #cases, t.folder))
+  end
+  return troubles
+end
+
+local function collect(t, cases, troubles)
+  local study = { folder = t.folder, file = t.folder .. "/study.csv", missing = 0, failed = 0 }
+  local names, results = {}, {}
+  for i, case in ipairs(cases) do
+    local known = case_file.load(t.folder, case) or { trouble = troubles[i] }
+    local row = { parameters = case, values = known.values, trouble = known.trouble }
+    if known.trouble then study.failed = study.failed + 1 elseif not known.values then study.missing = study.missing + 1 end
+    for name in pairs(case) do names[name] = true end
+    for name in pairs(known.values or {}) do results[name] = true end
+    study[i] = row
+  end
+  study.parameters, study.results = sorted_keys(names), sorted_keys(results)
+  study.complete = study.missing == 0
+  return study
+end
+
+local function csv(study)
+  local header = { "case" }
+  for _, list in ipairs { study.parameters, study.results, { "trouble" } } do
+    for _, name in ipairs(list) do header[#header + 1] = case_file.cell(name) end
+  end
+  local lines = { table.concat(header, ",") }
+  for i, row in ipairs(study) do
+    local cells = { tostring(i) }
+    for _, name in ipairs(study.parameters) do cells[#cells + 1] = case_file.cell(row.parameters[name]) end
+    for _, name in ipairs(study.results) do cells[#cells + 1] = case_file.cell(row.values and row.values[name]) end
+    cells[#cells + 1] = case_file.cell(row.trouble)
+    lines[#lines + 1] = table.concat(cells, ",")
+  end
+  return table.concat(lines, "\n") .. "\n"
+end
+
+local function run(t)
+  local cases = cases_of(t.parameters)
+  if fabric.checking() then
+    t.run(cases[1])
+    return { folder = t.folder, missing = #cases, failed = 0, complete = false, parameters = {}, results = {} }
+  end
+  claim(t.folder, identity())
+  local study = collect(t, cases, compute(t, cases))
+  if study.complete then fabric.write(study.file, csv(study)) end
+  return study
+end
+
+define {
+  name = "fabric.study",
+  arguments = {
+    { name = "parameters", kind = "table", sentence = "{ name={values}, ... }: every combination; or { {name=value, ...}, ... }: these cases" },
+    { name = "run", kind = "function", sentence = "run(p), p.name being the values of a case, returns a table of named numbers, strings, true or false" },
+    { name = "folder", kind = "text", default = "out/study", sentence = "where each finished case is kept, and study.csv when all are" },
+    { name = "workers", kind = "integer", low = 1, high = 4096, optional = true,
+      sentence = "cases side by side, each in a process with one thread; default: the threads that the program may use" },
+    { name = "again", kind = "boolean", default = false, sentence = "runs cases again that failed before" },
+  },
+  sentence = "The same run for many parameters, in processes side by side. What is finished is kept and not run again when the deck is; one "
+    .. "that fails leaves its message and the others alone. As a task of a Slurm array job it runs its share. Returns the cases in order, each "
+    .. "{parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).",
+  example = "local folder = os.tmpname()\nos.remove(folder)\n"
+    .. "local s = require 'fabric'.study{ parameters={ a={1, 2}, b={10, 20} }, folder=folder, run=function(p) return { sum=p.a + p.b } end }\n"
+    .. "assert(s.complete and #s == 4 and s[2].values.sum == 21)\n"
+    .. "for _, name in ipairs(require 'fabric'.folder(folder)) do os.remove(folder..'/'..name) end\nos.remove(folder)",
+  run = run,
+}

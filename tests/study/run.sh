@@ -1,0 +1,71 @@
+#!/bin/sh
+# A study as an array job, with a task missing and with its tasks at once; broken off and taken up again.
+# Usage: run.sh <fabricsh> <source folder>
+set -u
+program=$1 deck=$2/scripts/study/thickness.lua
+root=$(mktemp -d) && cd "$root" || exit 1
+trap 'rm -rf "$root"' EXIT
+fail() { echo "FAILED: $*" && exit 1; }
+
+"$program" --quiet "$deck" whole >/dev/null 2>&1 || fail "the study by itself"
+task() {
+  SLURM_ARRAY_TASK_ID=$1 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=1 SLURM_ARRAY_TASK_MAX=3 "$program" --quiet --threads 1 "$deck" "$2"
+}
+
+# One after the other: each its share, the table at the end.
+task 1 turns >said 2>/dev/null || fail "task 1"
+grep -q '4 of 6 cases are still missing' said || fail "task 1 says $(cat said)"
+task 3 turns >said 2>/dev/null || fail "task 3"
+[ ! -e turns/study.csv ] || fail "a table before all cases are there"
+[ "$(find turns -name 'case-*' | wc -l)" -eq 4 ] || fail "two cases each"
+task 2 turns >said 2>/dev/null || fail "task 2"
+cmp turns/study.csv whole/study.csv || fail "the array's table is another one"
+
+# All at once.
+for i in 1 2 3; do task $i once >/dev/null 2>&1 & done
+wait
+task 1 once >/dev/null 2>&1
+cmp once/study.csv whole/study.csv || fail "the table of tasks side by side is another one"
+
+# Numbers of tasks that are no plain range.
+SLURM_ARRAY_TASK_ID=9 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=1 "$program" --quiet "$deck" no >said 2>&1 && fail "task 9 of 3"
+grep -q 'task 9 is none of the 3 tasks from 1' said || fail "task 9 says $(cat said)"
+
+# Broken off by each signal; no worker stays behind, what is done is kept, the rest is done on the second run.
+cat >slow.lua <<'EOF'
+local s = require "fabric".study { parameters = { n = { 1, 2, 3, 4, 5, 6, 7, 8 } }, folder = arg[1], workers = 2, run = function(p)
+  io.open(arg[1] .. "-log", "a"):write(p.n, "\n")
+  local from = os.clock()
+  while os.clock() - from < 0.4 do end
+  return { square = p.n ^ 2 }
+end }
+assert(s.complete and s[8].values.square == 64)
+EOF
+for signal in INT TERM KILL; do
+  if [ $signal = INT ]; then  # a shell starts what runs behind it with Ctrl-C ignored
+    timeout --foreground -s INT 1 "$program" --quiet slow.lua slow-$signal >said 2>&1 && fail "$signal did not end it"
+  else
+    "$program" --quiet slow.lua slow-$signal >said 2>&1 &
+    process=$!
+    for _ in $(seq 200); do
+      [ "$(find . -path "./slow-$signal/case-*" | wc -l)" -ge 2 ] && break
+      sleep 0.05
+    done
+    kill -$signal $process
+    wait $process && fail "$signal did not end it"
+  fi
+  sleep 0.2
+  workers=$(pgrep -f "slow.lua slow-$signal" | wc -l)
+  [ "$workers" -eq 0 ] || fail "$signal left $workers workers"
+  kept=$(find slow-$signal -name 'case-*' | wc -l)
+  [ "$kept" -ge 2 ] && [ "$kept" -lt 8 ] || fail "$signal: $kept cases kept"
+  before=$(wc -l <slow-$signal-log)
+  "$program" --quiet slow.lua slow-$signal || fail "$signal: the second run"
+  [ $(($(wc -l <slow-$signal-log) - before)) -eq $((8 - kept)) ] || fail "$signal: finished cases ran again"
+done
+
+# Safe as well, the variables of an array job being the only ones that such a deck sees.
+mkdir deck && cp "$deck" deck/
+SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=1 "$program" --quiet --safe deck/thickness.lua >said 2>/dev/null || fail "--safe"
+grep -q '4 of 6 cases are still missing' said || fail "--safe says $(cat said)"
+echo "all kept"
