@@ -126,6 +126,8 @@ wrong("lua", "undefined_name()",
 -- fabric.study
 wrong("fabric.study", "fabric.study{ paramters={} }",
   "deck.lua:1: study: unknown field 'paramters', did you mean 'parameters'?")
+wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=run_ }",
+  "deck.lua:1: study: field 'run': expected a function, got nil (missing, or a misspelt variable)")
 wrong("fabric.study", "fabric.study{ parameters=7 }",
   "deck.lua:1: study: field 'parameters': expected a table { name={values}, ... }, got 7")
 wrong("fabric.study", "fabric.study{ parameters={a={1}}, run='f' }",
