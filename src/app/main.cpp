@@ -92,7 +92,8 @@ repl::Result run(script::Session& session, const app::CommandLine& command) {
   return check_restart(session, result);
 }
 
-void converse(script::Session& session, Speaker& speaker) {
+// A session that nobody sits at fails as a deck would, after all of it has been read.
+int converse(script::Session& session, Speaker& speaker) {
   const repl::InterruptGuard guard(session);
   const bool terminal = isatty(STDIN_FILENO) != 0;
   if (terminal) std::cout << app::headline() << "\n";
@@ -102,8 +103,11 @@ void converse(script::Session& session, Speaker& speaker) {
                                   [&session](const auto& text) { return repl::complete(session, text); }})
           : repl::stream_lines(std::cin);
   speaker.lines = lines.get();
-  repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)});
+  const Outcome first =
+      repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)});
   speaker.lines = nullptr;
+  if (terminal || first == Outcome::done) return 0;
+  return first == Outcome::numerical_failure ? 3 : 1;
 }
 
 }  // namespace
@@ -132,8 +136,7 @@ int main(int count, char** words) {
     }();
     const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
     if (!prompt) return code;
-    converse(session, speaker);
-    return 0;
+    return converse(session, speaker);
   } catch (const std::exception& error) {
     std::cerr << "fabricsh: " << error.what() << std::endl;
     return 1;

@@ -73,7 +73,7 @@ void keep(script::Session& session, const std::string& text, const Voice& voice)
   }
 }
 
-void run(script::Session& session, const std::string& input, const Voice& voice) {
+Outcome run(script::Session& session, const std::string& input, const Voice& voice) {
   const std::string words = advice(input);
   if (!words.empty()) voice.err << voice.style.dress(Tone::notice, words) << std::endl;
   const int changes = script::transcript_of(session.lua()).changes();
@@ -85,6 +85,7 @@ void run(script::Session& session, const std::string& input, const Voice& voice)
   show(result, voice);
   if (script::transcript_of(session.lua()).changes() == changes)
     keep(session, deck_text(input, result), voice);
+  return result.outcome;
 }
 
 bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") == std::string::npos; }
@@ -121,8 +122,13 @@ std::string advice(const std::string& input) {
          (names.size() > 1 ? "them" : "it") + " leave 'local' out";
 }
 
-void converse(script::Session& session, Lines& lines, const Voice& voice) {
+Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
   if (!session.options().deck.empty()) keep(session, deck_call(session.options().deck), voice);
+  Outcome first = Outcome::done;
+  const auto evaluated = [&](const std::string& text) {
+    const Outcome outcome = run(session, text, voice);
+    if (first == Outcome::done) first = outcome;
+  };
   std::string input, line;
   while (true) {
     const auto state = lines.next(input, line);
@@ -136,11 +142,12 @@ void converse(script::Session& session, Lines& lines, const Voice& voice) {
     if (!blank(input) && wants_more(session, input)) continue;
     if (!blank(input)) {
       lines.remember(input);
-      run(session, input, voice);
+      evaluated(input);
     }
     input.clear();
   }
-  if (!input.empty()) run(session, input, voice);
+  if (!input.empty()) evaluated(input);
+  return first;
 }
 
 }  // namespace fabricsh::repl

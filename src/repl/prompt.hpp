@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "repl/editor.hpp"
+#include "repl/evaluator.hpp"
 #include "script/session.hpp"
 
 namespace fabricsh::repl {
@@ -13,8 +14,8 @@ struct Voice {
   Style style = Style();  // of err
 };
 
-// Errors are shown on err and never end the session.
-void converse(script::Session& session, Lines& lines, const Voice& voice);
+// Errors are shown on err and never end the session. Returns what the first input that was not done came to.
+Outcome converse(script::Session& session, Lines& lines, const Voice& voice);
 
 // A word about input that does what few people mean; empty: nothing to say.
 std::string advice(const std::string& input);

@@ -188,6 +188,14 @@ int snapshot(Call& call) {
   auto snapshot = run->analysis->snapshot();
   if (run->calls < run->passing) run->passed_snapshots.push_back(snapshot);
   push_object(call.L(), std::move(snapshot));
+  lua_pushnumber(call.L(), run->analysis->time());
+  lua_setiuservalue(call.L(), -2, 1);
+  return 1;
+}
+
+int snapshot_text(lua_State* L) {
+  lua_getiuservalue(L, 1, 1);
+  lua_pushfstring(L, "<snapshot of t = %s s>", number_text(lua_tonumber(L, -1)).c_str());
   return 1;
 }
 
@@ -361,6 +369,7 @@ void bind_analysis(Session& session) {
   install(session, driving());
   install(session, reading());
   set_meta(session, "analysis", "__tostring", run_text);
+  set_meta(session, "snapshot", "__tostring", snapshot_text);
 }
 
 }  // namespace fabricsh::script

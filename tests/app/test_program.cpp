@@ -88,7 +88,9 @@ TEST_CASE("arguments, standard input, -l, order of -e") {
 TEST_CASE("an interactive session reads standard input when there is no terminal") {
   const Ran ran =
       run("", "printf '1 + 1\\nerror(\"no\")\\nfor i = 1, 2 do\\nprint(i)\\nend\\n\"end\"\\n' | ");
-  CHECK(ran.code == 0);
+  CHECK(ran.code == 1);  // nobody sees the error, so the program says so at the end
+  CHECK(run("", "printf 'x = 1\\nx + 1\\n' | ").code == 0);
+  CHECK(run("", "printf 'error{ kind=\"numerical\" }\\n1 + 1\\n' | ").code == 3);
   CHECK(has(ran.out, "2\n"));
   CHECK(has(ran.out, "prompt:1: no"));
   CHECK(has(ran.out, "1\n2\nend\n"));

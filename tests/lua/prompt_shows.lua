@@ -51,6 +51,7 @@ local cases = {
   { "a:advance(0.5)", "<static run, t = 0.5 of 1 s, 2 steps, under way>" },
   { "a:every('step', function(run) if run.time == 0.75 then run:stop 'seen enough' end end) a:solve() return a", "<static run, t = 0.75 of 1 s, 3 steps, stopped: seen enough>" },
   { "a:solve()", "<static run, t = 1 of 1 s, 4 steps, done>" },
+  { "a:snapshot()", "<snapshot of t = 1 s>" },
   { "#a:field 'S11', a:field 'S11'[1] > 0", "3\ttrue" },
   { "a.steps", "<4 rows of cuts, iterations, negative_pivots, residuals, step, time>" },
   { "p:state().warp", "virgin" },
