@@ -176,6 +176,10 @@ function analysis:stop(reason) end
 ---@return analysis
 function analysis:vtk(stem, options) end
 
+---Why the run failed last: the steps tried with their residuals, the node, the element with its strain and the branches of its yarns, and what to try; as text. The error has it as e.why.
+---@return any
+function analysis:why() end
+
 ---@class card_check_fields.element_size
 ---@field element_size? number m: smallest in the plane, for the explicit step (default 0.1)
 
@@ -1127,6 +1131,10 @@ function fabric.warn(text) end
 ---What the globals hold that neither Lua nor fabric put there, objects first: rows of name, class and text, which print as a table.
 ---@return any
 function fabric.who() end
+
+---Why the last run that failed did: what analysis:why() of it says.
+---@return any
+function fabric.why() end
 
 ---@class fabric_woven_fields.bending.friction_warp
 ---@field moment number N: friction moment per width

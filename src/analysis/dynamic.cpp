@@ -203,12 +203,17 @@ void Dynamic::check() {
   const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
   now_.was_over = over;
   if (std::isfinite(made) && !(over && twice)) return;
-  throw NumericalFailure("dynamic: stopped at time " + number(time()) + " s: the ledger's error is " + share +
-                             "; it began about element " + std::to_string(now_.began + 1) +
-                             ".\nTry: a smaller step (now " + number(now_.step) + " s)" +
-                             (e.created > 0 ? "; or law=\"potential\", which makes no energy" : "") +
-                             "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on.",
-                         time(), now_.began);
+  const std::string accounts = "\nenergies   kinetic " + number(e.kinetic) + ", stored " + number(e.stored) +
+                               ", dissipated " + number(e.dissipated) + ", damping " + number(e.damping) +
+                               ", external " + number(e.external) + ", made by the law " + number(e.created) +
+                               " J";
+  const NumericalFailure failure("dynamic: stopped at time " + number(time()) + " s: the ledger's error is " +
+                                     share + "; it began about element " + std::to_string(now_.began + 1) +
+                                     ".\nTry: a smaller step (now " + number(now_.step) + " s)" +
+                                     (e.created > 0 ? "; or law=\"potential\", which makes no energy" : "") +
+                                     "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on.",
+                                 time(), now_.began);
+  fail(failure, std::string(failure.what()).substr(std::string("dynamic: ").size()) + accounts);
 }
 
 std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,

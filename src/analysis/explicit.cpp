@@ -186,7 +186,25 @@ void Explicit::give_up(const StepReport& report) {
   if (element >= 0) text += ", element " + std::to_string(element + 1);
   text += ".\nTry: a step below " + number(kUsual * stable_) + " s (the stable one is " + number(stable_) +
           " s); or loads and velocities that are in SI units.";
-  throw NumericalFailure(text, now, element);
+  std::string why = text.substr(std::string("dynamic: ").size());
+  why += "\nstretch    the sheet is stretched to " + number(assembly_->largest_stretch()) +
+         " times its length at most, the step in use is " + number(now_.step / stable_) +
+         " of the stable one";
+  if (const mesh::Index node = fastest_node(); node >= 0)
+    why +=
+        "\nfastest    node " + std::to_string(node + 1) + " with " + number(velocity(node).norm()) + " m/s";
+  fail(NumericalFailure(text, now, element), why);
+}
+
+mesh::Index Explicit::fastest_node() const {
+  mesh::Index fastest = -1;
+  double most = 0;
+  for (mesh::Index n = 0; n < static_cast<mesh::Index>(assembly_->reference().size()); ++n)
+    if (const double v = velocity(n).norm(); v > most) {
+      most = v;
+      fastest = n;
+    }
+  return fastest;
 }
 
 void Explicit::memory(Archive& archive) {

@@ -29,6 +29,7 @@ class Explicit final : public Dynamic {
 
   void choose_step();
   void split();  // where the sheet's stretch has brought the stable step below the one in use
+  mesh::Index fastest_node() const;  // -1: none moves
   bool accelerate(double dt, const std::vector<double>& dead);
   double kinetic_of(const std::vector<double>& v) const;
 

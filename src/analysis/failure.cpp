@@ -1,6 +1,9 @@
 #include "analysis/failure.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "analysis/number.hpp"
 
@@ -8,22 +11,123 @@ namespace fabricsh::analysis {
 
 namespace {
 
-// Three per point: warp, weft, shear.
-std::vector<fabric::Branch> branches(const assembly::Assembly& assembly, mesh::Index element) {
-  std::vector<fabric::Branch> all;
+// What the law says at one point.
+struct PointLook {
+  fabric::Internal internal;
+  double E[5];
+  double ratio = 0;  // of the in-plane tangent's stiffest direction to its softest
+};
+
+double stiffness_ratio(const fabric::Law& law, const double* E, const double* state) {
+  std::vector<double> next(static_cast<std::size_t>(fabric::state_size(law)));
+  double S[5], C[25];
+  if (!fabric::evaluate(law, fabric::AtSwitch::loading, E, state, next.data(), S, C)) return 0;
+  Mat3 K;
+  const int in_plane[] = {0, 1, 4};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      K(i, j) = (C[5 * in_plane[i] + in_plane[j]] + C[5 * in_plane[j] + in_plane[i]]) / 2;
+  if (!K.allFinite()) return 0;
+  const Vec3 values = Eigen::SelfAdjointEigenSolver<Mat3>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  return values[0] > 0 ? values[2] / values[0] : 0;
+}
+
+std::vector<PointLook> look(const assembly::Assembly& assembly, mesh::Index element, bool with_ratio) {
+  std::vector<PointLook> all;
   assembly.visit(element, [&](double, const fabric::Law& law, const double* E, const double* state) {
-    const auto in = fabric::internal(law, E, state);
-    for (const auto branch : {in.warp, in.weft, in.shear}) all.push_back(branch);
+    PointLook p;
+    p.internal = fabric::internal(law, E, state);
+    std::copy(E, E + 5, p.E);
+    if (with_ratio) p.ratio = stiffness_ratio(law, E, state);
+    all.push_back(p);
   });
   return all;
 }
 
-const char* const yarns[] = {"warp", "weft", "shear"};
+const char* switching(const fabric::Internal& before, const fabric::Internal& now) {
+  if (before.warp != now.warp) return "warp";
+  if (before.weft != now.weft) return "weft";
+  return before.shear != now.shear ? "shear" : "";
+}
 
-std::string switching(const std::vector<fabric::Branch>& before, const std::vector<fabric::Branch>& now) {
-  for (std::size_t k = 0; k < before.size(); ++k)
-    if (before[k] != now[k]) return yarns[k % 3];
-  return {};
+double largest_strain(const PointLook& p) {
+  return std::max({std::abs(p.E[0]), std::abs(p.E[1]), std::abs(p.E[4])});
+}
+
+bool all_slack(const std::vector<PointLook>& points) {
+  return std::all_of(points.begin(), points.end(), [](const PointLook& p) {
+    return p.internal.warp == fabric::Branch::slack && p.internal.weft == fabric::Branch::slack;
+  });
+}
+
+// Of all elements, in the failed iterate.
+using Looks = std::vector<std::vector<PointLook>>;
+
+std::vector<mesh::Index> elements_about(const mesh::Mesh& mesh, mesh::Index node) {
+  std::vector<mesh::Index> about;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (std::find(mesh.elements[e].begin(), mesh.elements[e].end(), node) != mesh.elements[e].end())
+      about.push_back(static_cast<mesh::Index>(e));
+  return about;
+}
+
+Vec3 centre_of(const mesh::Mesh& mesh, mesh::Index element, std::span<const double> x) {
+  Vec3 sum = Vec3::Zero();
+  int corners = 0;
+  for (const mesh::Index n : mesh.elements[element]) {
+    if (n < 0) continue;
+    sum += Eigen::Map<const Vec3>(x.data() + 3 * n);
+    ++corners;
+  }
+  return sum / corners;
+}
+
+// Names the first of the elements that switches, and its point; else the point of the first that is strained
+// most.
+void name_element(const std::vector<mesh::Index>& about, const Looks& before, const Looks& now,
+                  Blame& blame) {
+  std::size_t point = 0;
+  for (const auto e : about) {
+    for (std::size_t p = 0; p < now[e].size() && blame.yarn.empty(); ++p) {
+      blame.yarn = switching(before[e][p].internal, now[e][p].internal);
+      point = p;
+    }
+    if (blame.yarn.empty()) continue;
+    blame.element = e;
+    break;
+  }
+  if (blame.element < 0) {
+    if (about.empty()) return;
+    blame.element = about.front();
+    const auto& points = now[blame.element];
+    point = static_cast<std::size_t>(
+        std::max_element(points.begin(), points.end(),
+                         [](const auto& a, const auto& b) { return largest_strain(a) < largest_strain(b); }) -
+        points.begin());
+  }
+  const PointLook& p = now[blame.element][point];
+  blame.E11 = p.E[0];
+  blame.E22 = p.E[1];
+  blame.E12 = p.E[4] / 2;
+  blame.after = p.internal;
+  blame.before = before[blame.element][point].internal;
+}
+
+Looks look_at_all(const assembly::Assembly& assembly) {
+  Looks all;
+  for (mesh::Index e = 0; e < assembly.elements(); ++e) all.push_back(look(assembly, e, false));
+  return all;
+}
+
+void count(const Looks& before, const Looks& now, Blame& blame) {
+  blame.elements = static_cast<std::int64_t>(now.size());
+  for (std::size_t e = 0; e < now.size(); ++e) {
+    bool switches = false;
+    for (std::size_t p = 0; p < now[e].size(); ++p)
+      switches = switches || *switching(before[e][p].internal, now[e][p].internal) != '\0';
+    blame.switching += switches ? 1 : 0;
+    blame.slack += all_slack(now[e]) ? 1 : 0;
+  }
 }
 
 }  // namespace
@@ -31,23 +135,26 @@ std::string switching(const std::vector<fabric::Branch>& before, const std::vect
 Blame find_blame(assembly::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last) {
   Blame blame;
   std::vector<mesh::Index> about;
+  const auto x = std::as_const(assembly).state().x();
   if (last.status == solver::NewtonStatus::law_failed && assembly.failed_element() >= 0) {
     about = {assembly.failed_element()};
   } else if (last.worst >= 0) {
     blame.node = assembly.node_of_unknown(last.worst);
-    const auto& elements = mesh.elements;
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      if (std::find(elements[e].begin(), elements[e].end(), blame.node) != elements[e].end())
-        about.push_back(static_cast<mesh::Index>(e));
+    blame.rotation = assembly.turns(last.worst);
+    blame.x = Eigen::Map<const Vec3>(x.data() + 3 * blame.node);
+    about = elements_about(mesh, blame.node);
   }
-  std::vector<std::vector<fabric::Branch>> tried;
-  for (const auto e : about) tried.push_back(branches(assembly, e));
+  blame.inverted = assembly.inverted_element();
+  const Looks now = look_at_all(assembly);
   assembly.state().rollback();
-  for (std::size_t i = 0; i < about.size() && blame.yarn.empty(); ++i) {
-    blame.yarn = switching(branches(assembly, about[i]), tried[i]);
-    if (!blame.yarn.empty()) blame.element = about[i];
+  const Looks before = look_at_all(assembly);
+  name_element(about, before, now, blame);
+  count(before, now, blame);
+  if (blame.element >= 0) {
+    blame.centre = centre_of(mesh, blame.element, std::as_const(assembly).state().x());
+    for (const auto& p : look(assembly, blame.element, true))
+      blame.stiffness_ratio = std::max(blame.stiffness_ratio, p.ratio);
   }
-  if (blame.element < 0 && !about.empty()) blame.element = about.front();
   return blame;
 }
 

@@ -243,6 +243,7 @@ void Implicit::set_motion(const assembly::NodalRates& rates) {
 double Implicit::try_step(double limit, StepReport& report) {
   double size = control_.end(committed_time(), next_landing(limit));
   const StepControl before = control_;
+  tries_.clear();
   while (!attempt(size, report)) {
     if (++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) {
       control_ = before;  // a step that fails leaves nothing behind
@@ -263,7 +264,10 @@ bool Implicit::attempt(double size, StepReport& report) {
   report.step = size - now;
   report.time = size;
   const bool converged = tried_ = last_.status == solver::NewtonStatus::converged;
-  if (!converged) blame_ = find_blame(*assembly_, model_->mesh(), last_);
+  if (!converged) {
+    blame_ = find_blame(*assembly_, model_->mesh(), last_);
+    tries_.push_back({report.step, last_.status, last_.residuals});
+  }
   trial_time_ = converged ? size : now;
   return converged;
 }
@@ -341,13 +345,21 @@ const assembly::NodalRates& Implicit::rates() const {
 
 void Implicit::give_up(const StepReport& report) {
   const double now = committed_time();
-  throw NumericalFailure("dynamic: no step beyond time " + number(now) + " s: " + describe(last_.status) +
-                             " in a step of " + number(report.step) + " s (the largest is " +
-                             number(control_.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
-                             describe(blame_, last_, options_.tolerance) +
-                             ".\nTry: a smaller step, or a tolerance above " + number(options_.tolerance) +
-                             "; or scheme=\"explicit\".",
-                         now, blame_.element, blame_.yarn);
+  Failure failure;
+  failure.time = now;
+  failure.tries = tries_;
+  failure.blame = blame_;
+  failure.negative_pivots = last_.negative_pivots;
+  failure.moved = farthest_move(*assembly_, now, now + (tries_.empty() ? 0 : tries_.front().step));
+  failure.size = smallest_;
+  if (const auto* woven = std::get_if<card::Woven>(&model_->card().law)) failure.tested = woven->tested;
+  failure.dynamic = true;
+  const std::string text = "dynamic: no step beyond time " + number(now) + " s: " + describe(last_.status) +
+                           " in a step of " + number(report.step) + " s (the largest is " +
+                           number(control_.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
+                           describe(blame_, last_, options_.tolerance) +
+                           ".\nTry: " + advice(failure).front() + ".";
+  fail(NumericalFailure(text, now, blame_.element, blame_.yarn), analysis::report(failure));
 }
 
 void Implicit::memory(Archive& archive) {

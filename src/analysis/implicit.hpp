@@ -42,6 +42,7 @@ class Implicit final : public Dynamic {
   bool tried_ = false;  // is the trial state a whole step, not yet committed
   solver::NewtonResult last_;
   Blame blame_;
+  std::vector<Try> tries_;  // of the step under way, that failed
 };
 
 }  // namespace fabricsh::analysis

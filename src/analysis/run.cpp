@@ -100,6 +100,11 @@ bool Run::is_kink(double time) const {
                      [&](double t) { return std::abs(t - time) <= same_time * duration_; });
 }
 
+void Run::fail(NumericalFailure failure, const std::string& why) {
+  why_ = failure.why = std::string(kind()) + ": " + why;
+  throw NumericalFailure(failure);
+}
+
 void Run::rollback() {
   assembly_->state().rollback();
   trial_time_ = committed_time();

@@ -12,6 +12,7 @@
 #include "analysis/values.hpp"
 #include "analysis/work.hpp"
 #include "assembly/assembly.hpp"
+#include "base/error.hpp"
 #include "base/notice.hpp"
 #include "model/model.hpp"
 
@@ -65,6 +66,7 @@ class Run {
   const model::Model& model() const { return *model_; }
   const assembly::Assembly& assembly() const { return *assembly_; }
   const std::vector<StepReport>& steps() const { return reports_; }
+  const std::string& why() const { return why_; }  // the last failure, in lines; empty: none
   Notices& notices() { return *notices_; }
   virtual const char* kind() const = 0;    // "static", "dynamic"
   virtual std::string method() const = 0;  // all options that a state hangs on, as text
@@ -106,6 +108,8 @@ class Run {
   virtual double tried_size(double size) const { return size; }  // what the last attempt made of it
   virtual void commit(StepReport& report) = 0;                   // the trial state; adds the external work
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
+  // Throws it, with the report for why().
+  [[noreturn]] void fail(NumericalFailure failure, const std::string& why);
   virtual double kinetic() const { return 0; }       // J
   virtual double damping_work() const { return 0; }  // J
   virtual double driven_work() const { return 0; }   // J, external work beyond work_
@@ -129,6 +133,7 @@ class Run {
   std::function<void()> poll_;
   std::vector<double> dead_;  // N, 3 per node, dead loads at the trial time
   std::vector<StepReport> reports_;
+  std::string why_;
   ExternalWork work_;
   double trial_time_ = 0, initial_energy_ = 0;
 

@@ -137,6 +137,7 @@ double Static::try_step(double limit, StepReport& report) {
   double size = plan(limit);
   const double whole = size;
   Trace trace(*this);
+  tries_.clear();
   while (!attempt(size, report)) {
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
@@ -222,7 +223,10 @@ bool Static::finish(const solver::NewtonResult& result, double end, StepReport& 
   report.step = end - committed_time();
   report.time = end;
   const bool converged = last_.status == solver::NewtonStatus::converged;
-  if (!converged) blame_ = find_blame(*assembly_, model_->mesh(), last_);
+  if (!converged) {
+    blame_ = find_blame(*assembly_, model_->mesh(), last_);
+    tries_.push_back({report.step, last_.status, last_.residuals});
+  }
   trial_time_ = converged ? end : committed_time();
   return converged;
 }
@@ -286,41 +290,25 @@ void Static::tell(const StepReport& report) {
   }
 }
 
-namespace {
-
-std::string remedy(const solver::NewtonResult& last, const StaticOptions& options) {
-  using solver::NewtonStatus;
-  const bool arc = options.control == Control::arc;
-  switch (last.status) {
-    case NewtonStatus::law_failed:
-      return "a smaller step; or a finer or better shaped mesh there: elements may have turned inside out";
-    case NewtonStatus::singular:
-      return "supports that leave no part free to move (a flat or slack sheet has no stiffness out of its "
-             "plane: fix(\"all\", \"z\"), or stabilise=true, or method=\"relaxation\")";
-    case NewtonStatus::turned_back:
-      return "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a "
-             "smaller step, so that the path is not walked the way it came";
-    case NewtonStatus::diverged:
-    default:
-      if (last.negative_pivots > 0 && !arc)
-        return "control=\"arc\" (the tangent has negative pivots: a limit point), or stabilise=true for "
-               "wrinkles and snaps";
-      if (!last.residuals.empty() && last.residuals.back() < 1e-6)
-        return "a larger tolerance (the residual is already small), or more max_iterations";
-      return arc ? "a smaller step, or more max_cuts"
-                 : "a smaller step, stabilise=true, or method=\"either\"";
-  }
-}
-
-}  // namespace
-
 void Static::give_up(const StepReport& report) {
   const double now = committed_time();
-  std::string text = "static: no step beyond time " + number(now) + " s: " + describe(last_.status) +
-                     " in a step of " + number(report.step) + " s (the largest is " +
-                     number(now_.step.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
-                     describe(blame_, last_, options_.tolerance) + ".\nTry: " + remedy(last_, options_) + ".";
-  throw NumericalFailure(text, now, blame_.element, blame_.yarn);
+  Failure failure;
+  failure.time = now;
+  failure.tries = tries_;
+  failure.blame = blame_;
+  failure.negative_pivots = last_.negative_pivots;
+  failure.moved = farthest_move(*assembly_, now, now + (tries_.empty() ? 0 : tries_.front().step));
+  failure.size = assembly_->smallest_size();
+  if (const auto* woven = std::get_if<card::Woven>(&model_->card().law)) failure.tested = woven->tested;
+  failure.arc = arc_ != nullptr;
+  failure.stabilised = problem_->damping().on();
+  failure.turned_back = last_.status == solver::NewtonStatus::turned_back;
+  const std::string text = "static: no step beyond time " + number(now) + " s: " + describe(last_.status) +
+                           " in a step of " + number(report.step) + " s (the largest is " +
+                           number(now_.step.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
+                           describe(blame_, last_, options_.tolerance) +
+                           ".\nTry: " + advice(failure).front() + ".";
+  fail(NumericalFailure(text, now, blame_.element, blame_.yarn), analysis::report(failure));
 }
 
 void Static::memory(Archive& archive) {

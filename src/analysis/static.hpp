@@ -81,7 +81,8 @@ class Static final : public Run {
   std::unique_ptr<solver::Relaxation> relaxation_;
   solver::NewtonResult last_;
   Blame blame_;
-  struct Now {  // what changes as the run goes
+  std::vector<Try> tries_;  // of the step under way, that failed
+  struct Now {              // what changes as the run goes
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     double damping_work = 0;

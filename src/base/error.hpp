@@ -22,6 +22,7 @@ class NumericalFailure : public std::runtime_error {
   double time;           // s, the last committed time
   std::int64_t element;  // from 0; -1: none in particular
   std::string yarn;      // "warp", "weft", "shear" or empty
+  std::string why;       // a report of several lines; may be empty
 };
 
 }  // namespace fabricsh

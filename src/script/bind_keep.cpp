@@ -1,4 +1,5 @@
-// a:checkpoint, a:restart, a:set: what outlives a run, and what may change while it is under way.
+// a:checkpoint, a:restart, a:set, a:why, fabric.why: what outlives a run, what may change while it is under
+// way, why it failed.
 #include "files/atomic.hpp"
 #include "script/checkpoint.hpp"
 #include "script/lua_table.hpp"
@@ -67,6 +68,27 @@ int set(Call& call) {
   return chain(call);
 }
 
+int why(Call& call) {
+  const std::string& text = call.self<Run>()->analysis->why();
+  lua_pushstring(call.L(), text.empty() ? "this run has not failed" : text.c_str());
+  return 1;
+}
+
+int last_why(Call& call) {
+  if (lua_getfield(call.L(), LUA_REGISTRYINDEX, why_key) != LUA_TSTRING)
+    lua_pushliteral(call.L(), "no run has failed");
+  return 1;
+}
+
+// A strip pushed to nothing in one step of one try.
+std::string failing_sample() {
+  return sample_run() +
+         "a = fabric.static{ model=fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 "
+         "}:fix('bottom', 'x y "
+         "z rotation'):move('top', { y=-0.07 }), duration=1, step=1, max_cuts=0, max_iterations=4 }\n"
+         "local ok, e = pcall(a.solve, a)\nassert(not ok and e.kind == 'numerical')\n";
+}
+
 std::vector<Entry> rows() {
   const std::string sample = sample_run() + "local name = os.tmpname()\n";
   return {
@@ -120,6 +142,20 @@ std::vector<Entry> rows() {
        "Changes settings of a run, also one that is under way or has failed.",
        sample_run() + "a:advance(0.5):set{ tolerance=1e-6, step=0.1 }\nassert(a:solve().time == 1)",
        set},
+      {"analysis:why",
+       Style::positional,
+       {},
+       "Why the run failed last: the steps tried with their residuals, the node, the element with its strain "
+       "and "
+       "the branches of its yarns, and what to try; as text. The error has it as e.why.",
+       failing_sample() + "assert(a:why():find 'element' and e.why == a:why())",
+       why},
+      {"fabric.why",
+       Style::positional,
+       {},
+       "Why the last run that failed did: what analysis:why() of it says.",
+       failing_sample() + "assert(fabric.why() == a:why())",
+       last_why},
   };
 }
 

@@ -50,8 +50,8 @@ struct FailedCall {
   std::string message;
   double time = 0;
   std::int64_t element = -1;
-  std::string yarn;
-  void keep(Archive& archive) { archive(call, numerical, message, time, element, yarn); }
+  std::string yarn, why;
+  void keep(Archive& archive) { archive(call, numerical, message, time, element, yarn, why); }
 };
 
 class Clock {

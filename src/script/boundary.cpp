@@ -62,6 +62,12 @@ void push_failure(lua_State* L, const std::string& call, const NumericalFailure&
     lua_pushstring(L, failure.yarn.c_str());
     lua_setfield(L, -2, "yarn");
   }
+  if (!failure.why.empty()) {
+    lua_pushstring(L, failure.why.c_str());
+    lua_pushvalue(L, -1);
+    lua_setfield(L, LUA_REGISTRYINDEX, why_key);
+    lua_setfield(L, -2, "why");
+  }
   lua_pushstring(L, position(L).c_str());
   lua_setfield(L, -2, "where");
   if (luaL_newmetatable(L, "fabricsh.failure") != 0) {

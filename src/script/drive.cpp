@@ -99,6 +99,7 @@ void note_failure(Run& run, const std::exception& trouble) {
     failed.time = numerical->time;
     failed.element = numerical->element;
     failed.yarn = numerical->yarn;
+    failed.why = numerical->why;
   }
   run.failed.push_back(failed);
 }
@@ -108,8 +109,10 @@ bool passes_over(Run& run) {
   if (run.calls >= run.passing) return false;
   for (const FailedCall& failed : run.failed) {
     if (failed.call != run.calls) continue;
-    if (failed.numerical) throw NumericalFailure(failed.message, failed.time, failed.element, failed.yarn);
-    throw Error(failed.message);
+    if (!failed.numerical) throw Error(failed.message);
+    NumericalFailure again(failed.message, failed.time, failed.element, failed.yarn);
+    again.why = failed.why;
+    throw NumericalFailure(again);
   }
   return true;
 }

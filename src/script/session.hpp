@@ -113,6 +113,9 @@ class ActiveState {
 // "deck.lua:12: " of the innermost Lua line that the user wrote (not one of lua/fabric), or empty.
 std::string position(lua_State* L);
 
+// Registry key of the report of the last numerical failure.
+inline constexpr const char* why_key = "fabricsh.why";
+
 // Pushes the function of a row that the registry keeps.
 void push_function(lua_State* L, const Entry& entry);
 // The row of the function at index; null when it is none of the registry's.

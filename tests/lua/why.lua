@@ -1,0 +1,57 @@
+-- why(): the report is of what was measured in the step that failed, and what it says to try helps.
+local fabric = require "fabric"
+
+local function has(text, part) assert(text:find(part, 1, true), text .. "\nis without: " .. part) end
+local function failing(a)
+  local ok, e = pcall(a.solve, a)
+  assert(not ok and e.kind == "numerical", tostring(e))
+  assert(e.why == a:why() and fabric.why() == e.why)
+  return e.why
+end
+local function strip(motion)
+  local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 2, ny = 6 }
+  local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+  return m:fix("bottom", "x y z rotation"):fix("top", "x"):move("top", { y = motion })
+end
+
+assert(fabric.why() == "no run has failed")
+local flat = function() return strip(fabric.ramp(0.018, 1)):fix("all", "z rotation") end
+assert(fabric.static { model = flat(), duration = 1 }:why() == "this run has not failed")
+
+-- too few iterations: the residual is falling, and the setter helps
+local a = fabric.static { model = flat(), duration = 1, step = 1, max_cuts = 0, max_iterations = 2 }
+local text = failing(a)
+has(text, "static: no step beyond time 0 s\ntried      a step of 1 s: too many iterations; residuals ")
+has(text, "element    ")
+has(text, "strain     E11 ")
+has(text, "switches   warp ")
+has(text, "elements   12 of 12 switch branches in the step, 0 are slack both ways")
+has(text, "the residual is still falling")
+has(text, "a support moves by 0.018 m in a step, an element is 0.0127 m")
+assert(not text:find "negative pivots")
+a:set { max_iterations = 50, max_cuts = 12, step = 0.05 }:solve()
+assert(a.time == 1)
+
+-- a tolerance below what numbers can do
+a = fabric.static { model = flat(), duration = 1, step = 0.1, max_cuts = 1, max_iterations = 2, tolerance = 1e-15 }
+text = failing(a)
+assert(select(2, text:gsub("\ntried", "")) == 2, text)
+
+-- a sheet with nothing to hold it out of its plane
+local mesh = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 2, ny = 2 }
+local m = fabric.model { mesh = mesh, card = fabric.card "blend" }
+m:force("right", { x = fabric.ramp(1, 1) })
+text = failing(fabric.static { model = m, duration = 1 })
+has(text, "the tangent is singular")
+has(text, 'fix("all", "z")')
+
+-- strained far beyond the card
+text = failing(fabric.static { model = strip(fabric.ramp(7, 1)), duration = 1, step = 0.5, max_cuts = 1, max_iterations = 1 })
+has(text, "tested to ")
+has(text, "card:check()")
+
+-- in motion: an explicit run away from its step
+local d = fabric.dynamic { model = strip(fabric.ramp(0.001, 1)):velocity("right", { z = 1e6 }), duration = 0.01 }
+text = failing(d)
+has(text, "dynamic: stopped at time 0 s")
+has(text, "fastest    node ")
