@@ -1,9 +1,8 @@
 // What progress looks like, and when it is said.
-#include "app/progress.hpp"
-
 #include <chrono>
 #include <cstdlib>
 
+#include "app/progress.hpp"
 #include "catch.hpp"
 
 using namespace fabricsh;
