@@ -136,6 +136,8 @@ class Terminal : public Lines {
   const char* get_line(int& count) {
     const Signals signals;
     typing_ = true;
+    el_set(edit_, EL_PREP_TERM,
+           1);  // before the prompt, not behind it: what is typed at once would be echoed twice
     const char* text = el_gets(edit_, &count);
     typing_ = false;
     return text;
