@@ -27,7 +27,7 @@ int main(int count, char** words) {
   for (int i = 0; i < times; ++i) taken.push_back(milliseconds_to_prompt(words[1]));
   std::sort(taken.begin(), taken.end());
   if (taken.front() < 0) return std::fprintf(stderr, "no prompt came\n"), 1;
-  std::printf("prompt ready: best %.1f, median %.1f, worst %.1f ms of %d\n", taken.front(), taken[taken.size() / 2],
-              taken.back(), times);
+  std::printf("prompt ready: best %.1f, median %.1f, worst %.1f ms of %d\n", taken.front(),
+              taken[taken.size() / 2], taken.back(), times);
   return 0;
 }

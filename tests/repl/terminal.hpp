@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -21,6 +22,7 @@ class Terminal {
   // Runs `child` at the other end; it returns the exit code.
   explicit Terminal(const std::function<int()>& child) : screen(width) {
     const winsize size{height, width, 0, 0};
+    std::fflush(nullptr);  // or both sides would write what waits
     process_ = forkpty(&master_, nullptr, nullptr, &size);
     if (process_ == 0) _exit(child());
   }

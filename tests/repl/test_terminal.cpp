@@ -58,7 +58,7 @@ TEST_CASE("colours on a terminal, and none where nobody wants them") {
   {
     Terminal plain(program("colours"));
     CHECK(answers(plain, "error 'no'\r", "prompt:1: no"));
-    CHECK(answers(plain, "fabric.warn 'mind'\r", "warning: mind"));
+    CHECK(answers(plain, "fabric.warn 'mind'\r", "warning: prompt:1: mind"));
     CHECK(answers(plain, "\4", "> "));
     for (const std::string& colour : {red, blue, yellow})
       CHECK(plain.bytes.find(colour) != std::string::npos);
@@ -75,8 +75,14 @@ TEST_CASE("colours on a terminal, and none where nobody wants them") {
 TEST_CASE("a second Ctrl-C quits, a first one never does at the prompt") {
   std::filesystem::remove_all("quits");
   Terminal terminal(program("quits"));
-  for (int i = 0; i < 3; ++i) CHECK(answers(terminal, "half a line\3", "half"));
-  CHECK(answers(terminal, "io.write 'busy\\n' while true do pcall(function() while true do end end) end\r",
+  for (int i = 0; i < 3; ++i) {
+    CHECK(answers(terminal, "half " + std::to_string(i), "half " + std::to_string(i)));
+    const std::size_t lines = terminal.screen.lines().size();
+    terminal.type("\3");
+    CHECK(terminal.wait_for([&] { return terminal.screen.lines().size() > lines; }));
+  }
+  CHECK(answers(terminal,
+                "io.write('bu', 'sy\\n') while true do pcall(function() while true do end end) end\r",
                 "busy"));
   terminal.type("\3");
   CHECK(terminal.wait_for([&] { return shows(terminal, "^C"); }));
@@ -91,7 +97,6 @@ TEST_CASE("a second Ctrl-C quits, a first one never does at the prompt") {
 TEST_CASE("a notice while a line is typed leaves the line whole") {
   Terminal terminal([] {
     setenv("TERM", "vt100", 1);
-    const auto lines = repl::terminal_lines({});
     std::unique_ptr<repl::Lines> talking;
     repl::TerminalOptions options;
     options.complete = [&talking](const std::string& text) {
@@ -102,6 +107,7 @@ TEST_CASE("a notice while a line is typed leaves the line whole") {
     std::string line;
     talking->next("", line);
     std::printf("got [%s]\n", line.c_str());
+    std::fflush(stdout);
     return talking->interject("no line is typed now") ? 1 : 0;
   });
   CHECK(terminal.wait_for([&] { return terminal.screen.lines().back() == ">"; }));
