@@ -93,6 +93,7 @@ end
 local frame_noise = 0.05 * in_frame(start)[8]
 local found = lab.identify {
   parameters = parameters, checkpoint = out .. "/identify.part", progress = true, tolerance = 1e-4,
+  key = ("%.17g x %.17g m, %d cells, %.17g m pulled"):format(width, length, cells, last),
   tests = { { name = "bias", measured = record.force, noise = noise,
     predict = function(p) return at_displacements(simulate(card_of(p), width, length, last), record.displacement) end } },
   further = { { name = "a picture frame", predict = in_frame, noise = frame_noise } },

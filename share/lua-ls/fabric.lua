@@ -486,14 +486,15 @@ function fabric.lab.identifiability(fields) end
 ---@field tests table { {name=, measured={numbers}, predict=function(p) return numbers end, noise=}, ... }; p by parameter name; noise: one standard deviation, or one per number; default 1 % of the largest
 ---@field further? table tests that could be made: {name=, predict=, noise=}; ranked by what they would add
 ---@field processes? integer side by side, for the differences (default 2)
----@field checkpoint? string file of what was simulated so far; taken up when it is there
+---@field checkpoint? string file of what was simulated so far; taken up when it is there, after one of its points has been simulated again
+---@field key? number|string what predict depends on beside the parameters: a checkpoint of another key is refused
 ---@field iterations? integer at most (default 30)
 ---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
 ---@field difference? number step of the differences over high - low (default 0.001)
 ---@field settle? integer rounds at the end, with differences over a standard deviation to both sides along combinations of parameters (default 8)
 ---@field progress? boolean says on stderr how far it is (default false)
 
----Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation, correlation, weakest, misses (per test: rms and worst over the largest measured value), chi2, further (ranked), simulations, text.
+---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text.
 ---@param fields fabric_lab_identify_fields
 ---@return any
 function fabric.lab.identify(fields) end
@@ -607,7 +608,7 @@ function fabric.lab.monotone(fields) end
 ---@field isolated? boolean a process of its own even where they come one at a time (default false)
 ---@field progress? string led by this word it is said how far the work is (default "")
 
----Work for items 1 to count in processes side by side: the lists in order; one whose work failed is empty and has trouble, the message.
+---Work for items 1 to count in processes side by side: the lists in order; one whose work failed is empty and has trouble, the message, and died=true when its process ended without an answer.
 ---@param fields fabric_lab_parallel_fields
 ---@return any
 function fabric.lab.parallel(fields) end

@@ -53,12 +53,12 @@ void limit_time(double used) {
 
 Answer answer_of(const Work& work, std::size_t i, bool forked) {
   try {
-    return {work(i), ""};
+    return {work(i), "", false};
   } catch (const std::exception& error) {
-    return {{}, *error.what() == 0 ? "unknown trouble" : error.what()};
+    return {{}, *error.what() == 0 ? "unknown trouble" : error.what(), false};
   } catch (...) {  // an error of Lua, which has no type that is known here, must not leave a copy running on
     if (!forked) throw;
-    return {{}, "unknown trouble"};
+    return {{}, "unknown trouble", false};
   }
 }
 
@@ -74,9 +74,10 @@ Answer decoded(const std::string& bytes, int status) {
   if (WIFSIGNALED(status))
     return {{},
             "the process was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
-                strsignal(WTERMSIG(status)) + ")"};
-  if (bytes.empty()) return {{}, "the process ended without an answer"};
-  if (bytes[0] == 't') return {{}, bytes.substr(1)};
+                strsignal(WTERMSIG(status)) + ")",
+            true};
+  if (bytes.empty()) return {{}, "the process ended without an answer", true};
+  if (bytes[0] == 't') return {{}, bytes.substr(1), false};
   Answer answer;
   answer.values.resize((bytes.size() - 1) / sizeof(double));
   std::memcpy(answer.values.data(), bytes.data() + 1, bytes.size() - 1);
@@ -161,7 +162,7 @@ class Crew {
 }  // namespace
 
 std::vector<Answer> in_processes(std::size_t count, const Work& work, const Processes& how) {
-  std::vector<Answer> answers(count, Answer{{}, "stopped"});
+  std::vector<Answer> answers(count, Answer{{}, "stopped", true});
   const bool forks = how.always || (how.at_a_time > 1 && count > 1);
   Crew crew;
   for (std::size_t next = 0, finished = 0; finished < count; ++finished) {

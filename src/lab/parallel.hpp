@@ -10,6 +10,7 @@ namespace fabricsh::lab {
 struct Answer {
   std::vector<double> values;
   std::string trouble;  // not empty: what the work threw
+  bool died = false;    // ended or stopped without an answer (trouble says how): nothing is known of the item
 };
 
 struct Processes {

@@ -103,6 +103,10 @@ int parallel(Call& call) {
   for (const lab::Answer& answer : answers) {
     push_numbers(L, answer.values);
     if (!answer.trouble.empty()) set_text(L, "trouble", answer.trouble);
+    if (answer.died) {
+      lua_pushboolean(L, 1);
+      lua_setfield(L, -2, "died");
+    }
     lua_rawseti(L, -2, ++place);
   }
   return 1;
@@ -193,8 +197,7 @@ std::vector<Entry> rows() {
         value_("isolated", boolean, "a process of its own even where they come one at a time").or_else(false),
         value_("progress", text, "led by this word it is said how far the work is").or_else("")},
        "Work for items 1 to count in processes side by side: the lists in order; one whose work failed is "
-       "empty and has trouble, the "
-       "message.",
+       "empty and has trouble, the message, and died=true when its process ended without an answer.",
        "local r = require 'fabric'.lab.parallel{ count=3, work=function(i) return { i, i*i } end "
        "}\nassert(r[3][2] == 9)",
        parallel},

@@ -1,0 +1,75 @@
+-- What an identification has simulated so far: per point of the parameters what the tests predicted, or the message with which
+-- they failed. Kept in a file so that a run that was interrupted goes on where it stopped: the search takes the same way again,
+-- and every step that is known costs nothing. The noise is not part of it: the same predictions serve any.
+local fabric = require "fabric"
+local fail = require "fabric.define".fail
+
+local store = {}
+
+function store.key_of(point)
+  local words = {}
+  for i, x in ipairs(point) do words[i] = ("%.17g"):format(x) end
+  return table.concat(words, " ")
+end
+
+local function numbers_of(words)
+  local list = {}
+  for word in words:gmatch "%S+" do list[#list + 1] = tonumber(word) end
+  return list
+end
+
+-- What the file is about, in one line.
+function store.signature(t)
+  local words = {}
+  for _, p in ipairs(t.parameters) do words[#words + 1] = ("%s %.17g %.17g"):format(p.name, p.low, p.high) end
+  for _, test in ipairs(t.tests) do words[#words + 1] = test.name .. " " .. store.key_of(test.measured) end
+  if t.key then words[#words + 1] = "key " .. t.key end
+  return ("identify 2: " .. table.concat(words, "; ")):gsub("%s+", " ")
+end
+
+local function read(cache, f, count)
+  for line in f:lines() do
+    local point, message = line:match "^(.-) failed: (.*)$"
+    if point then
+      cache.add(numbers_of(point), { trouble = message })
+    else
+      local values
+      point, values = line:match "^(.-) : (.*)$"
+      values = numbers_of(values or "")
+      if #values == count then cache.add(numbers_of(point), values) end
+    end
+  end
+end
+
+-- values: by key, the predicted numbers in the order of the tests, or {trouble=}; points: in the order in which they came. count:
+-- numbers per point.
+function store.open(path, signature, count)
+  local cache = { values = {}, points = {} }
+  function cache.add(point, values)
+    local key = store.key_of(point)
+    if not cache.values[key] then cache.points[#cache.points + 1] = point end
+    cache.values[key] = values
+  end
+  function cache.save()
+    if not path then return end
+    local lines = { signature }
+    for _, point in ipairs(cache.points) do
+      local key = store.key_of(point)
+      local values = cache.values[key]
+      lines[#lines + 1] = key .. (values.trouble and " failed: " .. values.trouble:gsub("%s+", " ") or " : " .. store.key_of(values))
+    end
+    fabric.write(path, table.concat(lines, "\n") .. "\n")
+  end
+  local f = path and io.open(path)
+  if f then
+    if f:read "l" ~= signature then
+      f:close()
+      fail(("identify: field 'checkpoint': '%s' is of another problem (other parameters, tests, data or key)"):format(path))
+    end
+    read(cache, f, count)
+    f:close()
+  end
+  return cache
+end
+
+return store
