@@ -102,6 +102,7 @@ void Dynamic::begin() {
   assembly_->state().commit(0);
   assembly_->external(0, dead_);
   set_motion(initial_rates());
+  tell_dropped();
   work_.start(*assembly_, dead_);
   now_.driven_kinetic_at_0 = driven_kinetic();
   now_.next_check = duration_ / kChecks;
@@ -121,6 +122,43 @@ assembly::NodalRates Dynamic::initial_rates() const {
       }
     }
   return rates;
+}
+
+void Dynamic::tell_dropped() const {
+  for (const auto& given : model_->velocities()) {
+    std::string axes;
+    std::int64_t nodes = 0;
+    for (const auto n : model_->mesh().set(given.set)) {
+      const auto& freedoms = assembly_->freedoms().nodes[n];
+      const Vec3 v =
+          freedoms.frame * (given.linear + given.spin.cross(assembly_->reference()[n] - given.centre));
+      bool dropped = false;
+      for (int i = 0; i < 3; ++i) {
+        const auto equation = freedoms.equation[i];
+        if (v[i] == 0 || equation >= 0 || equation == assembly::tied) continue;
+        dropped = true;
+        if (axes.find("xyz"[i]) == std::string::npos) axes += std::string(" ") + "xyz"[i];
+      }
+      nodes += dropped ? 1 : 0;
+    }
+    if (nodes > 0)
+      notices_->say("dynamic: the velocity of set '" + given.set + "' is dropped along" + axes + " at " +
+                    std::to_string(nodes) + " of its nodes, which are fixed or moved there");
+  }
+}
+
+void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time,
+                         double most) {
+  if (now_.told_jump) return;
+  const auto& motions = assembly_->freedoms().motions;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double moved = std::abs(to[i] - from[i]);
+    if (motions[i].component > 2 || !(moved > most)) continue;
+    now_.told_jump = true;
+    return say("dynamic: the motion of node " + std::to_string(motions[i].node + 1) + " jumps by " +
+               number(moved) + " m within the step that ends at time " + number(time) +
+               " s: it hits the cloth rather than moves it, and the ledger will show it; a ramp would not");
+  }
 }
 
 std::vector<double> Dynamic::driven_rates() const {

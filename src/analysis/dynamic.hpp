@@ -60,6 +60,9 @@ class Dynamic : public Run {
   double driven_kinetic() const;             // J, of displacements that are driven
   assembly::NodalRates initial_rates() const;
   virtual void set_motion(const assembly::NodalRates& rates) = 0;  // at time 0
+  // A notice where a driven displacement goes by more than `most` m in the step to a time, s.
+  void watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time, double most);
+  void tell_dropped() const;  // a notice of velocities given to nodes that are held or driven
   void say(const std::string& text) { notices_->say(text); }
 
   virtual void take_options(const DynamicOptions& options) = 0;  // whose settings have changed
@@ -71,11 +74,11 @@ class Dynamic : public Run {
   struct Now {
     double step = 0, damping_work = 0, driven_kinetic_at_0 = 0, next_check = 0;
     std::int64_t steps = 0;
-    bool told_error = false, told_split = false, was_over = false;
+    bool told_error = false, told_split = false, told_jump = false, was_over = false;
     mesh::Index began = -1;  // element where energy was made when the first warning came
     void keep(Archive& archive) {
-      archive(step, damping_work, driven_kinetic_at_0, next_check, steps, told_error, told_split, was_over,
-              began);
+      archive(step, damping_work, driven_kinetic_at_0, next_check, steps, told_error, told_split, told_jump,
+              was_over, began);
     }
   } now_;
 

@@ -14,6 +14,7 @@ namespace fabricsh::analysis {
 namespace {
 
 constexpr double kUsual = 0.7;        // of the stable step
+constexpr double kJump = 0.1;         // of the smallest element: a motion beyond in one step is a jump
 constexpr int kStretchEvery = 16;     // steps between two looks at the stretch
 constexpr std::size_t kShare = 4096;  // unknowns from which threads share a loop
 
@@ -127,7 +128,13 @@ bool Explicit::attempt(double size, StepReport& report) {
   ran_away_ = away;
   if (ran_away_ || (stiffness_.on() && !stiffness_.start(driven_rates()))) return false;
   assembly_->begin_iterate();
-  assembly_->retract(increment_, 1, assembly_->targets(size));
+  const auto targets = assembly_->targets(size);
+  if (!targets.empty()) {
+    if (targets_.empty()) targets_ = assembly_->targets(now);
+    watch_jump(targets_, targets, size, kJump * smallest_);
+    trial_targets_ = targets;
+  }
+  assembly_->retract(increment_, 1, targets);
   assembly_->aim(size);
   if (trial_dead_.empty() || !assembly_->constant_loads()) assembly_->external(size, trial_dead_);
   trial_time_ = size;
@@ -156,6 +163,7 @@ void Explicit::commit(StepReport& report) {
   assembly_->state().commit(report.time);
   dirty_ = false;
   std::swap(motion_, trial_);
+  targets_ = trial_targets_;
   tried_ = false;
   dead_ = trial_dead_;
   work_.add(*assembly_, dead_);
@@ -211,6 +219,7 @@ void Explicit::memory(Archive& archive) {
   archive(now_, motion_);
   if (!archive.reading()) return;
   trial_dead_ = dead_;
+  targets_.clear();
   dirty_ = tried_ = false;
   rates_version_ = 0;
 }

@@ -43,8 +43,9 @@ class Explicit final : public Dynamic {
   std::vector<double> farthest_;  // per unknown, m or rad: a step beyond is a runaway
   Motion motion_, trial_;
   std::vector<double> increment_, residual_, trial_dead_;
-  bool dirty_ = false;  // does the trial state differ from the committed one
-  bool tried_ = false;  // is it a whole step, not yet committed
+  std::vector<double> targets_, trial_targets_;  // of the driven freedoms
+  bool dirty_ = false;                           // does the trial state differ from the committed one
+  bool tried_ = false;                           // is it a whole step, not yet committed
   bool ran_away_ = false;
   mutable assembly::NodalRates rates_;
   mutable std::uint64_t rates_version_ = 0;

@@ -276,6 +276,7 @@ void Implicit::commit(StepReport& report) {
   tried_ = false;
   const auto& state = std::as_const(*assembly_).state();
   const NodalMotion before = problem_->memory.motion;
+  const std::vector<double> driven_before = problem_->memory.driven;
   const auto& after = problem_->trial();
   const std::size_t n = 3 * state.nodes();
   const auto old = state.committed_kinematics();
@@ -312,6 +313,7 @@ void Implicit::commit(StepReport& report) {
     now_.damping_work += (options_.hht == 0 ? inertia : balanced) - (free_kinetic() - kinetic_before);
   dead_ = problem_->external();
   work_.add(*assembly_, dead_);
+  watch_jump(driven_before, problem_->memory.driven, report.time, smallest_);
   control_.grow(last_.iterations, report.cuts > 0);
   now_.step = control_.current();
   ++now_.steps;

@@ -29,6 +29,9 @@ int make(Call& call) {
   options.duration = call.number("duration");
   read_method(call, options);
   read_damping(call, options);
+  if (options.scheme == analysis::Scheme::explicit_steps)
+    for (const char* field : {"tolerance", "max_iterations", "max_cuts"})
+      if (call.has(field)) call.refuse(field, "unknown for scheme=\"explicit\", which does not iterate");
   options.tolerance = call.number("tolerance");
   options.max_iterations = static_cast<int>(call.integer("max_iterations"));
   options.max_cuts = static_cast<int>(call.integer("max_cuts"));

@@ -443,3 +443,32 @@ TEST_CASE("options of a run in motion that cannot be") {
   says(message({.duration = 1, .scheme = Scheme::implicit_steps, .hht = -0.5}),
        "dynamic: field 'hht': expected a number from -1/3 to 0, got -0.5");
 }
+
+TEST_CASE("velocities of held nodes and motions that jump are said by name") {
+  const auto said_by = [](analysis::Scheme scheme, bool jump) {
+    std::string said;
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.2, 0.1, 2, 1));
+    auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+    m->fix("left", model::parse_freedoms("x z rotation"));
+    model::Components up;
+    up[1] = history::History::callback([jump](double t) { return jump && t > 5e-4 ? 0.15 : 0; });
+    m->move("left", up);
+    m->velocity({"all", Vec3(0.1, 0, 0)});
+    const auto notices = std::make_shared<Notices>([&](const std::string& text) { said += text + "\n"; });
+    analysis::DynamicOptions options{.duration = 1e-3, .scheme = scheme, .ledger_limit = 1e9};
+    const auto a = analysis::make_dynamic(m, options, notices);
+    try {
+      a->solve();
+    } catch (const NumericalFailure&) {  // what a jump may come to
+    }
+    return said;
+  };
+  for (const auto scheme : {analysis::Scheme::explicit_steps, analysis::Scheme::implicit_steps}) {
+    const std::string still = said_by(scheme, false), jumps = said_by(scheme, true);
+    says(still,
+         "the velocity of set 'all' is dropped along x at 2 of its nodes, which are fixed or moved there");
+    CHECK(still.find("jumps") == std::string::npos);
+    if (scheme == analysis::Scheme::explicit_steps)
+      says(jumps, "jumps by 0.15 m within the step that ends at");
+  }
+}

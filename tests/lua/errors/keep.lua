@@ -36,3 +36,9 @@ wrong("analysis:set", "run:set{ step='1' }",
   "deck.lua:1: set: field 'step': expected a positive number in s, got '1'")
 wrong("analysis:set", "run:set{ max_iterations='1' }",
   "deck.lua:1: set: field 'max_iterations': expected an integer of at least 1, got '1'")
+
+-- fabric.dynamic
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, tolerance=1e-6 }",
+  "deck.lua:1: dynamic: field 'tolerance': unknown for scheme=\"explicit\", which does not iterate")
+wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, max_iterations=9 }",
+  "deck.lua:1: dynamic: field 'max_iterations': unknown for scheme=\"explicit\", which does not iterate")
