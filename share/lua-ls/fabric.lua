@@ -428,28 +428,50 @@ function fabric.lab.density(fields) end
 ---@return any
 function fabric.lab.drape(fields) end
 
+---@class fabric_lab_fast_fields.along
+---@field stretch number[] elongation over length
+---@field force number[] N/m: per width
+
+---@class fabric_lab_fast_fields.bias
+---@field stretch number[] elongation over length
+---@field force number[] N/m: per width
+
 ---@class fabric_lab_fast_fields
----@field along table {stretch=, force=} of a pull along a yarn; force in N/m of width
----@field bias? table {stretch=, force=} of a pull at 45 degrees
+---@field along fabric_lab_fast_fields.along pull along a yarn
+---@field bias? fabric_lab_fast_fields.bias pull at 45 degrees
 ---@field bending_length? number m: C, by the cantilever
 ---@field mass_per_area? number kg/m^2: W
 
----E5, E20, E100 (per cent at 5, 20, 100 N/m), EB5, G = 123/EB5 (N/m), B = W g C^3 (uN.m), F = (E20 - E5) B / 14.7 (mm^2).
+---E5, E20, E100 (per cent at 5, 20, 100 gf/cm: 4.90, 19.6, 98.1 N/m), EB5, G = 123/EB5 (N/m; FAST counts what the yarns stretch as shear), B = W g C^3 (uN.m), F = (E20 - E5) B / 14.7 (mm^2).
 ---@param fields fabric_lab_fast_fields
 ---@return any
 function fabric.lab.fast(fields) end
+
+---@class fabric_lab_fast_card_fields.warp
+---@field E20 number per cent: extension at 20 gf/cm
+---@field E100 number per cent: extension at 100 gf/cm
+---@field B number uN.m: bending rigidity
+
+---@class fabric_lab_fast_card_fields.weft
+---@field E20 number per cent: extension at 20 gf/cm
+---@field E100 number per cent: extension at 100 gf/cm
+---@field B number uN.m: bending rigidity
+
+---@class fabric_lab_fast_card_fields.poisson
+---@field warp number as in fabric.woven
+---@field weft number as in fabric.woven
 
 ---@class fabric_lab_fast_card_fields
 ---@field name string of the fabric
 ---@field thickness number m: T2, of the cloth
 ---@field density number kg/m^3: mass over volume
----@field warp table {E20=, E100=, B=}: per cent, uN.m
----@field weft table {E20=, E100=, B=}
----@field EB5 number bias extension, per cent
----@field poisson table {warp=, weft=}: FAST does not measure them
+---@field warp fabric_lab_fast_card_fields.warp FAST's numbers along the warp
+---@field weft fabric_lab_fast_card_fields.weft along the weft
+---@field EB5 number per cent: bias extension
+---@field poisson fabric_lab_fast_card_fields.poisson FAST does not measure them
 ---@field unloading_ratio? number unloading modulus over the largest tangent: FAST does not measure it (default 2)
 
----A card that shows the given FAST numbers. Unloading is assumed by its ratio; twist is half of the mean bending rigidity.
+---A card that shows the given FAST numbers; of EB5 the part of the yarns is not taken for shear. Unloading is assumed by its ratio; twist is half of the mean bending rigidity.
 ---@param fields fabric_lab_fast_card_fields
 ---@return card
 function fabric.lab.fast_card(fields) end
@@ -509,17 +531,50 @@ function fabric.lab.identify(fields) end
 ---@return any
 function fabric.lab.kes_bending(fields) end
 
+---@class fabric_lab_kes_card_fields.warp
+---@field EMT number per cent: stretch at 500 gf/cm
+---@field WT number gf cm/cm^2: work
+---@field RT number per cent: of it that comes back
+
+---@class fabric_lab_kes_card_fields.weft
+---@field EMT number per cent: stretch at 500 gf/cm
+---@field WT number gf cm/cm^2: work
+---@field RT number per cent: of it that comes back
+
+---@class fabric_lab_kes_card_fields.shear
+---@field G number gf/(cm deg): slope
+---@field 2HG number gf/cm: height of the loop at 0.5 degrees
+---@field 2HG5? number gf/cm: at 5 degrees
+
+---@class fabric_lab_kes_card_fields.bending.warp
+---@field B number gf cm^2/cm: rigidity
+---@field 2HB? number gf cm/cm: height of the loop
+
+---@class fabric_lab_kes_card_fields.bending.weft
+---@field B number gf cm^2/cm: rigidity
+---@field 2HB? number gf cm/cm: height of the loop
+
+---@class fabric_lab_kes_card_fields.bending
+---@field warp fabric_lab_kes_card_fields.bending.warp along the warp
+---@field weft fabric_lab_kes_card_fields.bending.weft along the weft
+---@field twist? number N.m: rigidity; default: half of the mean
+---@field build_up? number 1/m: curvature over which friction builds up (default 10)
+
+---@class fabric_lab_kes_card_fields.poisson
+---@field warp number as in fabric.woven
+---@field weft number as in fabric.woven
+
 ---@class fabric_lab_kes_card_fields
 ---@field name string of the fabric
 ---@field thickness number m: of the cloth
 ---@field density number kg/m^3: mass over volume
----@field warp table {EMT=, WT=, RT=}
----@field weft table {EMT=, WT=, RT=}
----@field shear table {G=, ['2HG']=}
----@field bending? table {warp={B=, ['2HB']=}, weft={...}, twist=?, build_up=?}; twist N.m, build_up 1/m
----@field poisson table {warp=, weft=}: KES does not measure them
+---@field warp fabric_lab_kes_card_fields.warp pull along the warp
+---@field weft fabric_lab_kes_card_fields.weft pull along the weft
+---@field shear fabric_lab_kes_card_fields.shear 2HG and 2HG5 are met as well as one unloading modulus can
+---@field bending? fabric_lab_kes_card_fields.bending without it as of the thickness
+---@field poisson fabric_lab_kes_card_fields.poisson KES does not measure them
 
----A card that shows the given KES numbers: tensile curve with one bend, straight shear. Twist is half of the mean bending rigidity unless given.
+---A card that shows the given KES numbers: tensile curve with one bend, straight shear, whose source says what of 2HG and 2HG5 is left.
 ---@param fields fabric_lab_kes_card_fields
 ---@return card
 function fabric.lab.kes_card(fields) end

@@ -5,7 +5,20 @@ local define = require "fabric.define"
 local quarter = math.pi / 4
 
 -- Shear angle of a hinged square of side l whose diagonal has grown by d (radians).
-local function angle_of(l, d) return math.pi / 2 - 2 * math.acos(math.min(1, 1 / math.sqrt(2) + d / (2 * l))) end
+local function angle_of(l, d) return math.pi / 2 - 2 * math.acos(1 / math.sqrt(2) + d / (2 * l)) end
+
+-- Lists of one length, and displacements below the largest that the geometry has, where the angle would be 90 degrees.
+local function check(what, t, most)
+  if t.force and #t.force ~= #t.displacement then
+    define.fail(("%s: field 'force': expected %d numbers, one per displacement, got %d"):format(what, #t.displacement, #t.force))
+  end
+  for i, d in ipairs(t.displacement) do
+    if d >= most then
+      define.fail(("%s: field 'displacement': expected less than %.4g m, where the yarns lie along the pull, got %g at place %d; is it in m?"):format(
+        what, most, d, i))
+    end
+  end
+end
 
 -- From the force N along the sides, per width, to S12 over E12. The sides turn: the work per area of cloth is N cos(gamma) dgamma,
 -- and with 2 E12 = sin(gamma) it is also S12 t cos(gamma) dgamma.
@@ -71,32 +84,36 @@ define {
     .. "local s = fabric.point(card):path({ E12=r.E12 }, {'S12'}).S12[3]\nassert(math.abs(r.S12[3] - s) < 1e-9 * s)",
   run = function(t)
     if (t.card == nil) == (t.force == nil) then define.fail "picture_frame: field 'force': expected either force or card" end
+    check("picture_frame", t, (2 - math.sqrt(2)) * t.frame)
     if t.card then return frame_force(t) end
     if not t.thickness then define.fail "picture_frame: field 'thickness': expected a positive number in m, got nil" end
     return frame_curve(t)
   end,
 }
 
-local function at(xs, ys, x)
-  if #xs == 0 or x <= 0 then return 0 end
-  local before_x, before_y = 0, 0
+-- Value at x of the curve through 0 and the points so far, as a + b y of the point (last, y) that is being found: beyond the known
+-- points it is interpolated towards that one.
+local function between(xs, ys, x, last)
+  local before_x, before_y = 0, xs[1] == 0 and ys[1] or 0
+  if last == 0 then return 0, 1 end
   for i, right in ipairs(xs) do
-    if right >= x then return before_y + (ys[i] - before_y) * (x - before_x) / (right - before_x) end
+    if right >= x and right > before_x then return before_y + (ys[i] - before_y) * (x - before_x) / (right - before_x), 0 end
     before_x, before_y = right, ys[i]
   end
-  return before_y
+  local part = (x - before_x) / (last - before_x)
+  return before_y * (1 - part), part
 end
 
--- The middle zone at gamma and the mixed zones at gamma/2 share the work of the grips [cao2008]; the smaller angle's value
--- is taken from the curve so far.
+-- The middle zone at gamma and the mixed zones at gamma/2 share the work of the grips [cao2008].
 local function bias_curve(t)
   local out = { radians = {}, normal_force = {} }
   local w, h = t.width, t.length
   for i, d in ipairs(t.displacement) do
-    local gamma = math.pi / 2 - 2 * math.acos(math.min(1, (h - w + d) / (math.sqrt(2) * (h - w))))
-    local half = at(out.radians, out.normal_force, gamma / 2)
-    local pull = (h / w - 1) * t.force[i] * (math.cos(gamma / 2) - math.sin(gamma / 2))
-    out.normal_force[i] = (pull - w * half * math.cos(gamma / 2)) / ((2 * h - 3 * w) * math.cos(gamma))
+    local gamma = math.pi / 2 - 2 * math.acos((h - w + d) / (math.sqrt(2) * (h - w)))
+    if d == 0 then gamma = 0 end -- not the last digit of pi
+    local known, share = between(out.radians, out.normal_force, gamma / 2, gamma)
+    local pull, mixed = (h / w - 1) * t.force[i] * (math.cos(gamma / 2) - math.sin(gamma / 2)), w * math.cos(gamma / 2)
+    out.normal_force[i] = (pull - mixed * known) / ((2 * h - 3 * w) * math.cos(gamma) + mixed * share)
     out.radians[i] = gamma
   end
   return stress(out, t.thickness)
@@ -116,6 +133,7 @@ define {
     .. "assert(r.angle[2] > r.angle[1] and r.S12[1] > 0)",
   run = function(t)
     if t.length < 2 * t.width then define.fail "bias_shear: field 'length': expected at least twice the width (else there is no middle zone)" end
+    check("bias_shear", t, (math.sqrt(2) - 1) * (t.length - t.width))
     return bias_curve(t)
   end,
 }

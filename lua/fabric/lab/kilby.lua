@@ -24,7 +24,12 @@ define {
   run = function(t)
     local rest = 1 / t.warp + 1 / t.weft - coupling(t)
     if (t.bias == nil) == (t.shear == nil) then define.fail "kilby: field 'bias': expected either bias or shear" end
-    local shear = t.shear or 1 / (4 / t.bias - rest)
-    return { shear = shear, bias = t.bias or 4 / (1 / t.shear + rest) }
+    if t.bias and 4 / t.bias <= rest then
+      define.fail(("kilby: field 'bias': expected less than %.4g Pa, where the yarns alone would hold the strip, got %g"):format(4 / rest, t.bias))
+    end
+    if t.shear and 1 / t.shear + rest <= 0 then
+      define.fail(("kilby: field 'nu12': with these moduli and shear %g Pa the ratios are too large for a bias modulus above zero"):format(t.shear))
+    end
+    return { shear = t.shear or 1 / (4 / t.bias - rest), bias = t.bias or 4 / (1 / t.shear + rest) }
   end,
 }
