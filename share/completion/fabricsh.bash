@@ -9,6 +9,11 @@ _fabricsh() {
       mapfile -t COMPREPLY < <(compgen -d -- "$cur")
       return
       ;;
+    --restart)
+      compopt -o filenames 2>/dev/null
+      mapfile -t COMPREPLY < <(compgen -f -- "$cur")
+      return
+      ;;
   esac
   if [[ $cur == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --restart --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
@@ -19,7 +24,7 @@ _fabricsh() {
   for ((i = 1; i < COMP_CWORD; i++)); do
     word=${COMP_WORDS[i]}
     case $word in
-      -e | -l | --threads | --output | --limit-*) ((i++)) ;;
+      -e | -l | --threads | --restart | --output | --limit-*) ((i++)) ;;
       -?*) ;;
       *) deck=$word ;;
     esac

@@ -36,5 +36,7 @@ check "$(completed o)" "one.lua "
 check "$(completed one.lua d)" "data.csv "
 check "$(completed d)" ""
 check "$(completed --threads 4 tw)" "two.lua "
+check "$(completed --restart d)" "data.csv "
+check "$(completed --restart data.csv o)" "one.lua "
 check "$(completed -e '')" ""
 exit $trouble
