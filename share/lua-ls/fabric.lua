@@ -367,7 +367,7 @@ function fabric.lab.biaxial(fields) end
 ---@field y table likewise
 ---@field warp? number degrees: from x to the warp (default 90)
 
----Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. 3.2), E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen in the last frame; frames, boxes.
+---Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. 3.2), E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each box's part in the shear; frames, boxes.
 ---@param fields fabric_lab_boxes_fields
 ---@return any
 function fabric.lab.boxes(fields) end
@@ -376,7 +376,7 @@ function fabric.lab.boxes(fields) end
 ---@field displacement number[] m: of a cyclic test
 ---@field tolerance number m: smallest way back that is a reversal
 
----Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, or reloading (up to the largest displacement so far).
+---Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, reloading (up to the largest displacement so far) or hold (five rows and more at a reversal).
 ---@param fields fabric_lab_branches_fields
 ---@return any
 function fabric.lab.branches(fields) end
@@ -805,7 +805,7 @@ function fabric.lab.shear(fields) end
 ---@field compliance? number m/N: of the frame (default 0)
 ---@field slip? number m/N: in the grips (default 0)
 
----Shear from a bias pull: E (tensor E12 = lambda1 lambda2 cos(phi)/2 over the boxes of zone 3, eq. 3.16) and S (S12 = P/(2 A0 lambda), eq. 3.15) per frame, zones of the boxes, warp_stretch, weft_stretch, branches: a test for fabric.lab.fit.
+---Shear from a bias pull: E (tensor E12 = lambda1 lambda2 cos(phi)/2 over the boxes of zone 3, eq. 3.16) and S (S12 = P/(2 A0 lambda), eq. 3.15) per frame in which that zone is seen (frames), zones of the boxes, warp_stretch, weft_stretch, branches: a test for fabric.lab.fit.
 ---@param fields fabric_lab_shear_from_bias_fields
 ---@return any
 function fabric.lab.shear_from_bias(fields) end
@@ -849,13 +849,14 @@ function fabric.lab.synthetic(fields) end
 ---@field plies integer layers that carry: 1, or 2 for a sewn loop on two pins
 ---@field compliance? number m/N: of frame and load cell (default 0)
 ---@field slip? number m/N: in the grips, over the largest force so far (default 0)
+---@field zero? boolean displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell (default false)
 ---@field slack? number|"none"|"contact" m: displacement at first contact, or 'contact': found where the force rises above `contact` (default "none")
 ---@field contact? number N: default 1 % of the largest force
 ---@field tolerance? number m: smallest way back that is a reversal; default 1 % of the largest displacement
 ---@field kept? number failed below this part of the peak (default 0.8)
 ---@field softening? number yielded below this part of the largest tangent (default 0.5)
 
----A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (rows of the first branch), yield and failure (rows or nil), slack, area.
+---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area.
 ---@param fields fabric_lab_tensile_fields
 ---@return any
 function fabric.lab.tensile(fields) end
@@ -886,7 +887,7 @@ function fabric.lab.track(fields) end
 ---@field rows integer of markers, following each other along the pull
 ---@field columns integer of markers, across the pull
 
----Positions of a marker grid in a series of photographs: rows, columns, frames, x, y; a marker without a row is lost (nan).
+---Positions of a marker grid in a series of photographs: rows, columns, frames, their numbers in order, x, y; a marker without a row is lost (nan).
 ---@param fields fabric_lab_tracks_fields
 ---@return any
 function fabric.lab.tracks(fields) end
@@ -1061,6 +1062,7 @@ function fabric.model(fields) end
 
 ---Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows.
 ---@param fields fabric_plot_fields
+---@return string?
 function fabric.plot(fields) end
 
 ---One material point of virgin cloth, to be driven by strains.

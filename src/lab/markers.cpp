@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 
@@ -140,6 +141,23 @@ YarnShear yarn_shear(const std::array<double, 4>& F, double angle) {
   const Eigen::Vector2d warp = f * Eigen::Vector2d(c, s), weft = f * Eigen::Vector2d(-s, c);
   const double l1 = warp.norm(), l2 = weft.norm(), cosine = warp.dot(weft) / (l1 * l2);
   return {l1 * l2 * cosine / 2, l1, l2};
+}
+
+std::vector<double> shear_shares(const std::vector<double>& E12, std::size_t boxes) {
+  std::vector<double> xy(boxes, 0), xx(boxes, 0), share(boxes, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t at = 0; at + boxes <= E12.size(); at += boxes) {
+    double sum = 0, n = 0;
+    for (std::size_t b = 0; b < boxes; ++b)
+      if (std::isfinite(E12[at + b])) sum += E12[at + b], n += 1;
+    for (std::size_t b = 0; b < boxes; ++b)
+      if (std::isfinite(E12[at + b])) {
+        xy[b] += E12[at + b] * sum / n;
+        xx[b] += sum / n * sum / n;
+      }
+  }
+  for (std::size_t b = 0; b < boxes; ++b)
+    if (xx[b] > 0) share[b] = xy[b] / xx[b];
+  return share;
 }
 
 std::vector<int> bias_zones(const std::vector<double>& E12) {

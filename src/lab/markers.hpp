@@ -45,6 +45,11 @@ struct YarnShear {
 };
 YarnShear yarn_shear(const std::array<double, 4>& F, double angle);
 
+// Each box's shear as a part of the mean over the boxes, the line through the origin over all frames (E12
+// frames x boxes): noise and lost markers of a single frame do not decide, nor does the end of a cyclic test.
+// Not a number for a box that is never seen.
+std::vector<double> shear_shares(const std::vector<double>& E12, std::size_t boxes);
+
 // Zones of a bias specimen by the box's shear beside the largest: 1 not deformed, 2 mixed (half), 3 sheared.
 std::vector<int> bias_zones(const std::vector<double>& E12);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fabricsh::lab {
 
@@ -59,6 +60,35 @@ std::vector<std::size_t> reversals(std::span<const double> u, double tolerance) 
   return turns;
 }
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// How near an extreme a displacement does not tell whether the frame moves: half a usual step between rows,
+// or eight deviations of the noise (the extreme of a hold stands up to four above its level, others up to
+// four below) that second differences show (their variance is six times that of a reading).
+double hold_width(std::span<const double> u) {
+  if (u.size() < 3) return 0;
+  std::vector<double> steps, bends;
+  for (std::size_t i = 1; i < u.size(); ++i) steps.push_back(std::abs(u[i] - u[i - 1]));
+  for (std::size_t i = 2; i < u.size(); ++i) bends.push_back(std::abs(u[i] - 2 * u[i - 1] + u[i - 2]));
+  const double noise = median(std::move(bends)) / (0.6745 * std::sqrt(6.0));
+  return std::max(median(std::move(steps)) / 2, 8 * noise);
+}
+
+constexpr std::size_t kHold = 5;  // rows that stay near an extreme: the frame was held there
+
+// First and last row of the hold at an extreme; the extreme itself where there is none.
+std::pair<std::size_t, std::size_t> hold_at(std::span<const double> u, std::size_t extreme, double width) {
+  std::size_t first = extreme, last = extreme;
+  while (first > 0 && std::abs(u[first - 1] - u[extreme]) <= width) --first;
+  while (last + 1 < u.size() && std::abs(u[last + 1] - u[extreme]) <= width) ++last;
+  if (last - first < kHold) return {extreme, extreme};
+  return {first, last};
+}
+
 // A way up that may pass the largest displacement so far: reloading below it, loading above.
 void add_way_up(std::vector<Branch>& out, std::span<const double> u, std::size_t begin, std::size_t end,
                 double largest) {
@@ -72,21 +102,25 @@ void add_way_up(std::vector<Branch>& out, std::span<const double> u, std::size_t
 
 std::vector<Branch> branches(std::span<const double> u, double tolerance) {
   std::vector<Branch> out;
+  if (u.empty()) return out;
+  const double width = std::min(hold_width(u), tolerance);
   auto turns = reversals(u, tolerance);
   turns.push_back(u.size() - 1);
   std::size_t begin = 0;
-  double largest = u.empty() ? 0 : u[0];
+  double largest = u[0];
   bool up = true;
   for (const std::size_t turn : turns) {
-    const std::size_t end = turn + 1;
+    const auto [first, last] = hold_at(u, turn, width);
+    const std::size_t end = std::max(begin, first + 1);
     if (begin < end) {
       if (up)
         add_way_up(out, u, begin, end, largest);
       else
         out.push_back({BranchKind::unloading, begin, end});
     }
+    if (last + 1 > end) out.push_back({BranchKind::hold, end, last + 1});
     largest = std::max(largest, u[turn]);
-    begin = end;
+    begin = std::max(end, last + 1);
     up = !up;
   }
   return out;
@@ -94,20 +128,28 @@ std::vector<Branch> branches(std::span<const double> u, double tolerance) {
 
 namespace {
 
-// Slope of the line through rows [begin, end).
-double slope(std::span<const double> x, std::span<const double> y, std::size_t begin, std::size_t end) {
-  const double n = static_cast<double>(end - begin);
-  double mx = 0, my = 0, xx = 0, xy = 0;
+// Slopes of the lines through `window` rows from every row on, below `end`; sums run along, about the first
+// row.
+std::vector<double> slopes(std::span<const double> x, std::span<const double> y, std::size_t begin,
+                           std::size_t end, std::size_t window) {
+  std::vector<double> out;
+  const auto n = static_cast<double>(window);
+  double sx = 0, sy = 0, xx = 0, xy = 0;
+  const auto add = [&](std::size_t i, double sign) {
+    const double a = x[i] - x[begin], b = y[i] - y[begin];
+    sx += sign * a, sy += sign * b, xx += sign * a * a, xy += sign * a * b;
+  };
   for (std::size_t i = begin; i < end; ++i) {
-    mx += x[i] / n;
-    my += y[i] / n;
+    add(i, 1);
+    if (i + 1 < begin + window) continue;
+    const double spread = xx - sx * sx / n;
+    out.push_back(spread > 0 ? (xy - sx * sy / n) / spread : 0);
+    add(i + 1 - window, -1);
   }
-  for (std::size_t i = begin; i < end; ++i) {
-    xx += (x[i] - mx) * (x[i] - mx);
-    xy += (x[i] - mx) * (y[i] - my);
-  }
-  return xx > 0 ? xy / xx : 0;
+  return out;
 }
+
+constexpr double kTaut = 0.05;  // of the largest stress: below, slack may still be coming out
 
 }  // namespace
 
@@ -119,15 +161,17 @@ Marks yield_and_failure(std::span<const double> E, std::span<const double> S, st
       std::max_element(S.begin(), S.begin() + static_cast<std::ptrdiff_t>(end)) - S.begin());
   for (std::size_t i = top; i < end && !marks.failure; ++i)
     if (S[i] < kept * S[top]) marks.failure = top;
-  const std::size_t window = std::max<std::size_t>(5, (top + 1) / 20);
+  std::size_t taut = top;
+  while (taut > 0 && S[taut - 1] > kTaut * S[top]) --taut;
+  const std::size_t window = std::max<std::size_t>(5, (top + 1 - taut) / 20);
+  const auto tangent = slopes(E, S, taut, top + 1, window);
   double stiffest = 0;
-  for (std::size_t i = 0; i + window <= top + 1; ++i) {
-    const double tangent = slope(E, S, i, i + window);
-    stiffest = std::max(stiffest, tangent);
-    if (tangent >= softening * stiffest) continue;
-    marks.yield = i + window / 2;
-    break;
+  std::size_t soft = 0;  // windows from here on are below `softening` of the stiffest before them
+  for (std::size_t i = 0; i < tangent.size(); ++i) {
+    stiffest = std::max(stiffest, tangent[i]);
+    if (tangent[i] >= softening * stiffest) soft = i + 1;
   }
+  if (soft < tangent.size()) marks.yield = taut + soft + window / 2;
   return marks;
 }
 

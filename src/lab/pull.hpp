@@ -37,22 +37,25 @@ Tension stress_strain(std::span<const double> displacement, std::span<const doub
 std::optional<double> first_contact(std::span<const double> displacement, std::span<const double> force,
                                     double threshold);
 
-enum class BranchKind { loading, unloading, reloading };
+enum class BranchKind { loading, unloading, reloading, hold };
 struct Branch {
   BranchKind kind;
   std::size_t begin, end;  // rows [begin, end); the row of a reversal belongs to the branch before it
 };
 
 // Parts of a record between reversals of the displacement larger than `tolerance`; reloading ends where the
-// largest displacement so far is reached again.
+// largest displacement so far is reached again. Five rows and more that stay at an extreme (within half a
+// usual step or eight deviations of the displacement's noise) are a hold, in which cloth relaxes: it belongs
+// to neither side.
 std::vector<Branch> branches(std::span<const double> displacement, double tolerance);
 
 struct Marks {
   std::optional<std::size_t> yield, failure;  // rows
 };
-// On the loading rows [0, end): failure is the largest force when the force falls below `kept` of it
-// afterwards; yield the first row before it at which the tangent (a line through a window of rows) has fallen
-// below `softening` of its largest value so far.
+// On the loading rows [0, end): failure is the largest stress when the stress falls below `kept` of it
+// afterwards; yield the row from which on, up to that, the tangent (a line through a window of rows) stays
+// below `softening` of its largest value before. Rows below a twentieth of the largest stress do not count:
+// slack is soft too.
 Marks yield_and_failure(std::span<const double> E, std::span<const double> S, std::size_t end, double kept,
                         double softening);
 

@@ -50,8 +50,16 @@ int reduce(Call& call) {
 }
 
 const char* word(lab::BranchKind kind) {
-  if (kind == lab::BranchKind::loading) return "loading";
-  return kind == lab::BranchKind::unloading ? "unloading" : "reloading";
+  switch (kind) {
+    case lab::BranchKind::loading:
+      return "loading";
+    case lab::BranchKind::unloading:
+      return "unloading";
+    case lab::BranchKind::hold:
+      return "hold";
+    default:
+      return "reloading";
+  }
 }
 
 int branches(Call& call) {
@@ -251,8 +259,7 @@ int box_strains(Call& call) {
   set_numbers(L, "E12", shear);
   set_numbers(L, "warp_stretch", warp);
   set_numbers(L, "weft_stretch", weft);
-  const auto zones =
-      lab::bias_zones({shear.end() - static_cast<std::ptrdiff_t>(tracks.boxes()), shear.end()});
+  const auto zones = lab::bias_zones(lab::shear_shares(shear, tracks.boxes()));
   set_numbers(L, "zones", {zones.begin(), zones.end()});
   return 1;
 }
@@ -299,9 +306,9 @@ std::vector<Entry> pull_entries() {
        Style::fields,
        {list("displacement", "m", "of a cyclic test"),
         number_("tolerance", "m", positive, "smallest way back that is a reversal")},
-       "Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, or "
-       "reloading (up to the "
-       "largest displacement so far).",
+       "Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, "
+       "reloading "
+       "(up to the largest displacement so far) or hold (five rows and more at a reversal).",
        "local b = require 'fabric'.lab.branches{ displacement={0, 2, 1, 3}, tolerance=0.5 }\n"
        "assert(#b == 3 and b[2].kind == 'unloading' and b[3].kind == 'loading')",
        branches},
@@ -386,7 +393,8 @@ std::vector<Entry> marker_entries() {
        with(track_rows(), {number_("warp", "degrees", everything, "from x to the warp").or_else(90.0)}),
        "Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. "
        "3.2), E12 between the "
-       "yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen in the last frame; frames, "
+       "yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each box's part in the "
+       "shear; frames, "
        "boxes.",
        "local b = require 'fabric'.lab.boxes" + square + " }\nassert(math.abs(b.along[2] - 0.22) < 1e-12)",
        box_strains},

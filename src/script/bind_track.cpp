@@ -41,8 +41,9 @@ double scale_of(const Call& call, const lab::Tracks& t) {
   const std::size_t a = marker("from"), b = marker("to");
   if (a == b) known.refuse("to", "expected another marker than 'from'");
   const double pixels = std::hypot(t.x[a] - t.x[b], t.y[a] - t.y[b]);
+  const double distance = known.number("distance");
   lua_pop(call.L(), 1);
-  return known.number("distance") / pixels;
+  return distance / pixels;
 }
 
 void push_doubts(lua_State* L, const std::vector<lab::Doubt>& doubts) {

@@ -1,5 +1,7 @@
 #include <Eigen/Dense>
 #include <cmath>
+#include <numbers>
+#include <random>
 
 #include "catch.hpp"
 #include "lab/pull.hpp"
@@ -63,6 +65,50 @@ TEST_CASE("branches of a cyclic test", "[lab]") {
     CHECK(b[i].begin == (i == 0 ? 0 : ends[i - 1]));
   }
   CHECK(branches(std::vector<double>{0, 1, 2}, 0.1).size() == 1);
+}
+
+TEST_CASE("a hold at the reversal belongs to neither side", "[lab]") {
+  for (const double noise : {0.0, 2e-6}) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal(0, 1);
+    std::vector<double> u;
+    for (int i = 0; i <= 300; ++i) u.push_back(5e-3 * i / 300);
+    for (int i = 0; i < 100; ++i) u.push_back(5e-3);
+    for (int i = 1; i <= 100; ++i) u.push_back(5e-3 - 1e-3 * i / 100);
+    for (double& x : u) x += noise * normal(random);
+    const auto b = branches(u, 5e-5);
+    REQUIRE(b.size() == 3);
+    CHECK(b[0].kind == BranchKind::loading);
+    CHECK(b[1].kind == BranchKind::hold);
+    CHECK(b[2].kind == BranchKind::unloading);
+    CHECK(b[0].end >= 299);
+    CHECK(b[0].end <= 302);
+    CHECK(b[2].begin >= 401);
+    CHECK(b[2].begin <= 404);  // 16 um of noise are two of its steps
+    CHECK(b[2].end == u.size());
+  }
+  // a fast sampled turn without a hold loses what its noise hides, no more
+  std::vector<double> sharp;
+  for (int i = 0; i <= 20; ++i) sharp.push_back(i <= 10 ? i : 20 - i);
+  CHECK(branches(sharp, 2).size() == 2);
+}
+
+TEST_CASE("slack and a wave are no yield", "[lab]") {
+  std::vector<double> E, S;
+  for (int i = 0; i <= 1000; ++i) {
+    const double e = i * 1e-4, taut = std::max(0.0, e - 0.01);
+    E.push_back(e);
+    S.push_back(4e8 * taut * taut + 8e6 * taut + 2e3 * std::sin(40.0 * i));  // noise in the slack
+  }
+  CHECK_FALSE(yield_and_failure(E, S, E.size(), 0.8, 0.5).yield);
+  // the tangent falls below half of its largest and comes back
+  for (int i = 0; i <= 900; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double wave = 2 * std::numbers::pi / 0.03;
+    E[at] = i * 1e-4;
+    S[at] = 1e7 * E[at] + 0.8e7 / wave * std::sin(wave * E[at]);
+  }
+  CHECK_FALSE(yield_and_failure(E, S, 901, 0.8, 0.5).yield);
 }
 
 TEST_CASE("yield and failure of a monotonic test", "[lab]") {

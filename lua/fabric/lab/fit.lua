@@ -18,18 +18,26 @@ local function loading_curve(test, t)
   return { E = E, S = S }
 end
 
+-- The first unloading that begins under load: what comes before a pull begins (the grip let down on slack cloth) is none.
+local loaded = 0.1 -- of the largest stress
+local function first_unloading(test)
+  local peak = 0
+  for _, S in ipairs(test.S) do peak = math.max(peak, S) end
+  for _, branch in ipairs(test.branches) do
+    if branch.kind == "unloading" and test.S[branch.first] > loaded * peak and not (test.failure and branch.first > test.failure) then return branch end
+  end
+end
+
 -- The unloading modulus after the first reversal, seen from contact; nil when the test only loads.
 local function unloading_of(test, slack, t)
-  for _, branch in ipairs(test.branches) do
-    if branch.kind == "unloading" then
-      local E, S = {}, {}
-      for i = branch.first, math.min(branch.last, branch.first + 250) do
-        E[#E + 1] = ((1 + 2 * test.E[i]) / (1 + slack) ^ 2 - 1) / 2
-        S[#S + 1] = test.S[i] * (1 + slack)
-      end
-      return fabric.lab.unloading { E = E, S = S, rule = t.rule, count = t.count, kept = t.kept }
-    end
+  local branch = first_unloading(test)
+  if not branch then return end
+  local E, S = {}, {}
+  for i = branch.first, math.min(branch.last, branch.first + 250) do
+    E[#E + 1] = ((1 + 2 * test.E[i]) / (1 + slack) ^ 2 - 1) / 2
+    S[#S + 1] = test.S[i] * (1 + slack)
   end
+  return fabric.lab.unloading { E = E, S = S, rule = t.rule, count = t.count, kept = t.kept }
 end
 
 local function criterion_text(candidates)
@@ -83,9 +91,54 @@ local function with_polynomial(out, chosen, t)
   for _, specimen in ipairs(chosen.specimens) do out.tested = math.min(out.tested, specimen.reach) end
 end
 
-local function with_points(out, curves)
+-- A curve seen from first contact: the specimen is longer by its slack (a stretch), as for the polynomials.
+local contact = 0.01 -- of the largest stress
+local function from_contact(curve)
+  local peak, first = 0, nil
+  for _, S in ipairs(curve.S) do peak = math.max(peak, S) end
+  for i = #curve.S, 1, -1 do
+    if curve.S[i] <= contact * peak then
+      first = i
+      break
+    end
+  end
+  if not first then return curve, 0 end
+  local stretch, out = math.sqrt(1 + 2 * curve.E[first]), { E = {}, S = {} }
+  for i = first, #curve.E do
+    out.E[#out.E + 1], out.S[#out.S + 1] = ((1 + 2 * curve.E[i]) / stretch ^ 2 - 1) / 2, curve.S[i] * stretch
+  end
+  return out, stretch - 1
+end
+
+local function with_points(out, curves, t)
+  if t.find_slack then
+    local taut = {}
+    out.specimens = {}
+    for i, curve in ipairs(curves) do
+      local slack
+      taut[i], slack = from_contact(curve)
+      out.specimens[i] = { slack = slack }
+    end
+    curves = taut
+    out.text = (out.text and out.text .. "\n" or "") .. ("slack up to where the stress leaves %g %% of its largest value"):format(100 * contact)
+  end
   out.loading = fabric.lab.monotone { curves = curves }
   out.tested = out.loading[#out.loading][1]
+end
+
+-- Cloth unloads along a line steeper than any way up; a flatter one tells of noise, or of a hold in the record.
+local function check_unloading(out)
+  if not out.unloading or not out.degree then return end
+  local steepest = 0
+  for i = 0, 50 do
+    local D = 0
+    for k, d in ipairs(out.loading) do D = D + d * (out.tested * i / 50) ^ (k - 1) end
+    steepest = math.max(steepest, D)
+  end
+  if out.unloading < steepest then
+    fabric.warn(("fit: the unloading modulus found, %.4g MPa, is below the loading tangent, %.4g MPa: look at the reversal (a hold? noise? rule=\"robust\")"):format(
+      out.unloading / 1e6, steepest / 1e6))
+  end
 end
 
 local function fit(t)
@@ -93,13 +146,16 @@ local function fit(t)
   for i, test in ipairs(t.tests) do curves[i] = loading_curve(test, t) end
   local chosen
   if t.degree ~= "monotone" then chosen, out.text = polynomial(t, curves) end
+  if not chosen then with_points(out, curves, t) end
+  local specimens = chosen and chosen.specimens or out.specimens or {}
   for i, test in ipairs(t.tests) do
-    out.unloading_of[i] = unloading_of(test, chosen and chosen.specimens[i].slack or 0, t)
+    out.unloading_of[i] = unloading_of(test, specimens[i] and specimens[i].slack or 0, t)
   end
   local whole = #out.unloading_of == #t.tests
   out.unloading = known_mean(out.unloading_of, #t.tests)
   if not whole then out.unloading_of = {} end
-  if chosen then with_polynomial(out, chosen, t) else with_points(out, curves) end
+  if chosen then with_polynomial(out, chosen, t) end
+  check_unloading(out)
   return out
 end
 

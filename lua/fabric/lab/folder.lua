@@ -52,12 +52,48 @@ local function along(about, path, direction)
   return { tests = tests, fit = fit, ratio = ratio }
 end
 
+-- The numbers of the photographs that the rows of a record belong to; nil without a column `frame`.
+local function frame_numbers(file)
+  for _, column in ipairs(fabric.table { file = file }) do
+    if column.name:lower():match "^%s*(%a+)" == "frame" then return column.values end
+  end
+end
+
+-- Record and markers of the photographs that both know, by their numbers; without numbers in the record, row by row.
+local function paired(record, grid, file)
+  local numbers = frame_numbers(file)
+  if not numbers then
+    local last = grid.numbers[#grid.numbers]
+    if #record.force ~= grid.frames or last - grid.numbers[1] ~= grid.frames - 1 then
+      error(("%s: expected a column 'frame', since its %d rows are not those of the %d photographs, numbers %g to %g, of %s"):format(file,
+        #record.force, grid.frames, grid.numbers[1], last, grid.file), 0)
+    end
+    return record, grid
+  end
+  local row_of, markers = {}, grid.rows * grid.columns
+  for row, number in ipairs(numbers) do row_of[number] = row end
+  if not row_of[grid.numbers[1]] then
+    error(("%s: expected a row for frame %g, the first of %s, from which the strain counts"):format(file, grid.numbers[1], grid.file), 0)
+  end
+  local both = { displacement = {}, force = {} }
+  local kept = { rows = grid.rows, columns = grid.columns, file = grid.file, frames = 0, numbers = {}, x = {}, y = {} }
+  for f, number in ipairs(grid.numbers) do
+    local row = row_of[number]
+    if row then
+      kept.frames = kept.frames + 1
+      kept.numbers[kept.frames], both.displacement[kept.frames], both.force[kept.frames] = number, record.displacement[row], record.force[row]
+      for _, name in ipairs { "x", "y" } do table.move(grid[name], (f - 1) * markers + 1, f * markers, #kept[name] + 1, kept[name]) end
+    end
+  end
+  return both, kept
+end
+
 local function in_shear(about, path)
   local tests = {}
   for i, s in ipairs(specimens(path, "^bias%-(%w+)%-frames%.%a+$")) do
-    local frames = lab.read { file = s.file, columns = about.columns, units = about.units }
-    tests[i] = lab.shear_from_bias(options(about, { markers = grid_of(about, s.stem .. "-markers.csv"), force = frames.force,
-      displacement = frames.displacement, warp = about.warp }))
+    local record, grid = paired(lab.read { file = s.file, columns = about.columns, units = about.units },
+      grid_of(about, s.stem .. "-markers.csv"), s.file)
+    tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
     tests[i].file = s.file
   end
   if #tests == 0 then error(path .. ": expected files named bias-1-frames.csv and bias-1-markers.csv, there is none", 0) end

@@ -12,25 +12,32 @@ local function column_named(file, path, name)
   fail(("tracks: %s:1: expected columns frame, marker, x, y; there is no '%s'"):format(path, name))
 end
 
+-- Frames in the order of their numbers, whatever the order of the rows.
+local function places_of(frame)
+  local numbers, place = {}, {}
+  for _, f in ipairs(frame) do
+    if not place[f] then numbers[#numbers + 1], place[f] = f, 0 end
+  end
+  table.sort(numbers)
+  for i, f in ipairs(numbers) do place[f] = i - 1 end
+  return numbers, place
+end
+
 local function tracks(t)
   local file = fabric.table { file = t.file }
   local frame, marker = column_named(file, t.file, "frame"), column_named(file, t.file, "marker")
   local x, y = column_named(file, t.file, "x"), column_named(file, t.file, "y")
-  local place, frames, markers = {}, 0, t.rows * t.columns
-  local out = { rows = t.rows, columns = t.columns, x = {}, y = {}, file = t.file }
+  local numbers, place = places_of(frame)
+  local markers = t.rows * t.columns
+  local out = { rows = t.rows, columns = t.columns, x = {}, y = {}, file = t.file, frames = #numbers, numbers = numbers }
+  for i = 1, #numbers * markers do out.x[i], out.y[i] = nan, nan end
   for i = 1, #frame do
-    if not place[frame[i]] then
-      place[frame[i]] = frames
-      for k = 1, markers do out.x[frames * markers + k], out.y[frames * markers + k] = nan, nan end
-      frames = frames + 1
-    end
     if marker[i] < 1 or marker[i] > markers or marker[i] % 1 ~= 0 then
       fail(("tracks: %s: expected markers 1 to %d, got %g"):format(t.file, markers, marker[i]))
     end
     local at = place[frame[i]] * markers + marker[i]
     out.x[at // 1 | 0], out.y[at // 1 | 0] = x[i], y[i]
   end
-  out.frames = frames
   return out
 end
 
@@ -41,7 +48,7 @@ define {
     { name = "rows", kind = "integer", low = 2, sentence = "of markers, following each other along the pull" },
     { name = "columns", kind = "integer", low = 2, sentence = "of markers, across the pull" },
   },
-  sentence = "Positions of a marker grid in a series of photographs: rows, columns, frames, x, y; a marker without a row is lost (nan).",
+  sentence = "Positions of a marker grid in a series of photographs: rows, columns, frames, their numbers in order, x, y; a marker without a row is lost (nan).",
   example = "local path = os.tmpname()\nlocal f = io.open(path, 'w') f:write 'frame,marker,x,y\\n1,1,0,0\\n1,2,1,0\\n1,3,0,1\\n1,4,1,1\\n2,1,0,0\\n' f:close()\n"
     .. "local t = require 'fabric'.lab.tracks{ file=path, rows=2, columns=2 }\nos.remove(path)\n"
     .. "assert(t.frames == 2 and t.x[2] == 1 and t.x[6] ~= t.x[6])",
@@ -89,24 +96,37 @@ local function zone_mean(boxes, name)
   return out
 end
 
+-- The frames of a list that are kept.
+local function chosen(values, frames)
+  local out = {}
+  for i, f in ipairs(frames) do out[i] = values[f] end
+  return out
+end
+
 local function shear_from_bias(t)
   local grid = t.markers
   local boxes = fabric.lab.boxes { rows = grid.rows, columns = grid.columns, x = grid.x, y = grid.y, warp = t.warp }
   if #t.force ~= boxes.frames or #t.displacement ~= boxes.frames then
-    fail(("shear_from_bias: field 'force': expected a force and a displacement for each of %d frames, got %d and %d"):format(
-      boxes.frames, #t.force, #t.displacement))
+    fail(("shear_from_bias: %sfield 'force': expected a force and a displacement for each of %d frames, got %d and %d"):format(
+      grid.file and grid.file .. ": " or "", boxes.frames, #t.force, #t.displacement))
+  end
+  local E, frames = zone_mean(boxes, "E12"), {}
+  for f, value in ipairs(E) do
+    if value == value then frames[#frames + 1] = f end -- a frame without a marker of the middle zone says nothing
+  end
+  if #frames < 2 then
+    fail(("shear_from_bias: %sno box of the markers is seen sheared in two frames"):format(grid.file and grid.file .. ": " or ""))
   end
   local pull = fabric.lab.reduce {
     displacement = t.displacement, force = t.force, gauge_length = t.gauge_length, width = t.width, thickness = t.thickness,
     plies = t.plies, compliance = t.compliance, slip = t.slip,
   }
-  local out = { E = zone_mean(boxes, "E12"), S = {}, zones = boxes.zones, pull = pull,
-                warp_stretch = zone_mean(boxes, "warp_stretch"), weft_stretch = zone_mean(boxes, "weft_stretch") }
-  for i = 1, boxes.frames do
-    out.E[i], out.S[i] = math.abs(out.E[i]), pull.S[i] / 2
-  end
-  local reach = math.max(table.unpack(t.displacement))
-  out.branches = fabric.lab.branches { displacement = t.displacement, tolerance = 0.01 * reach }
+  for _, name in ipairs { "displacement", "E", "S" } do pull[name] = chosen(pull[name], frames) end
+  local out = { E = chosen(E, frames), S = {}, zones = boxes.zones, frames = frames, pull = pull, file = grid.file,
+                warp_stretch = chosen(zone_mean(boxes, "warp_stretch"), frames), weft_stretch = chosen(zone_mean(boxes, "weft_stretch"), frames) }
+  for i = 1, #frames do out.E[i], out.S[i] = math.abs(out.E[i]), pull.S[i] / 2 end
+  local displacement = chosen(t.displacement, frames)
+  out.branches = fabric.lab.branches { displacement = displacement, tolerance = 0.01 * math.max(table.unpack(displacement)) }
   return out
 end
 
@@ -125,7 +145,7 @@ define {
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips" },
   },
   sentence = "Shear from a bias pull: E (tensor E12 = lambda1 lambda2 cos(phi)/2 over the boxes of zone 3, eq. 3.16) and S (S12 = P/(2 "
-    .. "A0 lambda), eq. 3.15) per frame, zones of the boxes, warp_stretch, weft_stretch, branches: a test for fabric.lab.fit.",
+    .. "A0 lambda), eq. 3.15) per frame in which that zone is seen (frames), zones of the boxes, warp_stretch, weft_stretch, branches: a test for fabric.lab.fit.",
   example = "local t = require 'fabric'.lab.shear_from_bias{ markers={ rows=2, columns=2, x={0,1,0,1, 0,0.9,0,0.9}, y={0,0,1,1, 0,0,1.1,1.1} },\n"
     .. "  force={0, 1}, displacement={0, 0.01}, gauge_length=0.1, width=0.02, thickness=5e-4, plies=1 }\n"
     .. "assert(math.abs(t.E[2] - (1.21 - 0.81)/4) < 1e-12 and t.zones[1] == 3)",

@@ -15,46 +15,97 @@ local function interpolate(xs, ys, x)
   return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
 end
 
--- Displacement of the largest strain between the grips that a test came to.
-local function reach_of(part, length, strain)
-  local largest = 0
-  for _, test in ipairs(part.tests) do
-    for _, E in ipairs(strain(test)) do largest = math.max(largest, E) end
+local function slack_of(part, i) return part.fit.specimens and part.fit.specimens[i] and part.fit.specimens[i].slack or 0 end
+
+-- The specimen that was pulled furthest, and its largest displacement between the grips since first contact.
+local function furthest(part, length, strain)
+  local best, reach = 1, 0
+  for i, test in ipairs(part.tests) do
+    local last = test.failure or #test.E
+    for k = 1, last do
+      local stretch = math.sqrt(1 + 2 * strain(test)[k]) / (1 + slack_of(part, i))
+      if length * (stretch - 1) > reach then best, reach = i, length * (stretch - 1) end
+    end
   end
-  return length * (math.sqrt(1 + 2 * largest) - 1)
+  return best, reach
 end
 
--- The same test again with the card, in simulation, over the measured range. Of a bias pull, what was read off it: the shear in
+-- Its reversals as parts of the largest displacement, up to failure.
+local function path_of(part, length, strain)
+  local best, reach = furthest(part, length, strain)
+  local test, path = part.tests[best], {}
+  for _, branch in ipairs(test.branches) do
+    local last = math.min(branch.last, test.failure or branch.last)
+    local stretch = math.sqrt(1 + 2 * strain(test)[last]) / (1 + slack_of(part, best))
+    local place = math.max(0, length * (stretch - 1) / reach)
+    if branch.kind ~= "hold" and place ~= (path[#path] or 0) then path[#path + 1] = place end
+    if test.failure and branch.last >= test.failure then break end
+  end
+  return path, reach
+end
+
+-- The displacement of a bias pull at which its middle is sheared as far as the specimens were: their own holds slack.
+local function bias_reach(part, test)
+  local largest, E, d = 0, {}, {}
+  for _, measured in ipairs(part.tests) do largest = math.max(largest, table.unpack(measured.E)) end
+  local up = {}
+  for name, value in pairs(test) do up[name] = value end
+  up.path = { 1 }
+  for i, row in ipairs(lab.bias(up).curve) do E[i], d[i] = math.abs(row.E12_centre), row.displacement end
+  return interpolate(E, d, largest) or test.displacement
+end
+
+-- The same test again with the card, in simulation, over the measured path. Of a bias pull, what was read off it: the shear in
 -- its middle and half the stress along the pull.
 local function simulate(result, part, direction)
   local about, E, S = result.about, {}, {}
-  local test = { card = result.card, grips = about.grips or "free", width = about.width, length = about.gauge_length, steps = 60, unload = false }
-  if direction == "shear" then
-    test.displacement = reach_of(part, about.gauge_length, function(measured) return measured.pull.E end)
+  local shear = direction == "shear"
+  local test = { card = result.card, grips = about.grips or "free", width = about.width, length = about.gauge_length, steps = 120 }
+  test.path, test.displacement = path_of(part, about.gauge_length, function(measured) return shear and measured.pull.E or measured.E end)
+  if shear then
+    test.displacement = bias_reach(part, test)
     for i, row in ipairs(lab.bias(test).curve) do E[i], S[i] = math.abs(row.E12_centre), row.S / 2 end
     return E, S
   end
-  test.direction, test.displacement = direction, about.gauge_length * (math.sqrt(1 + 2 * part.fit.tested) - 1)
+  test.direction = direction
   for i, row in ipairs(lab.uniaxial(test).curve) do E[i], S[i] = row.E, row.S end
   return E, S
 end
 
--- Loading points of a test as seen from first contact, thinned to a few hundred.
-local function measured(part, i)
-  local test = part.tests[i]
-  local slack = part.fit.specimens and part.fit.specimens[i].slack or 0
-  local E, S, last = {}, {}, test.branches[1].last
-  for k = 1, last, math.max(1, last // 300) do
-    E[#E + 1] = ((1 + 2 * test.E[k]) / (1 + slack) ^ 2 - 1) / 2
-    S[#S + 1] = test.S[k] * (1 + slack)
+-- The points of a curve that no point before has passed: virgin loading.
+local function envelope(E, S)
+  local x, y, largest = {}, {}, -math.huge
+  for i, e in ipairs(E) do
+    if e > largest then
+      largest = e
+      x[#x + 1], y[#y + 1] = e, S[i]
+    end
+  end
+  return x, y
+end
+
+-- Points of a test up to failure as seen from first contact, thinned to a few hundred; virgin loading alone or all.
+local function measured(part, i, all)
+  local test, slack = part.tests[i], slack_of(part, i)
+  local E, S = {}, {}
+  for _, branch in ipairs(test.branches) do
+    local last = math.min(branch.last, test.failure or branch.last)
+    for k = branch.first, last, math.max(1, #test.E // 600) do
+      if all or branch.kind == "loading" then
+        E[#E + 1] = ((1 + 2 * test.E[k]) / (1 + slack) ^ 2 - 1) / 2
+        S[#S + 1] = test.S[k] * (1 + slack)
+      end
+    end
+    if last < branch.last then break end
   end
   return E, S
 end
 
--- Differences of measured and simulated stress over the largest measured one, a curve per specimen, and the root of their mean
+-- Differences of measured and simulated stress in virgin loading over the largest measured one, a curve per specimen, and the root of their mean
 -- square.
 local function residual(part, E, S)
   local sum, n, largest, curves = 0, 0, 0, {}
+  E, S = envelope(E, S)
   for i = 1, #part.tests do
     local e, s = measured(part, i)
     curves[i] = { x = {}, y = {}, label = "specimen " .. i }
@@ -96,7 +147,7 @@ local function overlay(result, name, out)
   local E, S = simulate(result, part, name)
   local curves = {}
   for i = 1, #part.tests do
-    local e, s = measured(part, i)
+    local e, s = measured(part, i, true)
     curves[i] = { x = e, y = scaled(s, 1 / u.MPa), label = "specimen " .. i, style = "points" }
   end
   curves[#curves + 1] = { x = E, y = scaled(S, 1 / u.MPa), label = "card, simulated" }

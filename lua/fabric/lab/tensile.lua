@@ -11,8 +11,6 @@ local function largest(values)
   return place
 end
 
-local function slice(values, first, last) return table.move(values, first, last, 1, {}) end
-
 local function record_of(t)
   if t.file and t.record then fail "tensile: expected either file or record, got both" end
   if t.record then return t.record end
@@ -20,20 +18,52 @@ local function record_of(t)
   return fabric.lab.read { file = t.file, columns = t.columns, units = t.units }
 end
 
--- Yield and failure are looked for on the first loading branch, and only matter when it ends in failure.
+-- Yield and failure are looked for on the virgin loading, all cycles joined.
 local function mark(test, t)
-  local first = test.branches[1]
-  test.loading = { first = first.first, last = first.last }
-  local marks = fabric.lab.marks {
-    E = slice(test.E, first.first, first.last), S = slice(test.S, first.first, first.last),
-    kept = t.kept, softening = t.softening,
-  }
-  test.failure = marks.failure and marks.failure + first.first - 1
-  test.yield = marks.yield and marks.yield + first.first - 1
+  local rows, E, S = {}, {}, {}
+  for _, branch in ipairs(test.branches) do
+    if branch.kind == "loading" then
+      for i = branch.first, branch.last do rows[#rows + 1], E[#E + 1], S[#S + 1] = i, test.E[i], test.S[i] end
+    end
+  end
+  test.loading = { first = rows[1], last = rows[#rows] }
+  local marks = fabric.lab.marks { E = E, S = S, kept = t.kept, softening = t.softening }
+  test.failure, test.yield = rows[marks.failure], rows[marks.yield]
+end
+
+-- A pull counts positive and begins at zero.
+local function check_record(record, t)
+  for _, name in ipairs { "displacement", "force" } do
+    local values = record[name]
+    local low, high = math.huge, -math.huge
+    for _, v in ipairs(values) do low, high = math.min(low, v), math.max(high, v) end
+    local unit = name == "force" and "N" or "m"
+    local from = t.file and (t.file .. ": ") or ""
+    if high <= 0 or -low > 2 * high then
+      fail(("tensile: %s%s runs from %.4g to %.4g %s: a pull counts positive; change the sign of the record"):format(from, name, low, high, unit))
+    end
+    local first = values[1]
+    if math.abs(first) > 0.02 * (high - low) then
+      fabric.warn(("tensile: %s%s begins at %.4g %s, of a range of %.4g: take it off with zero=true?"):format(from, name, first, unit, high - low))
+    end
+  end
+end
+
+-- The record with its first row taken off.
+local function zeroed(record)
+  local out = {}
+  for name, values in pairs(record) do out[name] = values end
+  for _, name in ipairs { "displacement", "force" } do
+    out[name] = {}
+    for i, v in ipairs(record[name]) do out[name][i] = v - record[name][1] end
+  end
+  return out
 end
 
 local function tensile(t)
   local record = record_of(t)
+  if t.zero then record = zeroed(record) end
+  check_record(record, t)
   local peak = record.force[largest(record.force)]
   local test = fabric.lab.reduce {
     displacement = record.displacement, force = record.force, gauge_length = t.gauge_length, width = t.width,
@@ -43,7 +73,7 @@ local function tensile(t)
   }
   test.force, test.time, test.file = record.force, record.time, record.file
   local reach = record.displacement[largest(record.displacement)]
-  test.branches = fabric.lab.branches { displacement = record.displacement, tolerance = t.tolerance or 0.01 * math.abs(reach) }
+  test.branches = fabric.lab.branches { displacement = record.displacement, tolerance = t.tolerance or 0.01 * reach }
   mark(test, t)
   if record.strain then test.measured_strain = record.strain end
   return test
@@ -62,6 +92,7 @@ define {
     { name = "plies", kind = "integer", low = 1, sentence = "layers that carry: 1, or 2 for a sewn loop on two pins" },
     { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of frame and load cell" },
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips, over the largest force so far" },
+    { name = "zero", kind = "boolean", default = false, sentence = "displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell" },
     { name = "slack", kind = "number|text", unit = "m", choices = { "none", "contact" }, default = "none",
       sentence = "displacement at first contact, or 'contact': found where the force rises above `contact`" },
     { name = "contact", kind = "number", unit = "N", above = 0, optional = true, sentence = "default 1 % of the largest force" },
@@ -72,7 +103,7 @@ define {
       sentence = "yielded below this part of the largest tangent" },
   },
   sentence = "A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading "
-    .. "(rows of the first branch), yield and failure (rows or nil), slack, area.",
+    .. "(first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area.",
   example = "local t = require 'fabric'.lab.tensile{ record={ displacement={0, 1e-3, 2e-3, 1e-3, 0}, force={0, 2, 5, 1, 0} },\n"
     .. "  gauge_length=0.0762, width=0.0254, thickness=0.38e-3, plies=2 }\n"
     .. "assert(t.branches[2].kind == 'unloading' and t.loading.last == 3 and not t.failure)",
