@@ -7,6 +7,7 @@
 #include "base/isa.hpp"
 #include "base/version.hpp"
 #include "files/checkpoint.hpp"
+#include "files/gate.hpp"
 #include "script/lua_table.hpp"
 #include "script/words.hpp"
 
@@ -72,6 +73,9 @@ Checkpoint checkpoint_of(Run& run) {
 }  // namespace
 
 std::shared_ptr<const Checkpoint> load_checkpoint(const std::string& path) {
+  if (files::Gate::of_process().closed())
+    throw Error("checkpoint '" + path +
+                "': not read under --safe: a file made up for it could make the run write where it must not");
   auto c = std::make_shared<Checkpoint>();
   Archive archive(files::read_checkpoint(path));
   const auto refuse = [&](const std::string& why) { throw Error("checkpoint '" + path + "': " + why); };

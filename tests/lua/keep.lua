@@ -216,3 +216,9 @@ else
   assert(os.execute(private .. ("'%s' --quiet full.lua disk fill full.out"):format(arg[-1])))
   assert(text_of "plain.out" == text_of "full.out")
 end
+
+-- --- a checkpoint is not for decks from elsewhere ---
+write("safe.lua", "local fabric = require 'fabric'\n")
+code, got = run_program "--safe --output out --restart part/run.ckpt safe.lua"
+assert(code == 1)
+says(got, "not read under --safe")
