@@ -215,7 +215,9 @@ std::vector<Entry> rows() {
        Style::positional,
        {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
         fields_("options",
-                {every_row(), value_("fields", table, "some of the fields; default all").optional()},
+                {every_row(), value_("fields", table, "some of the fields; default all")
+                                  .one_of(output::field_names())
+                                  .optional()},
                 "how often, and what")
             .optional()},
        "Writes a series for ParaView as the run goes; the .pvd is valid at any moment.",

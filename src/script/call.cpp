@@ -143,7 +143,7 @@ std::string came(lua_State* L, int index, const Argument& row) {
       if (!good) return entry + " at place " + std::to_string(i);
     }
   }
-  if (lua_type(L, index) == LUA_TSTRING && !row.choices.empty())
+  if (lua_type(L, index) == LUA_TSTRING && (row.kinds & text) != 0 && !row.choices.empty())
     return describe(L, index) + did_you_mean(lua_tostring(L, index), row.choices);
   return describe(L, index);
 }

@@ -105,6 +105,7 @@ TEST_CASE("values: words of a choice, objects of the class") {
   CHECK(words("model{ mesh=") == Words{"sheet"});
   CHECK(words("a:every(\"") == Words{"step"});
   CHECK(words("a:mean('S1") == Words{"S11", "S12", "S13"});
+  CHECK(words("a:vtk('out/a', { fields={ 'S', 'd") == Words{"director", "displacement"});
   CHECK(words("a:field \"resid") == Words{"residual1", "residual2"});
 }
 
