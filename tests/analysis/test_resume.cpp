@@ -118,12 +118,12 @@ TEST_CASE("a run along an arc past its limit point that is taken up gives the sa
   };
   // By steps: time goes down behind the limit point.
   const auto whole = make();
-  for (int i = 0; i < 25; ++i) whole->step();
+  for (int i = 0; i < 45; ++i) whole->step();
   CHECK(std::any_of(whole->steps().begin(), whole->steps().end(),
                     [](const auto& s) { return s.negative_pivots > 0; }));
   std::string bytes;
   std::shared_ptr<Run> part;
-  for (int i = 0; i < 25; ++i) {
+  for (int i = 0; i < 45; ++i) {
     part = make();
     if (i > 0) part->resume(bytes);
     part->step();

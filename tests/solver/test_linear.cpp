@@ -113,3 +113,24 @@ TEST_CASE("no unknowns, no trouble before analyse()") {
     CHECK_FALSE(solver->factorise(laplacian(3, 0)));
   }
 }
+
+TEST_CASE("after an indefinite matrix the symmetric solver doubts the next, and a new one can be made to") {
+  const auto definite = laplacian(12, 0), indefinite = laplacian(12, 1);
+  std::vector<double> b(definite.size, 1), fresh(b.size()), doubted(b.size()), told(b.size());
+  const auto solve = [&](LinearSolver& solver, std::vector<double>& x) {
+    REQUIRE(solver.factorise(definite));
+    REQUIRE(solver.solve(definite, b, x));
+    CHECK(!solver.doubtful());
+  };
+  const auto one = make_symmetric_solver(), two = make_symmetric_solver(), three = make_symmetric_solver();
+  REQUIRE((one->analyse(definite) && two->analyse(definite)));
+  solve(*one, fresh);
+  REQUIRE(two->factorise(indefinite));
+  CHECK(two->doubtful());
+  solve(*two, doubted);
+  three->set_doubtful(true);
+  REQUIRE(three->analyse(definite));
+  solve(*three, told);
+  CHECK(told == doubted);
+  CHECK(doubted != fresh);  // rounded another way: why the doubt is kept with a run's state
+}
