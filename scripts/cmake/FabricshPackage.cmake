@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 foreach(folder lua share/cards share/data share/doc share/lua-ls scripts meshes)
   get_filename_component(parent ${folder} DIRECTORY)
   install(DIRECTORY ${folder} DESTINATION ${FABRICSH_DATA_DIR}/${parent} COMPONENT program OPTIONAL
-    PATTERN "scripts/cmake" EXCLUDE PATTERN "scripts/demo" EXCLUDE PATTERN "scripts/test" EXCLUDE
+    PATTERN "scripts/cmake" EXCLUDE PATTERN "scripts/demo" EXCLUDE PATTERN "scripts/test" EXCLUDE PATTERN "scripts/sanitize" EXCLUDE
     PATTERN "scripts/lib.sh" EXCLUDE)
 endforeach()
 install(FILES share/references.bib DESTINATION ${FABRICSH_DATA_DIR}/share COMPONENT program)

@@ -54,7 +54,10 @@ class Archive {
       value.keep(*this);
     }
   }
-  void one(std::string& text) { raw(text.data(), resize(text, 1)); }
+  void one(std::string& text) {
+    const std::size_t bytes = resize(text, 1);  // before data(), which it moves
+    raw(text.data(), bytes);
+  }
   template <class T>
   void one(std::optional<T>& value) {
     bool there = value.has_value();
@@ -66,7 +69,8 @@ class Archive {
   template <class T>
   void one(std::vector<T>& values) {
     if constexpr (std::is_arithmetic_v<T>) {
-      raw(values.data(), resize(values, sizeof(T)));
+      const std::size_t bytes = resize(values, sizeof(T));
+      raw(values.data(), bytes);
     } else {
       resize(values, 1);
       for (T& value : values) one(value);

@@ -18,6 +18,7 @@ std::string unknown(const std::string& kind, std::string_view word, const std::v
 }
 
 std::string number_text(double value) {
+  if (value == 0) return "0";  // also minus zero, whose sign a card would not read back
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
   char buffer[40];

@@ -93,3 +93,12 @@ end
 collectgarbage() collectgarbage()
 assert(next(weak) == nil, "an analysis outlives its last mention")
 print "ok"
+
+-- A card is its text: minus zero, which the text does not tell from zero, reads back equal.
+do
+  local path = os.tmpname() .. ".lua"
+  local card = fabric.card "blend":with { warp = { loading = { 8e6, -0.0 } } }
+  card:write(path)
+  assert(fabric.card(path) == card)
+  os.remove(path)
+end
