@@ -9,7 +9,7 @@
 --   ```fabricsh           a session at the prompt: lines after "> " are typed, the others are what it shows
 --   ```text               what the block before printed, compared; a line "..." stands for any lines
 --   ```formula            no code
---   ```cpp, ```cmake      saved as main.cpp and CMakeLists.txt, for a block that builds them
+--   ```cpp file=PATH      (and cmake) shown here: the text of that file of the tree, which other tests build and run
 -- Anything else that looks like code (indented, or another word behind the fence) is refused, so that no block goes unrun.
 local root, page = arg[1], arg[2]
 local program = arg[-1]
@@ -102,8 +102,6 @@ local run_block = {
     compare(last, text, what)
   end,
   formula = function() end,
-  cpp = function(_, text) write("main.cpp", text) end,
-  cmake = function(_, text) write("CMakeLists.txt", text) end,
 }
 
 local function blocks_of(text)
@@ -161,7 +159,10 @@ for _, block in ipairs(blocks) do
   count = count + 1
   local what = ("%s:%d"):format(page, block.line)
   local elsewhere = block.rest:match "^elsewhere=(%S+)$"
-  if elsewhere then
+  local source = block.rest:match "^file=(%S+)$"
+  if source then
+    compare(io.open(root .. "/" .. source):read "a", block.text, what .. ", of " .. source)
+  elseif elsewhere then
     if not has_test(elsewhere) then error(("%s: no test '%s'"):format(what, elsewhere), 0) end
   else
     local act = run_block[block.kind] or error(("%s: a block of '%s' cannot be run"):format(what, block.kind), 0)
