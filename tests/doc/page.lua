@@ -135,17 +135,16 @@ local function has_test(name)
   return file ~= nil
 end
 
-local folder = program:match "^(.*)/[^/]*$" or "."
-write("fabricsh", ("#!/bin/sh\nexec '%s' \"$@\"\n"):format(program))
-os.execute "chmod +x fabricsh"
-for _, name in ipairs { "share", "scripts", "meshes", "lua", "src" } do
-  os.execute(("test -e %s || ln -s '%s/%s' %s"):format(name, root, name, name))
-end
--- PATH for the blocks is set by starting this deck again under it.
+-- The blocks find the program and start in an empty folder: this deck again, under another PATH.
 if arg[3] ~= "again" then
-  local ok = os.execute(("PATH=\"$PWD:%s:$PATH\" FABRICSH_ROOT='%s' '%s' '%s' '%s' '%s' again"):format(folder, root, program, arg[0], root, page))
+  local folder = program:match "^(.*)/[^/]*$" or "."
+  local ok = os.execute(("rm -rf page && mkdir page && cd page && PATH=\"$PWD:%s:$PATH\" '%s' '%s' '%s' '%s' again"):format(
+    folder, program, arg[0], root, page))
   os.exit(ok and 0 or 1)
 end
+write("fabricsh", ("#!/bin/sh\nexec '%s' \"$@\"\n"):format(program))
+os.execute "chmod +x fabricsh"
+for _, name in ipairs { "share", "scripts", "meshes", "lua", "src" } do os.execute(("ln -s '%s/%s' %s"):format(root, name, name)) end
 
 local file = assert(io.open(page))
 local text = file:read "a"
