@@ -755,7 +755,7 @@ function fabric.lab.ratio(fields) end
 ---@field separator? "auto"|","|";"|"tab"|"blank" between cells (default "auto")
 ---@field decimal? "auto"|"."|"," decimal sign (default "auto")
 
----A load frame's record in SI: displacement, force, and time and strain where there are such columns; rows, names, preamble, file.
+---A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file.
 ---@param fields fabric_lab_read_fields
 ---@return any
 function fabric.lab.read(fields) end
@@ -1171,8 +1171,9 @@ function fabric.svk(fields) end
 ---@field file string of numbers in columns
 ---@field separator? "auto"|","|";"|"tab"|"blank" between cells; auto: found from the file (default "auto")
 ---@field decimal? "auto"|"."|"," decimal sign; auto: found from the file (default "auto")
+---@field lenient? boolean a bad cell is no error but nan, and the column has trouble, the message (default false)
 
----Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above the numbers).
+---Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above the numbers). A column of text alone (dates, labels) has nan and trouble, the message of its first cell.
 ---@param fields fabric_table_fields
 ---@return any
 function fabric.table(fields) end

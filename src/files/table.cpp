@@ -1,6 +1,8 @@
 #include "files/table.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "base/error.hpp"
 #include "files/source.hpp"
@@ -12,14 +14,15 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
-bool all_numbers(const Cells& cells, char decimal) {
-  double value = 0;
-  return !cells.empty() && std::all_of(cells.begin(), cells.end(), [&](std::string_view cell) {
-    return parse_cell(cell, decimal, value);
-  });
-}
-
 bool carries_data(std::string_view line) { return !trimmed(line).empty() && !is_comment(line); }
+
+// The cells of a row of so many columns; one that ends with the separator may have left the last cell empty.
+void split_row(std::string_view line, char separator, std::size_t columns, Cells& cells) {
+  split_line(line, separator, cells);
+  if (cells.size() + 1 == columns && separator != ' ' && line.find_last_of(separator) != line.npos &&
+      trimmed(line.substr(line.find_last_of(separator) + 1)).empty())
+    cells.emplace_back();
+}
 
 struct Reading {  // how a file can be read, and where its numbers begin
   TableForm form;
@@ -35,26 +38,30 @@ std::string_view next_data_line(Source& source) {
   return {};
 }
 
-// Whether the lines from here on (four at most) are numbers in equally many cells.
-std::size_t columns_from(Source source, const TableForm& form) {
+// Whether the lines from here on (four at most) are rows in equally many cells: of numbers alone, or, where
+// `text` is allowed, with at least two columns of numbers.
+std::size_t columns_from(Source source, const TableForm& form, bool text) {
   Cells cells;
-  std::size_t columns = 0;
+  std::vector<char> numeric;
+  double value = 0;
   for (int i = 0; i < 4; ++i) {
     const auto line = next_data_line(source);
-    if (line.empty()) return columns;
-    split_line(line, form.separator, cells);
-    if (!all_numbers(cells, form.decimal)) return 0;
-    if (columns != 0 && cells.size() != columns) return 0;
-    columns = cells.size();
+    if (line.empty()) break;
+    split_row(line, form.separator, numeric.size(), cells);
+    if (numeric.empty()) numeric.assign(cells.size(), 1);
+    if (cells.size() != numeric.size()) return 0;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (!parse_cell(cells[c], form.decimal, value)) numeric[c] = 0;
   }
-  return columns;
+  const auto count = static_cast<std::size_t>(std::count(numeric.begin(), numeric.end(), 1));
+  return count == numeric.size() || (text && count >= 2) ? numeric.size() : 0;
 }
 
 // Where numbers begin when the file is read in this form; columns 0 when nowhere in the first 200 lines.
-Reading try_form(Source source, const TableForm& form) {
+Reading try_form(Source source, const TableForm& form, bool text) {
   for (int i = 0; i < 200 && !source.ended(); ++i) {
     Reading reading{form, 0, source.place()};
-    reading.columns = columns_from(source, form);
+    reading.columns = columns_from(source, form, text);
     std::string_view line;
     source.next_line(line);
     if (reading.columns != 0 && carries_data(line)) return reading;
@@ -62,25 +69,27 @@ Reading try_form(Source source, const TableForm& form) {
   return {};
 }
 
-// Of the forms that fit, the one whose numbers begin first, and with most columns.
-Reading find_reading(const Source& source, const TableForm& given) {
-  Reading best;
+// Of the forms that fit, those whose numbers begin first, and with most columns: two where the first rows do
+// not show the decimal sign, none when none fits.
+std::vector<Reading> find_readings(const Source& source, const TableForm& given, bool text) {
+  std::vector<Reading> best;
   for (const char separator : {'\t', ';', ',', ' '}) {
     if (given.separator != 0 && given.separator != separator) continue;
     for (const char decimal : {'.', ','}) {
       if (given.decimal != 0 && given.decimal != decimal) continue;
       if (separator == decimal) continue;
-      const Reading reading = try_form(source, {separator, decimal});
+      const Reading reading = try_form(source, {separator, decimal}, text);
       if (reading.columns == 0) continue;
-      const bool earlier =
-          reading.place < best.place || (reading.place == best.place && reading.columns > best.columns);
-      if (best.columns == 0 || earlier) best = reading;
+      const auto rank = [](const Reading& r) {
+        return std::pair(r.place, std::numeric_limits<std::size_t>::max() - r.columns);
+      };
+      if (!best.empty() && rank(reading) > rank(best[0])) continue;
+      const bool tie = !best.empty() && rank(reading) == rank(best[0]);
+      if (tie && separator != best[0].form.separator) continue;
+      if (!tie) best.clear();
+      best.push_back(reading);
     }
   }
-  if (best.columns == 0)
-    throw Error(source.name() +
-                ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
-                "blanks; decimal point or comma), found none in the first 200 lines");
   return best;
 }
 
@@ -116,67 +125,96 @@ void name_columns(Table& table, const std::vector<std::string_view>& above, cons
   }
 }
 
-[[noreturn]] void bad_row(const Source& source, const Table& table, const Cells& cells) {
-  if (cells.size() != table.columns.size())
-    source.fail("expected " + std::to_string(table.columns.size()) + " cells, got " +
-                std::to_string(cells.size()));
-  double value = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (!parse_cell(cells[i], table.form.decimal, value))
-      source.fail("column '" + table.columns[i].name + "': expected a finite number" +
-                  (table.form.decimal == ',' ? " with a decimal comma" : "") + ", got " +
-                  in_quotes(cells[i]));
-  source.fail("expected a row of numbers");
-}
-
-// A line above the numbers that is one of them but for a cell: a wrong row, not a preamble.
-void check_above(const Source& source, const Table& table, std::string_view line, bool begun, bool last) {
+// Lines above the place where four rows of numbers begin that are rows themselves, a cell of which is no
+// number: up to the first line without any. The place of the highest.
+std::size_t first_row(const std::vector<std::string_view>& above, const std::vector<std::size_t>& places,
+                      const Reading& reading) {
   Cells cells;
-  split_line(line, table.form.separator, cells);
   double value = 0;
-  const bool some = std::any_of(cells.begin(), cells.end(),
-                                [&](auto cell) { return parse_cell(cell, table.form.decimal, value); });
-  if (begun || (last && some && cells.size() == table.columns.size())) bad_row(source, table, cells);
+  std::size_t first = reading.place;
+  for (std::size_t i = above.size(); i-- > 0;) {
+    split_row(above[i], reading.form.separator, reading.columns, cells);
+    const bool some = std::any_of(cells.begin(), cells.end(),
+                                  [&](auto cell) { return parse_cell(cell, reading.form.decimal, value); });
+    if (!some && !(cells.size() == reading.columns && std::all_of(cells.begin(), cells.end(), is_missing)))
+      break;
+    if (cells.size() == reading.columns) first = places[i];
+  }
+  return first;
 }
 
-void read_preamble(Table& table, Source source, const Reading& reading) {
+// Names columns from the lines above the rows; returns where the rows begin.
+std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
   std::vector<std::string_view> above;
   std::vector<std::size_t> places;
   std::string_view line;
   while (source.place() < reading.place) {
     const std::size_t place = source.place();
     source.next_line(line);
-    if (trimmed(line).empty()) continue;
-    table.preamble.emplace_back(trimmed(line));
-    if (is_comment(line)) continue;
+    if (!carries_data(line)) continue;
     above.push_back(line);
     places.push_back(place);
   }
+  const std::size_t begin = first_row(above, places, reading);
+  while (!places.empty() && places.back() >= begin) places.pop_back();
+  above.resize(places.size());
   name_columns(table, above, reading);
-  Cells cells;
-  bool begun = false;
-  for (std::size_t i = 0; i < above.size(); ++i) {
-    split_line(above[i], reading.form.separator, cells);
-    const bool numbers = cells.size() == reading.columns && all_numbers(cells, reading.form.decimal);
-    source.move_to(places[i]);
-    if (!numbers) check_above(source, table, above[i], begun, i + 1 == above.size());
-    begun = begun || numbers;
+  source.move_to(0);
+  while (source.place() < begin) {
+    source.next_line(line);
+    if (!trimmed(line).empty()) table.preamble.emplace_back(trimmed(line));
+  }
+  return begin;
+}
+
+// The message of a cell that is no number, with file and line.
+std::string trouble_of(const Source& source, const TableForm& form, const std::string& column,
+                       std::string_view cell) {
+  try {
+    source.fail("column '" + column + "': expected a finite number" +
+                (form.decimal == ',' ? " with a decimal comma" : "") + ", got " + in_quotes(cell));
+  } catch (const Error& error) {
+    return error.what();
   }
 }
 
-void read_rows(Table& table, Source& source) {
+// The rows; returns how many cells are no numbers.
+std::size_t read_rows(Table& table, Source& source) {
   Cells cells;
   std::string_view line;
+  std::size_t bad = 0;
   while (source.next_line(line)) {
     if (!carries_data(line)) continue;
-    split_line(line, table.form.separator, cells);
-    if (cells.size() != table.columns.size()) bad_row(source, table, cells);
+    split_row(line, table.form.separator, table.columns.size(), cells);
+    if (cells.size() != table.columns.size())
+      source.fail("expected " + std::to_string(table.columns.size()) + " cells, got " +
+                  std::to_string(cells.size()));
     for (std::size_t i = 0; i < cells.size(); ++i) {
+      TableColumn& column = table.columns[i];
       double value = 0;
-      if (!parse_cell(cells[i], table.form.decimal, value)) bad_row(source, table, cells);
-      table.columns[i].values.push_back(value);
+      if (parse_cell(cells[i], table.form.decimal, value)) {
+        column.text = false;
+      } else {
+        value = std::numeric_limits<double>::quiet_NaN();
+        ++bad;
+        if (column.trouble.empty()) {
+          column.trouble = trouble_of(source, table.form, column.name, cells[i]);
+          column.trouble_row = column.values.size();
+        }
+      }
+      column.values.push_back(value);
     }
   }
+  return bad;
+}
+
+// The table in one form; bad: cells that are no numbers.
+Table read_as(Source source, const Reading& reading, std::size_t& bad) {
+  Table table;
+  table.form = reading.form;
+  source.move_to(read_preamble(table, source, reading));
+  bad = read_rows(table, source);
+  return table;
 }
 
 }  // namespace
@@ -185,14 +223,35 @@ Table parse_table(const std::string& name, std::string_view bytes, const TableFo
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     throw Error(name + ":1: expected plain text (UTF-8), got UTF-16; save it as UTF-8");
-  Source source(name, bytes);
-  const Reading reading = find_reading(source, form);
-  Table table;
-  table.form = reading.form;
-  read_preamble(table, source, reading);
-  source.move_to(reading.place);
-  read_rows(table, source);
+  const Source source(name, bytes);
+  // Rows of numbers alone, unless rows with text or gaps in the same form begin before.
+  auto readings = find_readings(source, form, false);
+  auto wider = find_readings(source, form, true);
+  if (readings.empty() ||
+      (!wider.empty() && wider[0].place < readings[0].place && wider[0].columns >= readings[0].columns &&
+       wider[0].form.separator == readings[0].form.separator))
+    readings = std::move(wider);
+  if (readings.empty())
+    throw Error(source.name() +
+                ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
+                "blanks; decimal point or comma), found none in the first 200 lines");
+  std::size_t bad = 0;
+  Table table = read_as(source, readings[0], bad);
+  if (bad > 0 && readings.size() > 1) {  // the first rows did not show the decimal sign: the rest does
+    std::size_t other = 0;
+    Table comma = read_as(source, readings[1], other);
+    if (other < bad) table = std::move(comma);
+  }
+  if (!form.lenient) check(table);
   return table;
+}
+
+void check(const Table& table) {
+  const TableColumn* first = nullptr;
+  for (const TableColumn& column : table.columns)
+    if (!column.text && !column.trouble.empty() && (!first || column.trouble_row < first->trouble_row))
+      first = &column;
+  if (first) throw Error(first->trouble);
 }
 
 Table read_table(const std::string& path, const TableForm& form) {

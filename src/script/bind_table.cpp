@@ -40,7 +40,8 @@ int table_of(Call& call) {
   lua_State* L = call.L();
   const std::string decimal = call.text("decimal");
   const files::Table table = files::read_table(
-      call.text("file"), {separator_of(call.text("separator")), decimal == "auto" ? char{0} : decimal[0]});
+      call.text("file"),
+      {separator_of(call.text("separator")), decimal == "auto" ? char{0} : decimal[0], call.flag("lenient")});
   lua_createtable(L, static_cast<int>(table.columns.size()), 3);
   set_text(L, "file", call.text("file"));
   lua_pushboolean(L, table.header);
@@ -52,6 +53,7 @@ int table_of(Call& call) {
     set_text(L, "unit", column.unit);
     push_numbers(L, column.values);
     lua_setfield(L, -2, "values");
+    if (!column.trouble.empty()) set_text(L, "trouble", column.trouble);
     lua_rawseti(L, -2, ++place);
   }
   lua_createtable(L, static_cast<int>(table.preamble.size()), 0);
@@ -91,10 +93,13 @@ std::vector<Entry> rows() {
             .or_else("auto"),
         value_("decimal", text, "decimal sign; auto: found from the file")
             .one_of({"auto", ".", ","})
-            .or_else("auto")},
+            .or_else("auto"),
+        value_("lenient", boolean, "a bad cell is no error but nan, and the column has trouble, the message")
+            .or_else(false)},
        "Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list "
-       "of columns {name, unit, "
-       "values} with file, header (whether there is one) and preamble (lines above the numbers).",
+       "of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above "
+       "the "
+       "numbers). A column of text alone (dates, labels) has nan and trouble, the message of its first cell.",
        "local path = os.tmpname()\nlocal f = io.open(path, 'w') f:write 'u (mm);P (N)\\n0;0\\n0,5;1,25\\n' "
        "f:close()\n"
        "local t = require 'fabric'.table{ file=path }\nos.remove(path)\n"

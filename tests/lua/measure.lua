@@ -37,6 +37,52 @@ path = file "u (mm),P (N)\n0,0\n1,2\n2,3\n3,4\n4,five\n"
 fails(path .. ":6: column 'P': expected a finite number, got 'five'", lab.read, { file = path })
 os.remove(path)
 
+-- other spellings of units, in brackets or behind the name
+local function both(heading)
+  local name = file(heading .. "\n0,0\n1,2\n2,4\n3,6\n4,8\n")
+  local record = lab.read { file = name }
+  os.remove(name)
+  return record.displacement[5] / 4, record.force[5] / 8
+end
+local inch, pound = 0.0254, 4.4482216152605
+for heading, want in pairs {
+  ["displacement_mm,force_kN"] = { 1e-3, 1e3 }, ["Extension mm,Load N"] = { 1e-3, 1 }, ["Extension (MM),Load (KN)"] = { 1e-3, 1e3 },
+  ["Extension (\u{b5}m),Load (N)"] = { 1e-6, 1 }, ["Extension (\u{3bc}m),Load (mN)"] = { 1e-6, 1e-3 }, ["Extension (\xb5m),Load (N)"] = { 1e-6, 1 },
+  ["Extension (inches),Load (lbs)"] = { inch, pound }, ["D\u{e9}placement (mm),Charge (N)"] = { 1e-3, 1 },
+  ["D\u{c9}PLACEMENT (mm),CHARGE (N)"] = { 1e-3, 1 }, ["d\xe9placement (mm),charge (N)"] = { 1e-3, 1 },
+} do
+  local displacement, force = both(heading)
+  close(displacement, want[1], 1e-14)
+  close(force, want[2], 1e-14)
+end
+
+-- the plain name counts; of two the deck must say which
+local function columns(text, more)
+  local t = { file = file(text) }
+  for k, v in pairs(more or {}) do t[k] = v end
+  local ok, record = pcall(lab.read, t)
+  os.remove(t.file)
+  return ok and record or (tostring(record):gsub("^.-read: [^:]*", ""))
+end
+r = columns "Extension (mm),Maximum load (N),Load (N)\n0,9,0\n1,9,2\n2,9,4\n"
+assert(r.force[3] == 4)
+local twice = "Extension (mm),Load (N),Load (N)\n0,0,9\n1,2,9\n2,4,9\n"
+assert(columns(twice) == ": columns 'Load' and 'Load' (2, 3) may each be the force; give columns={ force=place }", columns(twice))
+assert(columns(twice, { columns = { force = "Load" } }):find "two columns are called 'Load'; give the place of the force: columns={ force=2 } or 3")
+assert(columns(twice, { columns = { force = 3 } }).force[3] == 9)
+
+-- what nobody needs does not stop the read
+r = columns "Time;Label;Extension (mm);Load (N);Temperature (F)\n12:00:01;1-Load;0;0;70\n12:00:02;1-Load;1;0,5;\n12:00:03;2-Load;2;1;x\n"
+assert(type(r) == "table" and r.force[2] == 0.5 and not r.time, tostring(r))
+assert(columns("Time;Extension (mm);Load (N)\n12:00:01;0;0\n12:00:02;1;2\n", { columns = { time = 1 }, units = { time = "s" } }):find
+  ":2: column 'Time': expected a finite number, got '12:00:01'")
+r = columns "Time (weeks),Strain 1 (%),Strain 2 (%),Extension (mm),Load (N)\n0,0,0,0,0\n1,1,2,1,2\n"
+assert(r.force[2] == 2 and not r.time and not r.strain)
+assert(columns("Extension (mm),Load (N)\n0,\n1,2\n2,3\n"):find ":2: column 'Load': expected a finite number, got ''")
+assert(columns("Time (s),Extension (mm),Load (N)\n,0,1\n1,1,2\n2,2,3\n").force[1] == 1)
+assert(columns("Extension (mm),Load (N)\nNaN,NaN\n0,0\n1,2\n2,3\n"):find ":2: column 'Extension': expected a finite number, got 'NaN'")
+assert(columns('Extension (mm),Load (N)\n0,0\n1,"1,234.5"\n').force[2] == 1234.5)
+
 -- table 3.3: density is mass per area over thickness; three round to the print, the blend's 605 stands there as 590 (a
 -- thickness of 0.39 mm would give it)
 for name, want in pairs { duck = 470, muslin = 360, denim = 350 } do

@@ -66,6 +66,8 @@ wrong("fabric.render", "fabric.render{ file='x', edges='yes' }",
   "deck.lua:1: render: field 'edges': expected true or false, got 'yes'")
 
 -- fabric.table
+wrong("fabric.table", "fabric.table{ file='x', lenient='yes' }",
+  "deck.lua:1: table: field 'lenient': expected true or false, got 'yes'")
 wrong("fabric.table", "fabric.table{ fiel='x' }",
   "deck.lua:1: table: unknown field 'fiel', did you mean 'file'?")
 wrong("fabric.table", "fabric.table{ file=file_ }",
