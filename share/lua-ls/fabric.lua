@@ -489,7 +489,7 @@ function fabric.lab.fast_card(fields) end
 ---@field seed? integer of the bootstrap (default 1)
 ---@field common? number relative standard uncertainty of all moduli together: load cell, thickness, width (default 0)
 
----A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), band {value, low, high, covariance} of {loading..., unloading}, text (the criterion's table), specimens.
+---A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), band {value, low, high, covariance} of {loading..., unloading} (without unloading where not every specimen unloads: then unloading_band is that of those that do), text (the criterion's table), specimens, tests (how many).
 ---@param fields fabric_lab_fit_fields
 ---@return any
 function fabric.lab.fit(fields) end

@@ -6,10 +6,26 @@ local function ratio_of(poisson)
   return type(poisson) == "table" and poisson.value or poisson
 end
 
+-- A band of the loading with that of the unloading behind it, where not every specimen unloads: that of the specimens that do,
+-- no wider than its value when it is only one.
+local function with_unloading(band, fit)
+  local n, own = #band.value, fit.unloading_band or {}
+  local out = { value = table.move(band.value, 1, n, 1, {}), low = table.move(band.low, 1, n, 1, {}), high = table.move(band.high, 1, n, 1, {}),
+    covariance = {} }
+  out.value[n + 1] = fit.unloading
+  out.low[n + 1], out.high[n + 1] = own.low and own.low[1] or fit.unloading, own.high and own.high[1] or fit.unloading
+  for i = 1, n + 1 do
+    for j = 1, n + 1 do out.covariance[(i - 1) * (n + 1) + j] = i <= n and j <= n and band.covariance[(i - 1) * n + j] or 0.0 end
+  end
+  if own.covariance then out.covariance[(n + 1) ^ 2 // 1 | 0] = own.covariance[1] end
+  return out
+end
+
 -- {low, high, covariance} of {loading..., unloading, poisson}; nil where a fit has none.
 local function band_of(fit, poisson)
   local band = fit.band
-  if not band or not band.low or not fit.degree or #band.value ~= fit.degree + 1 then return end
+  if not band or not band.low or not fit.degree or not fit.unloading then return end
+  if #band.value == fit.degree then band = with_unloading(band, fit) end
   if poisson == nil then return { low = band.low, high = band.high, covariance = band.covariance } end
   local n, ratio = #band.value, ratio_of(poisson)
   local known = type(poisson) == "table" and poisson.low
@@ -32,7 +48,7 @@ end
 
 local function origin(fit, what)
   local how = fit.degree and ("polynomial of degree %d"):format(fit.degree) or "monotone curve"
-  return ("%s: %d specimens, %s"):format(what, fit.specimens and #fit.specimens or 1, how)
+  return ("%s: %d specimens, %s"):format(what, fit.tests or fit.specimens and #fit.specimens or 1, how)
 end
 
 local function card(t)
@@ -43,9 +59,9 @@ local function card(t)
     level = level or bands[part] and t[part].level
   end
   bands.level = level
-  local source = { t.source ~= "" and t.source or nil, origin(t.warp, "warp") }
-  source[#source + 1] = origin(t.weft, "weft")
-  source[#source + 1] = origin(t.shear, "shear")
+  local source = {}
+  if t.source ~= "" then source[1] = t.source end
+  for _, part in ipairs { "warp", "weft", "shear" } do source[#source + 1] = origin(t[part], part) end
   local shear = part_of(t.shear, nil, "shear")
   shear.measure = "tensor"
   return fabric.woven {

@@ -151,9 +151,15 @@ local function fit(t)
   for i, test in ipairs(t.tests) do
     out.unloading_of[i] = unloading_of(test, specimens[i] and specimens[i].slack or 0, t)
   end
-  local whole = #out.unloading_of == #t.tests
-  out.unloading = known_mean(out.unloading_of, #t.tests)
-  if not whole then out.unloading_of = {} end
+  out.tests, out.unloading = #t.tests, known_mean(out.unloading_of, #t.tests)
+  local known = {}
+  for i = 1, #t.tests do known[#known + 1] = out.unloading_of[i] and { out.unloading_of[i] } end
+  if #known < #t.tests then
+    out.unloading_of = {}
+    if #known > 1 then
+      out.unloading_band = fabric.lab.band { specimens = known, level = t.level, seed = t.seed, draws = t.draws, common = { t.common } }
+    end
+  end
   if chosen then with_polynomial(out, chosen, t) end
   check_unloading(out)
   return out
@@ -177,7 +183,8 @@ define {
       sentence = "relative standard uncertainty of all moduli together: load cell, thickness, width" },
   },
   sentence = "A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), "
-    .. "band {value, low, high, covariance} of {loading..., unloading}, text (the criterion's table), specimens.",
+    .. "band {value, low, high, covariance} of {loading..., unloading} (without unloading where not every specimen unloads: then unloading_band is "
+    .. "that of those that do), text (the criterion's table), specimens, tests (how many).",
   example = "local E, S = {}, {}\nfor i = 0, 60 do E[i+1] = i/300; S[i+1] = 8e6*E[i+1] + 4e8*E[i+1]^2 end\n"
     .. "local test = { E=E, S=S, branches={ {kind='loading', first=1, last=61} } }\n"
     .. "local f = require 'fabric'.lab.fit{ tests={test}, degree=2 }\n"

@@ -8,15 +8,22 @@
 --   warp-K.csv, weft-K.csv   a load frame's record                 warp-K-markers.csv   frame, marker, x, y
 --   bias-K-frames.csv        displacement and force at each photograph, with bias-K-markers.csv
 local fabric = require "fabric"
-local lab = fabric.lab
+local lab, registry = fabric.lab, require "fabric.define".registry
 
 local folder = {}
 
+-- Files of measurements, by key; what else lies in the folder (pictures, copies, notes) is not looked at.
+local kinds = { csv = true, tsv = true, txt = true, dat = true }
+
 local function specimens(path, pattern)
-  local found = {}
+  local found, by_key = {}, {}
   for _, name in ipairs(fabric.folder(path)) do
-    local key = name:match(pattern)
-    if key then found[#found + 1] = { key = key, file = path .. "/" .. name, stem = path .. "/" .. name:match "^(%a+%-%w+)" } end
+    local key, kind = name:match(pattern .. "%.(%a+)$")
+    if key and kinds[kind:lower()] then
+      if by_key[key] then error(("%s: expected one file for specimen %s, got %s and %s"):format(path, key, by_key[key], name), 0) end
+      by_key[key] = name
+      found[#found + 1] = { key = key, file = path .. "/" .. name, stem = path .. "/" .. name:match "^(%a+%-%w+)" }
+    end
   end
   return found
 end
@@ -35,12 +42,15 @@ local function options(about, more)
 end
 
 local function grid_of(about, path)
+  if type(about.markers) ~= "table" or not math.tointeger(about.markers[1]) or not math.tointeger(about.markers[2]) then
+    error(("%s: field 'markers': expected {rows, columns} of the grid, for %s"):format(about.file, path), 0)
+  end
   return lab.tracks { file = path, rows = about.markers[1], columns = about.markers[2] }
 end
 
 local function along(about, path, direction)
   local tests, grids = {}, {}
-  for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)%.%a+$")) do
+  for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
     tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units }))
     local markers = s.stem .. "-markers.csv"
     if exists(markers) then grids[#grids + 1] = grid_of(about, markers) end
@@ -90,7 +100,7 @@ end
 
 local function in_shear(about, path)
   local tests = {}
-  for i, s in ipairs(specimens(path, "^bias%-(%w+)%-frames%.%a+$")) do
+  for i, s in ipairs(specimens(path, "^bias%-(%w+)%-frames")) do
     local record, grid = paired(lab.read { file = s.file, columns = about.columns, units = about.units },
       grid_of(about, s.stem .. "-markers.csv"), s.file)
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
@@ -100,10 +110,36 @@ local function in_shear(about, path)
   return { tests = tests, fit = lab.fit { tests = tests, common = about.shared, rule = "robust" } }
 end
 
+local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
+  "units", "columns", "degree", "rule", "grips", "poisson", "bending", "warp" }
+
+-- What laboratory.lua returns, gone through before any file is read.
+local function about_of(path)
+  local file = path .. "/laboratory.lua"
+  local chunk, trouble = loadfile(file, "t")
+  if not chunk then error(trouble, 0) end
+  local about = chunk()
+  if type(about) ~= "table" then error(("%s: expected 'return { name=, gauge_length=, ... }' at its end, got %s"):format(file, tostring(about)), 0) end
+  for name in pairs(about) do
+    local known = false
+    for _, field in ipairs(fields) do known = known or field == name end
+    local near = not known and registry.nearest(tostring(name), fields)
+    if not known then error(("%s: unknown field '%s'%s"):format(file, tostring(name), near and (", did you mean '" .. near .. "'?") or ""), 0) end
+  end
+  local function need(name, kind, what)
+    if type(about[name]) ~= kind then error(("%s: field '%s': expected %s, got %s"):format(file, name, what, tostring(about[name])), 0) end
+  end
+  need("name", "string", "the fabric's name")
+  for _, name in ipairs { "gauge_length", "width", "thickness" } do need(name, "number", "a length in m") end
+  if not about.density and not about.mass_per_area then error(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)", 0) end
+  about.file = file
+  return about
+end
+
 -- warp, weft, shear: {tests, fit, ratio}; card; about.
 function folder.reduce(path)
   path = path:gsub("/$", "")
-  local about = assert(loadfile(path .. "/laboratory.lua", "t"))()
+  local about = about_of(path)
   local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"), shear = in_shear(about, path) }
   out.card = lab.card {
     name = about.name, source = about.source, thickness = about.thickness,
