@@ -679,6 +679,8 @@ function fabric.lab.parallel(fields) end
 ---@field F? number[] {F11, F12, F21, F22}: the map of the cloth, y upwards; default: none
 ---@field blur? number pixels: standard deviation of the lens (default 1)
 ---@field noise? number of a pixel, white being 1 (default 0.01)
+---@field ground? number brightness of the cloth, white being 1 (default 0.85)
+---@field ink? number brightness of the dots (default 0.15)
 ---@field seed? integer of the noise (default 1)
 
 ---Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "base/error.hpp"
@@ -18,6 +19,84 @@ std::pair<double, double> moved(const Map& m, double x, double y) {
   return {m[0] * x + m[1] * y + m[2], m[3] * x + m[4] * y + m[5]};
 }
 
+struct Step {
+  double x, y;
+  double length() const { return std::hypot(x, y); }
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The step from a dot to the nearest one within 45 degrees of a direction (of length one): the median over
+// the dots that have one; none when no dot has.
+std::optional<Step> step_along(const std::vector<Dot>& dots, const Step& direction) {
+  std::vector<double> x, y;
+  for (const Dot& from : dots) {
+    std::optional<Step> nearest;
+    for (const Dot& to : dots) {
+      const Step d{to.x - from.x, to.y - from.y};
+      const double along = d.x * direction.x + d.y * direction.y;
+      const double across = std::abs(d.x * direction.y - d.y * direction.x);
+      if (along > across && (!nearest || d.length() < nearest->length())) nearest = d;
+    }
+    if (!nearest) continue;
+    x.push_back(nearest->x);
+    y.push_back(nearest->y);
+  }
+  if (x.empty()) return std::nullopt;
+  return Step{median(x), median(y)};
+}
+
+using Label = std::pair<int, int>;  // row, column, from any dot
+
+// Goes from dot to dot by the lattice's steps, each within 0.3 of the shorter one.
+std::map<Label, std::size_t> labelled(const std::vector<Dot>& dots, const Step& right, const Step& up) {
+  const double gate = 0.3 * std::min(right.length(), up.length());
+  std::map<Label, std::size_t> place{{{0, 0}, 0}};
+  std::vector<char> taken(dots.size(), 0);
+  taken[0] = 1;
+  std::vector<Label> open{{0, 0}};
+  while (!open.empty()) {
+    const Label from = open.back();
+    open.pop_back();
+    for (const auto& [r, c] : {Label{0, 1}, {0, -1}, {1, 0}, {-1, 0}}) {
+      const Label to{from.first + r, from.second + c};
+      const Dot& here = dots[place.at(from)];
+      const double x = here.x + c * right.x + r * up.x, y = here.y + c * right.y + r * up.y;
+      for (std::size_t d = 0; d < dots.size(); ++d) {
+        if (taken[d] || place.contains(to) || std::hypot(dots[d].x - x, dots[d].y - y) > gate) continue;
+        taken[d] = 1;
+        place[to] = d;
+        open.push_back(to);
+      }
+    }
+  }
+  return place;
+}
+
+// The dots in the order of the grid, found from their neighbours: rows upwards, each from left to right.
+// Empty when they are no such grid.
+std::vector<Dot> in_order(const std::vector<Dot>& dots, std::size_t rows, std::size_t columns) {
+  const auto right = step_along(dots, {1, 0}), up = step_along(dots, {0, -1});
+  if (!right || !up) return {};
+  const auto place = labelled(dots, *right, *up);
+  if (place.size() != dots.size()) return {};
+  int low = 0, high = 0;
+  for (const auto& [label, dot] : place) {
+    low = std::min(low, label.second);
+    high = std::max(high, label.second);
+  }
+  const int height = place.rbegin()->first.first - place.begin()->first.first + 1;
+  if (static_cast<std::size_t>(high - low + 1) != columns || static_cast<std::size_t>(height) != rows)
+    return {};
+  std::vector<Dot> out;
+  for (const auto& [label, dot] : place) out.push_back(dots[dot]);  // a map goes by rows, then columns
+  return out;
+}
+
 }  // namespace
 
 Tracker::Tracker(std::size_t rows, std::size_t columns, const std::vector<Dot>& first) {
@@ -26,13 +105,11 @@ Tracker::Tracker(std::size_t rows, std::size_t columns, const std::vector<Dot>& 
                 " dots on the first photograph, found " + std::to_string(first.size()));
   tracks_.rows = rows;
   tracks_.columns = columns;
-  auto dots = first;
-  std::sort(dots.begin(), dots.end(), [](const Dot& a, const Dot& b) { return a.y > b.y; });
-  for (std::size_t r = 0; r < rows; ++r) {
-    const auto begin = dots.begin() + static_cast<std::ptrdiff_t>(r * columns);
-    std::sort(begin, begin + static_cast<std::ptrdiff_t>(columns),
-              [](const Dot& a, const Dot& b) { return a.x < b.x; });
-  }
+  const auto dots = in_order(first, rows, columns);
+  if (dots.empty())
+    throw Error("track: the " + std::to_string(first.size()) +
+                " dots on the first photograph are no grid of " + std::to_string(rows) + " rows and " +
+                std::to_string(columns) + " columns within 40 degrees of upright");
   for (const Dot& d : dots) last_.push_back({d.x, d.y, d.area});
   record(last_);
 }

@@ -14,8 +14,8 @@ struct Doubt {
 
 class Tracker {
  public:
-  // The first photograph's dots, which must be rows x columns; rows are told apart by y. Error: another
-  // count.
+  // The first photograph's dots, which must be rows x columns; the grid is found from the steps between
+  // neighbours and may be turned by 40 degrees. Error: another count, or no such grid.
   Tracker(std::size_t rows, std::size_t columns, const std::vector<Dot>& first);
   // The next photograph: every marker takes the dot nearest to where the last photographs lead to expect it
   // (its last known place under the affine map of the last step; then, twice, under that of the matches just

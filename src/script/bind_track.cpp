@@ -108,6 +108,9 @@ int photograph(Call& call) {
   }
   s.blur = call.number("blur");
   s.noise = call.number("noise");
+  s.ground = call.number("ground");
+  s.ink = call.number("ink");
+  if (s.ground == s.ink) call.refuse("ink", "expected another brightness than that of the ground");
   s.seed = static_cast<std::uint64_t>(call.integer("seed"));
   if (!call.session().options().check) files::write_png(call.text("file"), lab::photograph(s));
   return 0;
@@ -154,6 +157,8 @@ std::vector<Entry> rows() {
             .optional(),
         number_("blur", "pixels", not_negative, "standard deviation of the lens").or_else(1.0),
         number_("noise", "", Range{0, 1}, "of a pixel, white being 1").or_else(0.01),
+        number_("ground", "", Range{0, 1}, "brightness of the cloth, white being 1").or_else(0.85),
+        number_("ink", "", Range{0, 1}, "brightness of the dots").or_else(0.15),
         integer_("seed", not_negative, "of the noise").or_else(1.0)},
        "Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker.",
        name + "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)",

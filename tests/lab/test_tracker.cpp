@@ -121,6 +121,40 @@ TEST_CASE("strain to 2e-4 through 50 % and 30 degrees", "[lab]") {
   CHECK(mean_worst < 2e-4);
 }
 
+TEST_CASE("a grid is known on a first photograph that is turned", "[lab]") {
+  Scene s = scene();
+  s.width = s.height = 1100;
+  for (const double strain : {0.0, 0.3})
+    for (int degrees = -40; degrees <= 40; degrees += 8) {
+      INFO("turned by " << degrees << " degrees, strain " << strain);
+      s.F = pulled(strain, degrees * std::numbers::pi / 180);
+      const Tracker tracker(s.rows, s.columns, find_dots(photograph(s), {}));
+      const auto truth = true_positions(s);  // rows downwards
+      double worst = 0;
+      for (std::size_t r = 0; r < s.rows; ++r)
+        for (std::size_t c = 0; c < s.columns; ++c) {
+          const std::size_t m = r * s.columns + c, k = 2 * ((s.rows - 1 - r) * s.columns + c);
+          worst = std::max(
+              worst, std::hypot(tracker.tracks().x[m] - truth[k], -tracker.tracks().y[m] - truth[k + 1]));
+        }
+      CHECK(worst < 0.05);  // noise of the camera, half a hundredth of a pixel
+    }
+}
+
+TEST_CASE("dots that are no grid are refused", "[lab]") {
+  Scene s = scene();
+  s.width = s.height = 1100;
+  const std::string wanted = "dots on the first photograph are no grid of 6 rows and 4 columns";
+  s.F = pulled(0, 55 * std::numbers::pi / 180);
+  const auto turned = find_dots(photograph(s), {});
+  says(message_of([&] { Tracker(s.rows, s.columns, turned); }), wanted);
+  s.F = {1, 0, 0, 1};
+  auto dots = find_dots(photograph(s), {});
+  Tracker(s.rows, s.columns, dots);
+  dots[5].x += 50;  // a stain between two dots, and a dot that is missing
+  says(message_of([&] { Tracker(s.rows, s.columns, dots); }), wanted);
+}
+
 TEST_CASE("lost and changed dots are told, and found again", "[lab]") {
   const Scene s = scene();
   const auto dots = find_dots(photograph(s), {});

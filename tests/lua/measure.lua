@@ -93,6 +93,24 @@ for name, want in pairs { duck = 470, muslin = 360, denim = 350 } do
 end
 close(lab.density { mass = { 2.3e-3 }, area = 0.01, thickness = { 0.38e-3 } }.density, 605.263, 1e-5)
 
+-- light dots on dark cloth, turned by 30 degrees
+do
+  local names, cosine, sine = {}, math.cos(math.pi / 6), 0.5
+  for i, stretch in ipairs { 1, 1.1 } do
+    names[i] = os.tmpname() .. ".png"
+    lab.photograph { file = names[i], rows = 3, columns = 2, pitch = 40, radius = 6, width = 220, height = 220, ground = 0.1, ink = 0.9,
+      F = { cosine, -sine * stretch, sine, cosine * stretch } }
+  end
+  local t = lab.track { files = names, rows = 3, columns = 2, dark = false }
+  for _, name in ipairs(names) do os.remove(name) end
+  assert(#t.doubtful == 0)
+  local function length(from, to) return math.sqrt((t.x[to] - t.x[from]) ^ 2 + (t.y[to] - t.y[from]) ^ 2) end
+  close(length(7, 9), 44, 1e-3) -- noise of the camera
+  close(length(7, 8), 40, 1e-3)
+  fails("field 'ink': expected another brightness than that of the ground", lab.photograph, { file = "x.png", rows = 2, columns = 2, pitch = 40, radius = 6,
+    width = 100, height = 100, ground = 0.5, ink = 0.5 })
+end
+
 -- slack, slip and compliance are taken off exactly
 local P, true_u, shown = {}, {}, {}
 local largest = 0
