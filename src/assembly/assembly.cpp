@@ -308,9 +308,11 @@ void Assembly::residual(std::span<const double> external, std::span<double> r,
 
 std::pair<double, Index> Assembly::largest_residual(std::span<const double> r) const {
   std::pair<double, Index> best{0, -1};
-  for (std::size_t i = 0; i < r.size(); ++i)
-    if (const double size = std::abs(r[i]) / lever_[i]; size > best.first)
-      best = {size, static_cast<Index>(i)};
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const double size = std::abs(r[i]) / lever_[i];
+    if (!std::isfinite(size)) return {std::numeric_limits<double>::infinity(), static_cast<Index>(i)};
+    if (size > best.first) best = {size, static_cast<Index>(i)};
+  }
   return best;
 }
 

@@ -122,6 +122,7 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
     result.time = result.landed && share == 1 ? arc.landing : result.time + share * step.time;
     if (i == 0) predicted_ = increment_;
     const auto [size, where] = problem.largest(r_);
+    if (!std::isfinite(size)) return stop(NewtonStatus::diverged);
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.residuals.push_back(relative);
     result.worst = where;

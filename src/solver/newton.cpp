@@ -104,6 +104,7 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
       return stop(NewtonStatus::law_failed);
     problem.accept();
     const auto [size, where] = problem.largest(r_);
+    if (!std::isfinite(size)) return stop(NewtonStatus::diverged);
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.residuals.push_back(relative);
     result.worst = where;

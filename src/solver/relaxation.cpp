@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fabricsh::solver {
 
 namespace {
 constexpr int kRefresh = 200;  // iterations after which the masses are renewed without a peak
-}
+constexpr double kGrown = 2;   // times the residual of the last renewal
+}  // namespace
 
 Relaxation::Relaxation(SparseMatrix pattern)
     : K_(std::move(pattern)), r_(K_.size), mass_(K_.size), velocity_(K_.size) {}
@@ -47,14 +49,14 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
   std::fill(velocity_.begin(), velocity_.end(), 0.0);
   problem.accept();
   if (K_.size > 0 && !masses(problem)) return stop(NewtonStatus::law_failed);
-  double before = 0;
+  double before = 0, renewed = std::numeric_limits<double>::infinity();  // residual when the masses were
   bool starts = true;  // at rest: the first step of the leapfrog is half a one
   for (int since = 0; result.iterations < options.max_iterations; ++result.iterations, ++since) {
     if (!problem.residual(r_)) return stop(NewtonStatus::law_failed);
     const auto [size, where] = problem.largest(r_);
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.worst = where;
-    if (!std::isfinite(relative) || relative > 1e12) return stop(NewtonStatus::diverged);
+    if (!std::isfinite(size) || !(relative < 1e12)) return stop(NewtonStatus::diverged);
     if (relative <= options.tolerance) {
       result.residuals.push_back(relative);
       return stop(NewtonStatus::converged);
@@ -64,8 +66,10 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
       velocity_[i] += (starts ? 0.5 : 1.0) * r_[i] / mass_[i];
       energy += mass_[i] * velocity_[i] * velocity_[i];
     }
-    starts = energy < before;
-    if (starts) {  // past the peak
+    // Past the peak; or cloth has stiffened on the way so much that the masses no longer do.
+    const bool stiffer = size > kGrown * renewed;
+    starts = energy < before || stiffer;
+    if (starts) {
       std::fill(velocity_.begin(), velocity_.end(), 0.0);
       result.residuals.push_back(relative);
       energy = 0;
@@ -73,6 +77,7 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     before = energy;
     if (starts || since >= kRefresh) {
       since = 0;
+      renewed = size;
       if (!masses(problem)) return stop(NewtonStatus::law_failed);
     }
     if (starts) continue;
