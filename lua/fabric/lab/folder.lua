@@ -64,7 +64,7 @@ end
 
 -- The numbers of the photographs that the rows of a record belong to; nil without a column `frame`.
 local function frame_numbers(file)
-  for _, column in ipairs(fabric.table { file = file }) do
+  for _, column in ipairs(fabric.table { file = file, lenient = true }) do
     if column.name:lower():match "^%s*(%a+)" == "frame" then return column.values end
   end
 end

@@ -16,7 +16,7 @@ end
 local function places_of(frame)
   local numbers, place = {}, {}
   for _, f in ipairs(frame) do
-    if not place[f] then numbers[#numbers + 1], place[f] = f, 0 end
+    if f == f and not place[f] then numbers[#numbers + 1], place[f] = f, 0 end
   end
   table.sort(numbers)
   for i, f in ipairs(numbers) do place[f] = i - 1 end
@@ -24,7 +24,7 @@ local function places_of(frame)
 end
 
 local function tracks(t)
-  local file = fabric.table { file = t.file }
+  local file = fabric.table { file = t.file, lenient = true } -- a position that is no number is that of a lost marker
   local frame, marker = column_named(file, t.file, "frame"), column_named(file, t.file, "marker")
   local x, y = column_named(file, t.file, "x"), column_named(file, t.file, "y")
   local numbers, place = places_of(frame)
@@ -32,8 +32,9 @@ local function tracks(t)
   local out = { rows = t.rows, columns = t.columns, x = {}, y = {}, file = t.file, frames = #numbers, numbers = numbers }
   for i = 1, #numbers * markers do out.x[i], out.y[i] = nan, nan end
   for i = 1, #frame do
-    if marker[i] < 1 or marker[i] > markers or marker[i] % 1 ~= 0 then
-      fail(("tracks: %s: expected markers 1 to %d, got %g"):format(t.file, markers, marker[i]))
+    if frame[i] ~= frame[i] or not (marker[i] >= 1 and marker[i] <= markers and marker[i] % 1 == 0) then
+      fail(("tracks: %s: expected frames and markers 1 to %d in every row, got frame %g, marker %g in row %d"):format(t.file, markers, frame[i],
+        marker[i], i))
     end
     local at = place[frame[i]] * markers + marker[i]
     out.x[at // 1 | 0], out.y[at // 1 | 0] = x[i], y[i]
