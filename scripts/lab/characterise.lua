@@ -7,7 +7,7 @@
 local fabric = require "fabric"
 local folder, report = require "fabric.lab.folder", require "fabric.lab.report"
 
-local place = debug.getinfo(1, "S").source:match "^@(.*)scripts/" or ""
+local place = arg[0]:match "^(.*)scripts/" or ""
 local from = arg[1] or place .. "share/data/synthetic-blend"
 local out = arg[2] or "out/characterise"
 if fabric.checking() then return end

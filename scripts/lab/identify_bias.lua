@@ -9,7 +9,7 @@
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units
 
-local place = debug.getinfo(1, "S").source:match "^@(.*)scripts/" or ""
+local place = arg[0]:match "^(.*)scripts/" or ""
 local function readable(path)
   local f = io.open(path)
   if f then f:close() end

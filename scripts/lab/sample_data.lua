@@ -5,7 +5,7 @@
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units
 
-local place = debug.getinfo(1, "S").source:match "^@(.*)scripts/" or ""
+local place = arg[0]:match "^(.*)scripts/" or ""
 local out = arg[1] or "out/synthetic-blend"
 local label = "# synthetic: made by scripts/lab/sample_data.lua from share/cards/blend.lua, not measured\n"
 local compliance, slip = 2e-7, 1e-6
