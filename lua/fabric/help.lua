@@ -188,6 +188,7 @@ local function nothing(rows, word)
   for _, row in ipairs(rows) do
     names[#names + 1] = row.name
     names[#names + 1] = row.name:match "^fabric%.(.+)$"
+    names[#names + 1] = row.name:match "[^.:]+$"
   end
   local near = registry.nearest(word, names)
   return { ("nothing speaks of '%s'%s"):format(word, near and ", did you mean '" .. near .. "'?" or "; help() shows what there is") }

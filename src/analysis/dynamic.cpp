@@ -221,6 +221,16 @@ mesh::Index Dynamic::suspect() const {
   return most > 0 ? maker : densest;
 }
 
+// A run above the stable step grows whatever its limit is; another may be told to go on.
+std::string Dynamic::remedy(const Energy& e) const {
+  if (options_.scheme == Scheme::explicit_steps && now_.step > stable_)
+    return "step=\"auto\" (the step of " + number(now_.step) + " s is above the stable one, " +
+           number(stable_) + " s, of the cloth at rest)";
+  return "a smaller step (now " + number(now_.step) + " s)" +
+         (e.created > 0 ? "; or law=\"potential\", which makes no energy" : "") +
+         "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on";
+}
+
 void Dynamic::check() {
   const bool end = std::abs(time() - duration_) <= same_time * duration_;
   if (!end && time() < now_.next_check) return;
@@ -247,9 +257,7 @@ void Dynamic::check() {
                                " J";
   const NumericalFailure failure("dynamic: stopped at time " + number(time()) + " s: the ledger's error is " +
                                      share + "; it began about element " + std::to_string(now_.began + 1) +
-                                     ".\nTry: a smaller step (now " + number(now_.step) + " s)" +
-                                     (e.created > 0 ? "; or law=\"potential\", which makes no energy" : "") +
-                                     "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on.",
+                                     ".\nTry: " + remedy(e) + ".",
                                  time(), now_.began);
   fail(failure, std::string(failure.what()).substr(std::string("dynamic: ").size()) + accounts);
 }

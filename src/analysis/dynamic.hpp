@@ -64,6 +64,7 @@ class Dynamic : public Run {
   void watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time, double most);
   void tell_dropped() const;  // a notice of velocities given to nodes that are held or driven
   void say(const std::string& text) { notices_->say(text); }
+  std::string remedy(const Energy& energies) const;  // of a ledger's error
 
   virtual void take_options(const DynamicOptions& options) = 0;  // whose settings have changed
 

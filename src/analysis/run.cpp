@@ -101,7 +101,9 @@ bool Run::is_kink(double time) const {
 }
 
 void Run::fail(NumericalFailure failure, const std::string& why) {
-  why_ = failure.why = std::string(kind()) + ": " + why;
+  why_ = failure.why = std::string(kind()) + ": " + why + "\nrun        to " + number(duration_) +
+                       " s, card " + model_->card().name + ", " +
+                       std::to_string(model_->mesh().elements.size()) + " elements";
   throw NumericalFailure(failure);
 }
 

@@ -96,7 +96,8 @@ void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
   const bool singular = !f.tries.empty() && f.tries.back().status == solver::NewtonStatus::singular;
   const std::string pivots = std::to_string(f.negative_pivots) + " negative pivots";
   if (f.blame.inverted >= 0)
-    all.push_back("less stroke, or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
+    all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
+                  ", or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
                   " is turned inside out)");
   if (singular && !f.dynamic)
     all.push_back(

@@ -1,6 +1,9 @@
 #include "app/command_line.hpp"
 
 #include <charconv>
+#include <sstream>
+
+#include "base/suggest.hpp"
 
 namespace fabricsh::app {
 
@@ -27,6 +30,15 @@ const char* const usage =
     "exit codes: 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended by Ctrl-C\n";
 
 namespace {
+
+// The long options that the usage names.
+std::vector<std::string> long_options() {
+  std::vector<std::string> words;
+  std::istringstream lines(usage);
+  for (std::string word; lines >> word;)
+    if (word.starts_with("--") && word.size() > 2) words.push_back(word);
+  return words;
+}
 
 // Reads options one by one; stops at the deck.
 class Reader {
@@ -65,7 +77,7 @@ class Reader {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, c_.threads);
     if (error != std::errc() || stop != end || c_.threads < 1 || c_.threads > 4096)
-      c_.trouble = "--threads: expected an integer of at least 1, got '" + text + "'";
+      c_.trouble = "--threads: expected an integer from 1 to 4096, got '" + text + "'";
   }
 
   // The value of --name=X, or of --name X; false: it is another option, or has no value.
@@ -141,7 +153,7 @@ class Reader {
     } else if (word[1] == 'e' || word[1] == 'l') {
       if (value(word, text)) c_.before.emplace_back(word[1], text);
     } else {
-      c_.trouble = "unknown option '" + word + "'";
+      c_.trouble = "unknown option '" + word + "'" + did_you_mean(word, long_options());
     }
   }
 

@@ -116,7 +116,7 @@ int main(int count, char** words) {
   app::settle_environment(words);
   const app::CommandLine command = app::read_command_line(count, words);
   if (!command.trouble.empty()) {
-    std::cerr << "fabricsh: " << command.trouble << "\n" << app::usage;
+    std::cerr << "fabricsh: " << command.trouble << "; fabricsh --help shows the options\n";
     return 2;
   }
   if (command.help) return std::cout << app::usage, 0;

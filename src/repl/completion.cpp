@@ -21,7 +21,7 @@ class Completer {
       : session_(session), L_(session.lua()), text_(text), place_(place_at_end(text)) {}
 
   Completion run() {
-    if (place_.kind == Place::Kind::word) complete_word();
+    if (place_.kind == Place::Kind::word && !place_.behind_value) complete_word();
     if (place_.kind == Place::Kind::member) complete_member();
     if (place_.kind == Place::Kind::text) complete_text();
     return finish();

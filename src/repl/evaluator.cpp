@@ -1,5 +1,7 @@
 #include "repl/evaluator.hpp"
 
+#include <cstdlib>
+
 #include "repl/lexer.hpp"
 #include "repl/present.hpp"
 #include "script/load.hpp"
@@ -29,6 +31,19 @@ int value_text(lua_State* L) {
   return 1;
 }
 
+// With the zero bytes that it may hold.
+std::string text_at(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = lua_tolstring(L, index, &length);
+  return {text, length};
+}
+
+// 12 of "prompt:12: unexpected symbol"; 0 where there is none.
+long line_of(const std::string& message) {
+  const auto colon = message.find(':');
+  return colon == std::string::npos ? 0 : std::strtol(message.c_str() + colon + 1, nullptr, 10);
+}
+
 // The error on top of the stack as a result; popped. A __tostring of the user's may itself fail.
 Result failed(lua_State* L) {
   script::Session& session = script::Session::of(L);
@@ -37,7 +52,7 @@ Result failed(lua_State* L) {
   lua_pushcfunction(L, value_text);
   lua_insert(L, -2);
   lua_pcall(L, 1, 1, 0);
-  result.message = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "(error object without text)";
+  result.message = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "(error object without text)";
   if (session.limits() != nullptr) result.message = session.limits()->explained(result.message);
   lua_settop(L, 0);
   return result;
@@ -78,7 +93,7 @@ Result finish(script::Session& session) {
     lua_pushcfunction(L, present_all);
     lua_insert(L, 1);
     if (lua_pcall(L, lua_gettop(L) - 1, 1, 0) != LUA_OK) return failed(L);
-    result.shown = lua_tostring(L, -1);
+    result.shown = text_at(L, -1);
   }
   lua_settop(L, 0);
   return result;
@@ -127,9 +142,13 @@ Result evaluate(script::Session& session, const std::string& input) {
     result.expression = true;
     return result;
   }
-  lua_pop(L, 1);
-  if (load(L, input, "=prompt") != LUA_OK) return failed(L);
-  return finish(session);
+  if (load(L, input, "=prompt") == LUA_OK) {
+    lua_remove(L, 1);
+    return finish(session);
+  }
+  // Neither an expression nor a statement: the reading that came further knows where it went wrong.
+  if (line_of(text_at(L, 1)) > line_of(text_at(L, 2))) lua_pop(L, 1);
+  return failed(L);
 }
 
 Result run_text(script::Session& session, const std::string& text, const std::string& name) {

@@ -92,6 +92,7 @@ void word_place(const Tokens& tokens, Place& place, std::string_view all) {
   if (typed) place.word = tokens.back().word;
   if (before == 0) return;
   const Token& mark = tokens[before - 1];
+  place.behind_value = !typed && ends_value(mark) && mark.end == place.from;
   place.first = mark.is("{") || mark.is(",") || mark.is(";");
   if ((!mark.is(".") && !mark.is(":")) || mark.end != place.from) return;
   place.kind = Place::Kind::member;

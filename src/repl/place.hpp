@@ -40,6 +40,7 @@ struct Place {
   char quote = '\0';               // of a text
   std::optional<Path> path = {};   // of a member; none: can't be known
   bool method = false;             // behind a colon
+  bool behind_value = false;       // nothing typed, right behind a text or a closed bracket
   bool first = false;              // a word that may be the key of a table's entry
   std::vector<Frame> frames = {};  // outermost first
 };

@@ -21,6 +21,19 @@ std::string brief(double x) {
   return text;
 }
 
+// The text at index with what a terminal would obey, or not show at all, as Lua writes it: \27, \0.
+std::string visible(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = lua_tolstring(L, index, &length);
+  std::string out;
+  for (std::size_t i = 0; i < length; ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool plain = (c >= 32 && c != 127) || c == '\n' || c == '\t';
+    out += plain ? std::string(1, text[i]) : "\\" + std::to_string(c);
+  }
+  return out;
+}
+
 bool is_name(const std::string& word) {
   if (word.empty() || std::isdigit(static_cast<unsigned char>(word[0]))) return false;
   return std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
@@ -185,13 +198,14 @@ std::string table_text(lua_State* L, int index, int depth) {
 std::string value_text(lua_State* L, int index, int depth) {
   if (lua_istable(L, index) && !has_text(L, index)) return table_text(L, index, depth);
   if (lua_type(L, index) == LUA_TSTRING && depth > 0) {
-    std::string words = lua_tostring(L, index);
+    std::string words = visible(L, index);
     std::replace(words.begin(), words.end(), '\n', ' ');
     return "\"" + (words.size() > 60 ? words.substr(0, 57) + "..." : words) + "\"";
   }
   if (depth > 0 && lua_type(L, index) == LUA_TNUMBER && !lua_isinteger(L, index))
     return brief(lua_tonumber(L, index));
-  const std::string words = luaL_tolstring(L, index, nullptr);
+  luaL_tolstring(L, index, nullptr);
+  const std::string words = visible(L, -1);
   lua_pop(L, 1);
   return words.substr(0, depth > 0 ? words.find('\n') : words.find_last_not_of('\n') + 1);
 }

@@ -38,6 +38,10 @@ TEST_CASE("exit codes") {
   CHECK(run("-e 'error{ code=7, why=\"no thread\" }'").out ==
         "fabricsh: error without a text: {code = 7, why = \"no thread\"}\n");
   CHECK(run("--nonsense").code == 2);
+  CHECK(
+      run("--thread 2").out ==
+      "fabricsh: unknown option '--thread', did you mean '--threads'?; fabricsh --help shows the options\n");
+  CHECK(has(run("--threads 5000 -e 'x=1'").out, "expected an integer from 1 to 4096, got '5000'"));
   CHECK(run("--threads none -e 'x=1'").code == 2);
   CHECK(run("--check").code == 2);
   CHECK(run("-e").code == 2);

@@ -93,6 +93,7 @@ fabric.ramp(value, duration)
   example
     local h = require 'fabric'.ramp(3, 2); assert(h:value(1) == 1.5 and h:value(9) == 3)]] },
   { "help 'fabric.statik'", "nothing speaks of 'fabric.statik', did you mean 'fabric.static'?" },
+  { "help 'rectangel'", "nothing speaks of 'rectangel', did you mean 'rectangle'?" },
   { "help 'qqqq'", "nothing speaks of 'qqqq'; help() shows what there is" },
   { "help 'kilby'", [[
 laboratory: from measurement to card

@@ -55,3 +55,11 @@ local d = fabric.dynamic { model = strip(fabric.ramp(0.001, 1)):velocity("right"
 text = failing(d)
 has(text, "dynamic: stopped at time 0 s")
 has(text, "fastest    node ")
+has(text, "\nrun        to 0.01 s, card ")
+
+-- ... because its step is above the stable one: no larger limit is offered
+local pulled = strip(fabric.ramp(0.001, 1e-3))
+local stable = fabric.dynamic({ model = pulled, duration = 1e-3 }).stable_step
+text = failing(fabric.dynamic { model = strip(fabric.ramp(0.001, 1e-3)), duration = 0.01, step = 3 * stable, force = true })
+has(text, 'step="auto" (the step of ')
+assert(not text:find("ledger_limit", 1, true), text)

@@ -101,6 +101,7 @@ TEST_CASE("values: words of a choice, objects of the class") {
   CHECK(words("static{ control='a") == Words{"arc"});
   CHECK(words.common("static{ control='a") == "arc'");
   CHECK(words("static{ control=") == Words{"\"arc\"", "\"load\""});
+  CHECK(words("static{ control=\"arc\"").empty());
   CHECK(words("static{ model=") == Words{"m"});
   CHECK(words("model{ mesh=") == Words{"sheet"});
   CHECK(words("a:every(\"") == Words{"step"});

@@ -47,6 +47,15 @@ TEST_CASE("unfinished input goes on with the next line") {
   CHECK(talk("x = {\n").err.find("near <eof>") != std::string::npos);  // the lines end before the input does
 }
 
+TEST_CASE("what a terminal would obey is shown as Lua writes it") {
+  CHECK(talk("'a\\0b\\27[31m'\n").out == "a\\0b\\27[31m\n");
+}
+
+TEST_CASE("the reading that came further says where it went wrong") {
+  CHECK(talk("1 +\n)\n").err.find("prompt:2: unexpected symbol near") != std::string::npos);
+  CHECK(talk("x = = 2\n").err.find("prompt:1: unexpected symbol near") != std::string::npos);
+}
+
 TEST_CASE("a leading = shows a value") { CHECK(talk("=1 + 1\n = 'a', 2\n").out == "2\na\t2\n"); }
 
 TEST_CASE("local at the prompt is warned about, and runs") {
