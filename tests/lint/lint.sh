@@ -1,5 +1,5 @@
 #!/bin/sh
-# The order of the rooms, and that every deck checks itself. Usage: lint.sh <root of the tree>
+# The order of the rooms, that every deck checks itself, and that nothing but what belongs there lies in the tree's top. Usage: lint.sh <root of the tree>
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"
@@ -16,6 +16,19 @@ if [ -d scripts ]; then
     tail -n 1 "$deck" | grep -Eq '^(dofile\(|return )' && continue
     echo "$deck: has no expect{...} block"
     status=1
+  done
+fi
+
+known=" .ci .clang-format .gitignore CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE README.md lua meshes scripts share src tests "
+if command -v git >/dev/null && [ -e .git ]; then
+  for name in $(git -c safe.directory='*' ls-files | cut -d/ -f1 | sort -u); do
+    case $known in
+      *" $name "*) ;;
+      *)
+        echo "$name: lies in the top folder; written by a test?"
+        status=1
+        ;;
+    esac
   done
 fi
 exit $status
