@@ -22,12 +22,24 @@ local returns = {
   ["mesh.nodes"] = "number[][]", ["mesh.elements"] = "integer[][]", ["mesh.sets"] = "string[]", ["model.card"] = "card",
   ["model.thickness"] = "number",
 }
-for _, name in ipairs { "solve", "advance", "step", "every", "event", "restore", "record", "vtk" } do returns["analysis:" .. name] = "analysis" end
+for _, name in ipairs { "solve", "advance", "step", "every", "event", "restore", "record", "vtk", "set", "checkpoint", "restart" } do returns["analysis:" .. name] = "analysis" end
 for _, row in ipairs(rows) do -- methods of a model chain, generators make meshes
   if row.owner == "model" and row.style ~= "property" then returns[row.name] = "model" end
   if row.name:find "^fabric%.mesh%." then returns[row.name] = "mesh" end
 end
 for _, name in ipairs { "mesh:map", "mesh:write" } do returns[name] = "mesh" end
+-- Tables with named fields, which the sentences name; lists; and what else is plain.
+for _, name in ipairs { "analysis:element", "analysis:node", "point:state", "point:strain", "point:uniaxial", "point:biaxial", "point:path", "mesh:check" } do
+  returns[name] = "table<string, any>"
+end
+for _, row in ipairs(rows) do
+  if row.name:find "^fabric%.lab%." and not returns[row.name] then returns[row.name] = "table<string, any>" end
+end
+for _, name in ipairs { "uniaxial", "bias", "shear", "biaxial", "drape", "poke", "bias_extension" } do returns["fabric.lab." .. name] = "test" end
+for _, name in ipairs { "parallel", "branches", "synthetic", "backbone", "monotone" } do returns["fabric.lab." .. name] = "table[]" end
+for name, what in pairs { ["fabric.lab.unloading"] = "number", ["fabric.lab.photograph"] = "nil", ["fabric.study"] = "table", ["fabric.table"] = "table[]",
+  ["fabric.transcript"] = "nil", ["fabric.who"] = "nil", ["fabric.why"] = "string", ["analysis:why"] = "string", ["fabric.write"] = "nil",
+  ["card:check"] = "table[]", ["mesh:set"] = "mesh" } do returns[name] = what end
 
 local classes = { "card", "mesh", "model", "history", "analysis", "snapshot", "point" }
 local about_class = {
@@ -180,7 +192,7 @@ local function declare_class(class, out)
     end
     if class == "card" and row.name == "fabric.woven" then
       for _, argument in ipairs(row.arguments) do
-        out[#out + 1] = ("---@field %s any %s"):format(argument.name, remark(argument))
+        out[#out + 1] = ("---@field %s %s %s"):format(argument.name, type_of(argument, "fabric_woven_fields." .. argument.name), remark(argument))
       end
     end
   end
@@ -190,6 +202,9 @@ end
 local function stubs()
   local out = { "---@meta fabric", "-- Stubs for the Lua language server, made by fabricsh scripts/reference.lua write.\n" }
   for _, class in ipairs(classes) do declare_class(class, out) end
+  out[#out + 1] = comment "What a virtual test returns; some have more." .. "\n---@class test\n---@field curve table[] its rows\n---@field analysis analysis\n"
+    .. "---@field model model\n---@field mesh mesh\n---@field peak table the row of the largest displacement\n"
+    .. "---@field mesh_error fun(self: test, options?: table): table what the numbers owe to the mesh\n"
   out[#out + 1] = "---@class fabric\n---@field version string\n---@field units table<string, number> multipliers to SI"
   out[#out + 1] = "local fabric = { mesh = {}, lab = {} }\n"
   for _, row in ipairs(rows) do

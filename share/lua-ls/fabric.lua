@@ -3,20 +3,20 @@
 
 ---The material of a cloth. It cannot be changed; every field of its constructor reads back in SI: `card.warp.poisson`.
 ---@class card
----@field name any of the fabric (default "")
----@field source any where the numbers come from (default "")
----@field density any kg/m^3: mass over volume
----@field thickness any m: of the sheet
----@field bending any own bending rigidity instead of integration through the thickness
----@field warp any along the warp
----@field weft any along the weft
----@field shear any in-plane shear
----@field tested any strains up to which it was measured
----@field law any the law that is compiled from the card (default "potential")
----@field transverse any transverse shear of the comparison laws (default "elastic")
----@field shear_hysteresis any of the comparison laws (default true)
----@field biaxial any a fourth spring that acts when both yarns are stretched
----@field bands any confidence bands of the measured parameters
+---@field name string of the fabric (default "")
+---@field source string where the numbers come from (default "")
+---@field density number kg/m^3: mass over volume
+---@field thickness number m: of the sheet
+---@field bending fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
+---@field warp fabric_woven_fields.warp along the warp
+---@field weft fabric_woven_fields.weft along the weft
+---@field shear fabric_woven_fields.shear in-plane shear
+---@field tested fabric_woven_fields.tested strains up to which it was measured
+---@field law "potential"|"incremental"|"thesis" the law that is compiled from the card (default "potential")
+---@field transverse "elastic"|"follow" transverse shear of the comparison laws (default "elastic")
+---@field shear_hysteresis boolean of the comparison laws (default true)
+---@field biaxial fabric_woven_fields.biaxial a fourth spring that acts when both yarns are stretched
+---@field bands fabric_woven_fields.bands confidence bands of the measured parameters
 local card = {}
 
 ---Nodes, elements and named sets of nodes.
@@ -55,6 +55,15 @@ local snapshot = {}
 ---@class point
 local point = {}
 
+---What a virtual test returns; some have more.
+---@class test
+---@field curve table[] its rows
+---@field analysis analysis
+---@field model model
+---@field mesh mesh
+---@field peak table the row of the largest displacement
+---@field mesh_error fun(self: test, options?: table): table what the numbers owe to the mesh
+
 ---@class fabric
 ---@field version string
 ---@field units table<string, number> multipliers to SI
@@ -73,12 +82,12 @@ function analysis:advance(time) end
 ---Keeps all of the run in one file as it goes, and when it ends, fails or is interrupted; --restart and analysis:restart go on from there with the same bits.
 ---@param path string of the file, which is replaced each time; its folder is made
 ---@param options? analysis_checkpoint_fields.options how often, and what besides the run
----@return any
+---@return analysis
 function analysis:checkpoint(path, options) end
 
 ---Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (tensor), S11 S22 S23 S13 S12 (Pa), stored and dissipated (J/m^3), residual1 residual2 (residual strains), slack1 slack2 (strain that a slack yarn is below its residual strain).
 ---@param number integer of the element
----@return any
+---@return table<string, any>
 function analysis:element(number) end
 
 ---@class analysis_event_fields
@@ -110,7 +119,7 @@ function analysis:mean(name, set) end
 
 ---Where a node is: a table of x y z (m), X Y Z (in the reference), ux uy uz (displacement), vx vy vz (velocity, m/s), nx ny nz (director).
 ---@param number integer of the node
----@return any
+---@return table<string, any>
 function analysis:node(number) end
 
 ---Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global.
@@ -131,7 +140,7 @@ function analysis:record(path, options) end
 
 ---Goes to where a checkpoint was written; 'record', 'vtk' and 'checkpoint' called after it go on with their files.
 ---@param path string of a checkpoint of the same problem
----@return any
+---@return analysis
 function analysis:restart(path) end
 
 ---Goes back to a snapshot; the run goes on from there bit for bit. Returns the analysis.
@@ -147,7 +156,7 @@ function analysis:restore(snapshot) end
 
 ---Changes settings of a run, also one that is under way or has failed.
 ---@param fields analysis_set_fields
----@return any
+---@return analysis
 function analysis:set(fields) end
 
 ---A copy of the whole state, to go back to with a:restore.
@@ -177,7 +186,7 @@ function analysis:stop(reason) end
 function analysis:vtk(stem, options) end
 
 ---Why the run failed last: the steps tried with their residuals, the node, the element with its strain and the branches of its yarns, and what to try; as text. The error has it as e.why.
----@return any
+---@return string
 function analysis:why() end
 
 ---@class card_check_fields.element_size
@@ -185,7 +194,7 @@ function analysis:why() end
 
 ---What is wrong with the card or worth knowing: a table {ok, card, text, items, criterion}, which prints as its text. An item has key, severity (note, warning, error), text, numbers; a row of criterion has path, warp, weft (branches), first (strain of violation or nil), last.
 ---@param element_size? number|card_check_fields.element_size m: smallest in the plane, for the explicit step; default 0.1
----@return any
+---@return table[]
 function card:check(element_size) end
 
 ---Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards that could not be are drawn again.
@@ -269,7 +278,7 @@ function fabric.history(points) end
 
 ---Stress polynomials through zero, one per specimen and degree: a list of {degree, criterion, initial, least, admissible, specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the best, nil if none has a positive tangent.
 ---@param fields fabric_lab_backbone_fields
----@return any
+---@return table[]
 function fabric.lab.backbone(fields) end
 
 ---@class fabric_lab_band_fields
@@ -281,7 +290,7 @@ function fabric.lab.backbone(fields) end
 
 ---Mean parameters and their confidence band by the bootstrap over specimens: value, low, high, covariance (row by row). The last three are nil for one specimen.
 ---@param fields fabric_lab_band_fields
----@return any
+---@return table<string, any>
 function fabric.lab.band(fields) end
 
 ---@class fabric_lab_bias_fields.grips
@@ -313,7 +322,7 @@ function fabric.lab.band(fields) end
 
 ---A strip pulled off the yarns' axes and let go. Returns curve (a list of time, displacement, force, E, S = force over area, E_lateral, and E and S along the pull as _average over the elements and at the _centre, E12_average, E12_centre, S12_centre), peak (its row of largest displacement), zones (element numbers of the bias test's three zones), analysis, model, mesh, displacement, volume, and the method mesh_error(). And zone_mean(name): the means of a field in zones 1, 2, 3 at the present time.
 ---@param fields fabric_lab_bias_fields
----@return any
+---@return test
 function fabric.lab.bias(fields) end
 
 ---@class fabric_lab_bias_extension_fields
@@ -328,7 +337,7 @@ function fabric.lab.bias(fields) end
 
 ---A strip at 45 degrees, clamped and pulled, on a mesh along its yarns: for yarns that hardly stretch. Returns curve (a list of time, displacement, force, E, S), analysis, model, mesh.
 ---@param fields fabric_lab_bias_extension_fields
----@return any
+---@return test
 function fabric.lab.bias_extension(fields) end
 
 ---@class fabric_lab_bias_shear_fields
@@ -340,7 +349,7 @@ function fabric.lab.bias_extension(fields) end
 
 ---Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12.
 ---@param fields fabric_lab_bias_shear_fields
----@return any
+---@return table<string, any>
 function fabric.lab.bias_shear(fields) end
 
 ---@class fabric_lab_biaxial_fields
@@ -357,7 +366,7 @@ function fabric.lab.bias_shear(fields) end
 
 ---A square pulled along both yarns and let go until one has no pull left. Returns curve (a list of time, displacement, E11, E22, S11, S22 from the forces, and both as _average and _centre, force_x, force_y), peak (its row of largest displacement), analysis, model, mesh, volume, and the method mesh_error().
 ---@param fields fabric_lab_biaxial_fields
----@return any
+---@return test
 function fabric.lab.biaxial(fields) end
 
 ---@class fabric_lab_boxes_fields
@@ -369,7 +378,7 @@ function fabric.lab.biaxial(fields) end
 
 ---Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. 3.2), E12 between the yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each box's part in the shear; frames, boxes.
 ---@param fields fabric_lab_boxes_fields
----@return any
+---@return table<string, any>
 function fabric.lab.boxes(fields) end
 
 ---@class fabric_lab_branches_fields
@@ -378,7 +387,7 @@ function fabric.lab.boxes(fields) end
 
 ---Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, reloading (up to the largest displacement so far) or hold (five rows and more at a reversal).
 ---@param fields fabric_lab_branches_fields
----@return any
+---@return table[]
 function fabric.lab.branches(fields) end
 
 ---@class fabric_lab_card_fields
@@ -404,7 +413,7 @@ function fabric.lab.card(fields) end
 
 ---Mass per area, thickness (means) and density = mass per area over thickness [williams2010, section 3.3.1].
 ---@param fields fabric_lab_density_fields
----@return any
+---@return table<string, any>
 function fabric.lab.density(fields) end
 
 ---@class fabric_lab_drape_fields
@@ -425,7 +434,7 @@ function fabric.lab.density(fields) end
 
 ---A square sheet, held at its corners, falls under its weight. Returns curve (a list of time, centre and lowest: how far the middle and the lowest node hang down, m; the energies of analysis.energy), analysis, model, mesh, and trouble where the run stopped.
 ---@param fields fabric_lab_drape_fields
----@return any
+---@return test
 function fabric.lab.drape(fields) end
 
 ---@class fabric_lab_fast_fields.along
@@ -444,7 +453,7 @@ function fabric.lab.drape(fields) end
 
 ---E5, E20, E100 (per cent at 5, 20, 100 gf/cm: 4.90, 19.6, 98.1 N/m), EB5, G = 123/EB5 (N/m; FAST counts what the yarns stretch as shear), B = W g C^3 (uN.m), F = (E20 - E5) B / 14.7 (mm^2).
 ---@param fields fabric_lab_fast_fields
----@return any
+---@return table<string, any>
 function fabric.lab.fast(fields) end
 
 ---@class fabric_lab_fast_card_fields.warp
@@ -491,7 +500,7 @@ function fabric.lab.fast_card(fields) end
 
 ---A backbone from replicate specimens: loading (tangent coefficients in Pa, or points), unloading, tested (reach of all), band {value, low, high, covariance} of {loading..., unloading} (without unloading where not every specimen unloads: then unloading_band is that of those that do), text (the criterion's table), specimens, tests (how many).
 ---@param fields fabric_lab_fit_fields
----@return any
+---@return table<string, any>
 function fabric.lab.fit(fields) end
 
 ---@class fabric_lab_identifiability_fields
@@ -500,7 +509,7 @@ function fabric.lab.fit(fields) end
 
 ---What data fix: deviation of each parameter, correlation (by rows), weakest (the combination fixed least, of length one in units of scale) and weakest_deviation.
 ---@param fields fabric_lab_identifiability_fields
----@return any
+---@return table<string, any>
 function fabric.lab.identifiability(fields) end
 
 ---@class fabric_lab_identify_fields
@@ -518,7 +527,7 @@ function fabric.lab.identifiability(fields) end
 
 ---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text.
 ---@param fields fabric_lab_identify_fields
----@return any
+---@return table<string, any>
 function fabric.lab.identify(fields) end
 
 ---@class fabric_lab_kes_bending_fields
@@ -528,7 +537,7 @@ function fabric.lab.identify(fields) end
 
 ---B (slope from 50 to 150 1/m, gf cm^2/cm) and 2HB (gf cm/cm, height of the loop).
 ---@param fields fabric_lab_kes_bending_fields
----@return any
+---@return table<string, any>
 function fabric.lab.kes_bending(fields) end
 
 ---@class fabric_lab_kes_card_fields.warp
@@ -585,7 +594,7 @@ function fabric.lab.kes_card(fields) end
 
 ---G (slope from 0.5 to 2.5 degrees, gf/(cm deg)), 2HG and 2HG5 (gf/cm, height of the loop at 0.5 and 5 degrees).
 ---@param fields fabric_lab_kes_shear_fields
----@return any
+---@return table<string, any>
 function fabric.lab.kes_shear(fields) end
 
 ---@class fabric_lab_kes_tensile_fields
@@ -594,7 +603,7 @@ function fabric.lab.kes_shear(fields) end
 
 ---EMT (per cent at the largest load), WT (gf cm/cm^2), LT = WT over that of a straight line, RT (per cent of the work that comes back).
 ---@param fields fabric_lab_kes_tensile_fields
----@return any
+---@return table<string, any>
 function fabric.lab.kes_tensile(fields) end
 
 ---@class fabric_lab_kilby_fields
@@ -608,7 +617,7 @@ function fabric.lab.kes_tensile(fields) end
 
 ---Kilby's relation G = 1/(4/E45 - 1/E1 - 1/E2 + coupling): returns shear and bias, one of which is given.
 ---@param fields fabric_lab_kilby_fields
----@return any
+---@return table<string, any>
 function fabric.lab.kilby(fields) end
 
 ---@class fabric_lab_least_squares_fields
@@ -623,7 +632,7 @@ function fabric.lab.kilby(fields) end
 
 ---Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, converged, reason.
 ---@param fields fabric_lab_least_squares_fields
----@return any
+---@return table<string, any>
 function fabric.lab.least_squares(fields) end
 
 ---@class fabric_lab_marks_fields
@@ -634,7 +643,7 @@ function fabric.lab.least_squares(fields) end
 
 ---Rows of yield and of failure (the largest stress), nil where there is none.
 ---@param fields fabric_lab_marks_fields
----@return any
+---@return table<string, any>
 function fabric.lab.marks(fields) end
 
 ---@class fabric_lab_mesh_error_fields
@@ -643,7 +652,7 @@ function fabric.lab.marks(fields) end
 
 ---Richardson's estimate from three meshes. Returns, by name, {f1, f2, f3, limit=, order=, error=}: error is that of the first mesh, a fraction of the limit; no order where the three do not approach one, and then error is their spread.
 ---@param fields fabric_lab_mesh_error_fields
----@return any
+---@return table<string, any>
 function fabric.lab.mesh_error(fields) end
 
 ---@class fabric_lab_monotone_fields
@@ -652,7 +661,7 @@ function fabric.lab.mesh_error(fields) end
 
 ---Points {{0, 0}, {E, S}, ...} of a strictly rising curve through the means of bins: a card's loading.
 ---@param fields fabric_lab_monotone_fields
----@return any
+---@return table[]
 function fabric.lab.monotone(fields) end
 
 ---@class fabric_lab_parallel_fields
@@ -665,7 +674,7 @@ function fabric.lab.monotone(fields) end
 
 ---Work for items 1 to count in processes side by side: the lists in order; one whose work failed is empty and has trouble, the message, and died=true when its process ended without an answer.
 ---@param fields fabric_lab_parallel_fields
----@return any
+---@return table[]
 function fabric.lab.parallel(fields) end
 
 ---@class fabric_lab_photograph_fields
@@ -685,7 +694,6 @@ function fabric.lab.parallel(fields) end
 
 ---Makes a photograph of a dot grid under a known map, with blur and noise: for trying the tracker.
 ---@param fields fabric_lab_photograph_fields
----@return any
 function fabric.lab.photograph(fields) end
 
 ---@class fabric_lab_picture_frame_fields
@@ -698,7 +706,7 @@ function fabric.lab.photograph(fields) end
 
 ---Picture frame: angle (degrees), normal_force (N/m, normalised by frame / cloth^2), E12, S12 from force and displacement; or force from a card.
 ---@param fields fabric_lab_picture_frame_fields
----@return any
+---@return table<string, any>
 function fabric.lab.picture_frame(fields) end
 
 ---@class fabric_lab_poisson_fields
@@ -711,7 +719,7 @@ function fabric.lab.picture_frame(fields) end
 
 ---The contraction ratio (eq. 3.3): one line through the origin per specimen with its boxes pooled, then the mean: value, low, high, variance, specimens { {value, plain, noise, uncertainty}, ... }.
 ---@param fields fabric_lab_poisson_fields
----@return any
+---@return table<string, any>
 function fabric.lab.poisson(fields) end
 
 ---@class fabric_lab_poke_fields
@@ -734,7 +742,7 @@ function fabric.lab.poisson(fields) end
 
 ---A square sheet, its rim held, is pushed up by a punch in its middle and let down. Returns curve (a list of time, height of the punch, lowest: how far the lowest node hangs down, m; E11 and S11 one element beside the punch along the warp, E22 and S22 along the weft; the energies of analysis.energy), analysis, model, mesh, along_warp and along_weft (the two elements), and trouble where the run stopped.
 ---@param fields fabric_lab_poke_fields
----@return any
+---@return test
 function fabric.lab.poke(fields) end
 
 ---@class fabric_lab_ratio_fields
@@ -747,7 +755,7 @@ function fabric.lab.poke(fields) end
 
 ---Contraction ratio of one specimen (eq. 3.3), boxes pooled, corrected for noise in the positions: value, plain (not corrected), noise, uncertainty (standard, over the boxes).
 ---@param fields fabric_lab_ratio_fields
----@return any
+---@return table<string, any>
 function fabric.lab.ratio(fields) end
 
 ---@class fabric_lab_read_fields
@@ -759,7 +767,7 @@ function fabric.lab.ratio(fields) end
 
 ---A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file.
 ---@param fields fabric_lab_read_fields
----@return any
+---@return table<string, any>
 function fabric.lab.read(fields) end
 
 ---@class fabric_lab_reduce_fields
@@ -776,7 +784,7 @@ function fabric.lab.read(fields) end
 
 ---Stress and strain from displacement and force (eqs. 3.1, 3.2): returns displacement (of the specimen's end), E, S, slack, area. The specimen's length is gauge_length + slack.
 ---@param fields fabric_lab_reduce_fields
----@return any
+---@return table<string, any>
 function fabric.lab.reduce(fields) end
 
 ---@class fabric_lab_shear_fields
@@ -792,7 +800,7 @@ function fabric.lab.reduce(fields) end
 
 ---A square in cyclic simple shear, warp along the shear. Returns curve (a list of time, E12, force_x, force_y, S12 from the forces, S12_average, S12_centre, S22_average, S_uncorrected = force_x over area), analysis, model, mesh, E12, volume, and the method mesh_error().
 ---@param fields fabric_lab_shear_fields
----@return any
+---@return test
 function fabric.lab.shear(fields) end
 
 ---@class fabric_lab_shear_from_bias_fields
@@ -809,7 +817,7 @@ function fabric.lab.shear(fields) end
 
 ---Shear from a bias pull: E (tensor E12 = lambda1 lambda2 cos(phi)/2 over the boxes of zone 3, eq. 3.16) and S (S12 = P/(2 A0 lambda), eq. 3.15) per frame in which that zone is seen (frames), zones of the boxes, warp_stretch, weft_stretch, branches: a test for fabric.lab.fit.
 ---@param fields fabric_lab_shear_from_bias_fields
----@return any
+---@return table<string, any>
 function fabric.lab.shear_from_bias(fields) end
 
 ---@class fabric_lab_synthetic_fields
@@ -837,7 +845,7 @@ function fabric.lab.shear_from_bias(fields) end
 
 ---Pulls of a card's cloth as a laboratory would have recorded them: a list of specimens {record={displacement, force}, photographs={markers, force, displacement, warp}}.
 ---@param fields fabric_lab_synthetic_fields
----@return any
+---@return table[]
 function fabric.lab.synthetic(fields) end
 
 ---@class fabric_lab_tensile_fields
@@ -860,7 +868,7 @@ function fabric.lab.synthetic(fields) end
 
 ---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area.
 ---@param fields fabric_lab_tensile_fields
----@return any
+---@return table<string, any>
 function fabric.lab.tensile(fields) end
 
 ---@class fabric_lab_track_fields.known
@@ -881,7 +889,7 @@ function fabric.lab.tensile(fields) end
 
 ---Follows a grid of dots through photographs: rows, columns, frames, x, y (m, or pixels without a scale; y upwards; nan: lost), scale, doubtful = { {frame, marker, lost}, ... }; lost ones are looked for again.
 ---@param fields fabric_lab_track_fields
----@return any
+---@return table<string, any>
 function fabric.lab.track(fields) end
 
 ---@class fabric_lab_tracks_fields
@@ -891,7 +899,7 @@ function fabric.lab.track(fields) end
 
 ---Positions of a marker grid in a series of photographs: rows, columns, frames, their numbers in order, x, y; a marker without a row is lost (nan).
 ---@param fields fabric_lab_tracks_fields
----@return any
+---@return table<string, any>
 function fabric.lab.tracks(fields) end
 
 ---@class fabric_lab_uniaxial_fields.grips
@@ -923,7 +931,7 @@ function fabric.lab.tracks(fields) end
 
 ---A strip pulled and let go. Returns curve (a list of time, displacement, force, E, S = force over area, E_lateral, and E and S along the pull as _average over the elements and at the _centre, E12_average, E12_centre, S12_centre), peak (its row of largest displacement), zones (element numbers of the bias test's three zones), analysis, model, mesh, displacement, volume, and the method mesh_error().
 ---@param fields fabric_lab_uniaxial_fields
----@return any
+---@return test
 function fabric.lab.uniaxial(fields) end
 
 ---@class fabric_lab_unloading_fields
@@ -935,7 +943,7 @@ function fabric.lab.uniaxial(fields) end
 
 ---The unloading modulus in Pa; nothing when there are too few points.
 ---@param fields fabric_lab_unloading_fields
----@return any
+---@return number
 function fabric.lab.unloading(fields) end
 
 ---@class fabric_linear_fields.bending.friction_warp
@@ -1133,7 +1141,7 @@ function fabric.static(fields) end
 
 ---The same run for many parameters, in processes side by side. What is finished is kept and not run again when the deck is; one that fails leaves its message and the others alone. As a task of a Slurm array job it runs its share. Returns the cases in order, each {parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).
 ---@param fields fabric_study_fields
----@return any
+---@return table
 function fabric.study(fields) end
 
 ---@class fabric_svk_fields.bending.friction_warp
@@ -1177,12 +1185,11 @@ function fabric.svk(fields) end
 
 ---Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above the numbers). A column of text alone (dates, labels) has nan and trouble, the message of its first cell.
 ---@param fields fabric_table_fields
----@return any
+---@return table[]
 function fabric.table(fields) end
 
 ---Keeps the session as a deck that can be run; without an argument, the file's name or false. The file is whole at any moment; inputs that failed are comments in it.
 ---@param file? string|boolean a new Lua file that holds all that was typed at the prompt so far and will be; false ends it
----@return any
 function fabric.transcript(file) end
 
 ---Says a warning on stderr with the deck's line, each text once.
@@ -1190,11 +1197,10 @@ function fabric.transcript(file) end
 function fabric.warn(text) end
 
 ---What the globals hold that neither Lua nor fabric put there, objects first: rows of name, class and text, which print as a table.
----@return any
 function fabric.who() end
 
 ---Why the last run that failed did: what analysis:why() of it says.
----@return any
+---@return string
 function fabric.why() end
 
 ---@class fabric_woven_fields.bending.friction_warp
@@ -1284,7 +1290,6 @@ function fabric.woven(fields) end
 ---Writes a file as a whole, with the folders it lies in: whoever reads it sees the old one or the new one, never a part.
 ---@param path string of the file
 ---@param content string all of it
----@return any
 function fabric.write(path, content) end
 
 ---The history's value at a time.
@@ -1293,7 +1298,7 @@ function fabric.write(path, content) end
 function history:value(time) end
 
 ---What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, repeated, orientation, one_sided, unused, duplicate, nonmanifold, aspect, warping, angle, free), severity (note, warning, error), text, elements, nodes.
----@return any
+---@return table<string, any>
 function mesh:check() end
 
 ---Numbers of the elements all of whose nodes are in the set.
@@ -1314,7 +1319,7 @@ function mesh:orient(direction) end
 ---Makes or replaces a named set of nodes; with the name alone gives its node numbers.
 ---@param name string of the set
 ---@param nodes? function|number[] node numbers, or function(x, y, z) that says whether a node is inside
----@return any
+---@return mesh
 ---@overload fun(self: mesh, name: string): integer[]
 function mesh:set(name, nodes) end
 
@@ -1461,20 +1466,20 @@ function model:velocity(set, velocity) end
 ---@param ratio number E22 over E11
 ---@param E number[] values of E11
 ---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
----@return any
+---@return table<string, any>
 function point:biaxial(ratio, E, columns) end
 
 ---Many straight increments in one call: a list of rows, or the columns named. A component without a column stays.
 ---@param strains table { {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }
 ---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
----@return any
+---@return table<string, any>
 function point:path(strains, columns) end
 
 ---Back to virgin cloth at zero strain.
 function point:reset() end
 
 ---Where the point is: the row of its last commit, residual strains and slack of both yarns, and the branch (virgin, unloading, slack) of warp, weft and shear.
----@return any
+---@return table<string, any>
 function point:state() end
 
 ---@class point_strain_fields
@@ -1484,14 +1489,14 @@ function point:state() end
 
 ---Reaches a total strain in one straight increment and commits it; components not named stay. Returns S11 S22 S12 E11 E22 E12 stored dissipated.
 ---@param fields point_strain_fields
----@return any
+---@return table<string, any>
 function point:strain(fields) end
 
 ---Strain along a direction with the other stresses driven to zero. Returns the same and S, E, E_lateral; for a list of strains a list of such rows, or the columns named.
 ---@param direction number|"warp"|"weft" degrees from the warp: warp, weft or an angle
 ---@param E number|number[] strain along it, or a list of strains
 ---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
----@return any
+---@return table<string, any>
 function point:uniaxial(direction, E, columns) end
 
 return fabric
