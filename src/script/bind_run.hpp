@@ -41,8 +41,9 @@ class Keeper;
 // A call of solve() and advance(), with the time that it goes to, or of step().
 struct Drive {
   bool single = false;
-  double target = 0;  // s
-  void keep(Archive& archive) { archive(single, target); }
+  double target = 0;       // s
+  std::uint64_t from = 0;  // steps done before it
+  void keep(Archive& archive) { archive(single, target, from); }
 };
 struct FailedCall {
   std::int64_t call = 0;

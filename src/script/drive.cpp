@@ -126,6 +126,12 @@ void begin_call(Run& run) {
   ++run.calls;
 }
 
+// Has the call that the checkpoint was written in nothing left to do? A hook stopped it, or its step is done.
+bool is_over(const Run& run) {
+  const Drive& call = run.from->under_way;
+  return run.analysis->stopped() || (call.single && run.analysis->steps().size() > call.from);
+}
+
 void work(Run& run) {
   if (run.under_way.single)
     run.analysis->step();
@@ -140,7 +146,8 @@ void drive(Run& run, Drive call) {
   begin_call(run);
   if (passes_over(run)) return;
   const bool under_way = run.passing > 0 && run.calls == run.passing;
-  if (under_way && run.from->under_way.single) return;  // the step was done
+  const bool over = under_way && is_over(run);
+  call.from = run.analysis->steps().size();
   if (under_way && run.same_deck) call = run.from->under_way;
   for (const auto& part : run.series) part.second->go_on();
   std::erase_if(run.failed, [&](const FailedCall& failed) { return failed.call == run.calls; });
@@ -156,7 +163,7 @@ void drive(Run& run, Drive call) {
   a.poll([&watch] { watch.listen(); });
   if (run.seconds == 0) run.record.write(a, "running", 0);
   try {
-    work(run);
+    if (!over) work(run);
   } catch (const Interrupted&) {
     leave(run, "interrupted", true, true);
     throw;

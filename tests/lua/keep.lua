@@ -222,3 +222,46 @@ write("safe.lua", "local fabric = require 'fabric'\n")
 code, got = run_program "--safe --output out --restart part/run.ckpt safe.lua"
 assert(code == 1)
 says(got, "not read under --safe")
+
+-- --- a call that a hook or an event stopped is over, also where the checkpoint was written at the stop ---
+write("stopped.lua", [[
+local fabric = require "fabric"
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.006, 1) })
+local a = fabric.static { model = m, duration = 1, step = 0.05 }
+a:checkpoint("out/stopped.ckpt", { every = "step" })
+a:record("out/stopped.csv", { columns = { f = function(run) return select(2, run:reaction "top") end } })
+a:vtk("out/stopped", { every = 0.2 })
+local function die(call)
+  if arg[2] == call then os.exit(9, false) end
+end
+if arg[1] == "event" then
+  a:event { value = function(run) return run.time - 0.63 end, action = function(run) run:stop "there" end }
+else
+  a:every("step", function(run)
+    if run.time > 0.62 and run.time < 0.66 then run:stop "there" end
+  end)
+end
+a:solve()
+print("stopped", a)
+die "stopped"
+a:set { tolerance = 1e-3, step = 0.02 }
+a:step()
+print("step", a)
+die "step"
+a:solve()
+print("done", a, a.energy.external)
+]])
+for _, kind in ipairs { "hook", "event" } do
+  local _, undisturbed = run_program("--quiet stopped.lua " .. kind)
+  local rows, series = text_of "out/stopped.csv", text_of "out/stopped.pvd"
+  says(undisturbed, kind == "hook" and "t = 0.65 of" or "t = 0.63 of")
+  for _, place in ipairs { "stopped", "step" } do
+    assert(run_program(("--quiet stopped.lua %s %s"):format(kind, place)) == 9)
+    local end_code, again = run_program("--quiet --restart out/stopped.ckpt stopped.lua " .. kind)
+    assert(end_code == 0, again)
+    assert(again:match "step\t.*" == undisturbed:match "step\t.*" and again:find("done\t", 1, true), again .. undisturbed)
+    assert(text_of "out/stopped.csv" == rows and text_of "out/stopped.pvd" == series)
+  end
+end
