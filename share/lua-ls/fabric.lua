@@ -79,7 +79,7 @@ function analysis:advance(time) end
 ---@field minutes? number min: time on the clock between two of them; 10 where neither it nor 'every' is given
 ---@field keep? table a table of the deck's (numbers, texts, booleans, tables) that is kept along and filled again on restart
 
----Keeps all of the run in one file as it goes, and when it ends, fails or is interrupted; --restart and analysis:restart go on from there with the same bits.
+---Keeps all of the run in one file as it goes, and when it ends, a step fails or it is interrupted; --restart and analysis:restart go on from there with the same bits.
 ---@param path string of the file, which is replaced each time; its folder is made
 ---@param options? analysis_checkpoint_fields.options how often, and what besides the run
 ---@return analysis

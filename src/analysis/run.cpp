@@ -23,16 +23,26 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
 
 Run::~Run() = default;
 
-void Run::every_step(Hook hook, AfterError after) {
+std::size_t Run::every_step(Hook hook, AfterError after) {
   timed_.push_back({0, std::move(hook), after});
   take_up(timed_.back(), timed_.size() - 1);
+  return timed_.size() - 1;
 }
 
-void Run::every(double interval, Hook hook, AfterError after) {
+void Run::reschedule(std::size_t hook, double interval) {
+  Timed& timed = timed_.at(hook);
+  if (timed.interval == interval) return;
+  timed.interval = interval;
+  timed.count = 1;
+  if (interval > 0) timed.count += static_cast<std::int64_t>(std::floor(time() / interval + 1e-9));
+}
+
+std::size_t Run::every(double interval, Hook hook, AfterError after) {
   if (!(interval > 0) || !std::isfinite(interval))
     throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
   timed_.push_back({interval, std::move(hook), after});
   take_up(timed_.back(), timed_.size() - 1);
+  return timed_.size() - 1;
 }
 
 void Run::event(std::function<double(Run&)> value, double tolerance, Hook hook) {

@@ -41,8 +41,10 @@ class Run {
   // row is lost).
   using Hook = std::function<void(Run&)>;
   enum class AfterError { skip, repeat };
-  void every_step(Hook hook, AfterError after = AfterError::skip);
-  void every(double interval, Hook hook, AfterError after = AfterError::skip);  // Error: not positive
+  // Returns the hook's number.
+  std::size_t every_step(Hook hook, AfterError after = AfterError::skip);
+  std::size_t every(double interval, Hook hook, AfterError after = AfterError::skip);  // Error: not positive
+  void reschedule(std::size_t hook, double interval);  // from here on; 0: every step
   // Finds, inside the step, where value(a) comes to zero after it was not: lands there within |value| <=
   // tolerance * largest |value| so far, commits, and runs the hook. Of several, the earliest.
   void event(std::function<double(Run&)> value, double tolerance, Hook hook);

@@ -1,5 +1,5 @@
 // fabricsh: options and exit codes. 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended
-// by Ctrl-C.
+// by Ctrl-C, 143 by SIGTERM.
 #include <omp.h>
 #include <unistd.h>
 
@@ -23,10 +23,13 @@ namespace {
 using namespace fabricsh;
 using repl::Outcome;
 
+constexpr int by_sigterm = 143;
+
 int exit_code(const script::Session& session, const repl::Result& result) {
-  if (result.outcome == Outcome::done) return 0;
+  if (result.outcome == Outcome::done) return session.terminated() ? by_sigterm : 0;
   std::fflush(stdout);
   std::cerr << "fabricsh: " << result.message << std::endl;
+  if (session.terminated()) return by_sigterm;
   if (session.stopped_by_interrupt()) return 130;
   return result.outcome == Outcome::numerical_failure ? 3 : 1;
 }
@@ -106,6 +109,7 @@ int converse(script::Session& session, Speaker& speaker) {
   const Outcome first =
       repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)});
   speaker.lines = nullptr;
+  if (session.terminated()) return by_sigterm;
   if (terminal || first == Outcome::done) return 0;
   return first == Outcome::numerical_failure ? 3 : 1;
 }
@@ -135,7 +139,7 @@ int main(int count, char** words) {
       return exit_code(session, run(session, command));
     }();
     const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
-    if (!prompt) return code;
+    if (!prompt || session.terminated()) return code;
     return converse(session, speaker);
   } catch (const std::exception& error) {
     std::cerr << "fabricsh: " << error.what() << std::endl;

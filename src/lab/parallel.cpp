@@ -95,6 +95,7 @@ void write_all(int pipe, const std::string& bytes) {
 // Leaves without destructors or flushing: what they would close and write belongs to the parent.
 [[noreturn]] void work_and_leave(int pipe, const Work& work, std::size_t i, double used) {
   std::signal(SIGINT, SIG_DFL);      // Ctrl-C ends it at once
+  std::signal(SIGTERM, SIG_DFL);     // and so does its parent
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // and so does the end of its parent
   limit_time(used);
   omp_set_num_threads(1);  // a forked copy has none of the other threads

@@ -4,7 +4,9 @@ namespace fabricsh::output {
 
 void Series::frame(const analysis::Run& run) {
   if (!steps_.empty() && run.steps().size() == steps_.back()) return;
+  in_trouble_ = true;
   write(run);
+  in_trouble_ = false;
   steps_.push_back(run.steps().size());
 }
 

@@ -19,8 +19,9 @@ class Series {
   // The same where a run is broken off: it shows where that was, and goes away when the run goes on.
   void extra_frame(const analysis::Run& run);
   void go_on();
-  void rewind(std::size_t step);  // takes off what is later than a step
-  virtual void sync() = 0;        // to the disk
+  bool in_trouble() const { return in_trouble_; }  // its last frame was an error
+  void rewind(std::size_t step);                   // takes off what is later than a step
+  virtual void sync() = 0;                         // to the disk
   // How far it is, for a program that continues it.
   void keep(Archive& archive);
 
@@ -35,6 +36,7 @@ class Series {
  private:
   std::vector<std::size_t> steps_;  // of the frames
   bool extra_ = false;              // is the last one
+  bool in_trouble_ = false;
 };
 
 }  // namespace fabricsh::output

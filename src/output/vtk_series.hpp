@@ -16,7 +16,6 @@ class VtkSeries final : public Series {
   // Goes on with the series that another program has left, from where it was kept.
   VtkSeries(const std::string& stem, std::vector<std::string> fields, Archive& from);
   void sync() override { series_.sync(); }
-  const std::string& path() const { return series_.path(); }
 
  private:
   void write(const analysis::Run& run) override;

@@ -37,15 +37,25 @@ void stop_lua(lua_State* L, lua_Debug*) { stop(L, false); }
 
 void stop_late(lua_State* L, lua_Debug*) { stop(L, true); }
 
-// While a line is being typed the signal need only wake the reader.
-extern "C" void on_interrupt(int) {
-  if (interruptible == nullptr || running == 0) return;
-  if (asked != 0) {
-    std::signal(SIGINT, SIG_DFL);
-    std::raise(SIGINT);
+void end_by(int signal) {
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+// While a line is being typed Ctrl-C need only wake the reader. SIGTERM may come several times (to each
+// process of a job, and handed on by its shell): the first counts.
+extern "C" void on_interrupt_or_end(int signal) {
+  if (interruptible == nullptr) return;
+  if (signal == SIGTERM) {
+    if (running == 0) return end_by(signal);
+    if (interruptible->terminated()) return;
+    interruptible->terminate();
+  } else {
+    if (running == 0) return;
+    if (asked != 0) end_by(signal);
+    interruptible->interrupt();
   }
   asked = 1;
-  interruptible->interrupt();
   lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT,
               1);
 }
@@ -55,6 +65,7 @@ void set_handler(void (*handler)(int)) {
   action.sa_handler = handler;  // without SA_RESTART: a read at the prompt is interrupted too
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
 void show(const Result& result, const Voice& voice) {
@@ -105,7 +116,7 @@ Running::~Running() {
 
 InterruptGuard::InterruptGuard(script::Session& session) {
   interruptible = &session;
-  set_handler(on_interrupt);
+  set_handler(on_interrupt_or_end);
 }
 
 InterruptGuard::~InterruptGuard() {
@@ -130,7 +141,7 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
     if (first == Outcome::done) first = outcome;
   };
   std::string input, line;
-  while (true) {
+  while (!session.terminated()) {
     const auto state = lines.next(input, line);
     if (state == Lines::State::end) break;
     if (state == Lines::State::interrupted) {

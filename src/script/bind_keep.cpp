@@ -29,7 +29,7 @@ void keep_table(Run& run, const std::string& path, const Fields& options, Keeper
   options.push("keep");
   lua_State* L = options.L();
   pack_table(L, -1, "keep");  // what can't be kept is said at once
-  if (const std::string* kept = kept_part(run, "keep " + path)) fill_table(L, -1, *kept);
+  if (const std::string* kept = take_part(run, "keep", path)) fill_table(L, -1, *kept);
   lua_pop(L, 1);
   keeper.keep_table(Hook(options, "keep", &run));
 }
@@ -42,9 +42,10 @@ int checkpoint(Call& call) {
   const auto keeper = make_keeper(*run, path, options ? &*options : nullptr);
   if (options && options->has("keep")) keep_table(*run, path, *options, *keeper);
   if (call.session().options().check) return chain(call);
-  claim(*run, path);
+  const std::string file = free_path(*run, path);
   files::make_folder_for(path);
   files::remove_leftovers(path);
+  run->paths.insert(file);
   // In a restarted deck the analyses before the one that is taken up are done again: the file is not theirs.
   const auto& begun = call.session().restart();
   if (begun && run->number < begun->analysis) return chain(call);
@@ -115,7 +116,8 @@ std::vector<Entry> rows() {
                  .optional()},
             "how often, and what besides the run")
             .optional()},
-       "Keeps all of the run in one file as it goes, and when it ends, fails or is interrupted; --restart "
+       "Keeps all of the run in one file as it goes, and when it ends, a step fails or it is interrupted; "
+       "--restart "
        "and "
        "analysis:restart go on from there with the same bits.",
        sample + "local seen = { n=0 }\na:every('step', function() seen.n = seen.n + 1 end)\n"

@@ -12,35 +12,63 @@ namespace fabricsh::script {
 
 namespace {
 
-// Calls `frame` as often as the options say; drive() calls it once more when the run ends.
-void schedule(Run& run, const Fields& options, const std::string& name,
-              const std::shared_ptr<output::Series>& output) {
-  const auto frame = [output](analysis::Run& a) { output->frame(a); };
-  const auto repeat = analysis::Run::AfterError::repeat;
-  if (!options.has("every") || options.is("every", LUA_TSTRING))
-    run.analysis->every_step(frame, repeat);
-  else
-    run.analysis->every(options.number("every"), frame, repeat);
-  run.analysis->on_restore([output](analysis::Run& a) { output->rewind(a.steps().size()); });
-  run.series.emplace_back(name, output);
+std::string absolute(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
 }
 
-// The output, new or, where the run begins from a checkpoint that has it, continued.
-template <class Output, class Options>
-std::shared_ptr<Output> open(const Run& run, const std::string& name, const std::string& path,
-                             const Options& options) {
-  const std::string* kept = kept_part(run, name);
-  if (kept == nullptr) return std::make_shared<Output>(path, options);
-  Archive from(*kept);
-  return std::make_shared<Output>(path, options, from);
+// s; 0: every step.
+double interval_of(const Fields& options) {
+  return !options.has("every") || options.is("every", LUA_TSTRING) ? 0 : options.number("every");
+}
+
+// Has its frames written as often as `interval` says; drive() asks for one more when the run ends.
+void schedule(Run& run, double interval, const std::shared_ptr<Output>& output) {
+  const auto frame = [output](analysis::Run& a) { output->series->frame(a); };
+  const auto repeat = analysis::Run::AfterError::repeat;
+  output->hook =
+      interval > 0 ? run.analysis->every(interval, frame, repeat) : run.analysis->every_step(frame, repeat);
+  run.analysis->on_restore([output](analysis::Run& a) { output->series->rewind(a.steps().size()); });
+  run.outputs.push_back(output);
+}
+
+// The output of the run that another one may take the place of: it was an error, or was one in the part of
+// the run that a restarted deck passes over. Null: none.
+Output* replaceable(const Run& run, const std::string& kind, const std::string& file) {
+  for (const auto& output : run.outputs)
+    if (output->kind == kind && output->file == file &&
+        (output->series->in_trouble() || run.calls < run.passing))
+      return output.get();
+  return nullptr;
+}
+
+// Opens the output, new or, where the run begins from a checkpoint that has it, continued.
+template <class Series, class Options>
+void add_output(Run& run, Output output, double interval, const Options& options) {
+  const std::string written = output.file;
+  Output* const old = replaceable(run, output.kind, absolute(written));
+  output.file = old != nullptr ? old->file : free_path(run, written);
+  if (const std::string* kept = take_part(run, output.kind, output.path)) {
+    Archive from(*kept);
+    output.series = std::make_shared<Series>(output.path, options, from);
+  } else {
+    output.series = std::make_shared<Series>(output.path, options);
+  }
+  if (old != nullptr) {
+    old->series = output.series;
+    run.analysis->reschedule(old->hook, interval);
+    return;
+  }
+  run.paths.insert(output.file);
+  run.record.add_output(written);
+  schedule(run, interval, std::make_shared<Output>(std::move(output)));
 }
 
 }  // namespace
 
-void claim(Run& run, const std::string& path) {
-  const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
-  if (!run.paths.insert(absolute).second)
-    throw Error("argument 1: '" + path + "' is an output of this run already");
+std::string free_path(const Run& run, const std::string& path) {
+  const std::string file = absolute(path);
+  if (run.paths.count(file) != 0) throw Error("argument 1: '" + path + "' is an output of this run already");
+  return file;
 }
 
 namespace {
@@ -162,11 +190,8 @@ int record(Call& call) {
     columns.push_back({name, column_hook(options, name, run.get())});
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
-  claim(*run, call.text("path"));
-  const std::string path = call.text("path"), name = "record " + path;
-  const auto table = open<Record>(*run, name, path, columns);
-  run->record.add_output(path);
-  schedule(*run, options, name, table);
+  const std::string path = call.text("path");
+  add_output<Record>(*run, {"record", path, path, {}}, interval_of(options), columns);
   return 1;
 }
 
@@ -181,11 +206,9 @@ int vtk(Call& call) {
   const std::vector<std::string> fields = text_list(options, "fields");
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
-  claim(*run, call.text("stem") + ".pvd");
-  const std::string name = "vtk " + call.text("stem");
-  const auto series = open<output::VtkSeries>(*run, name, call.text("stem"), fields);
-  run->record.add_output(series->path());
-  schedule(*run, options, name, series);
+  std::string stem = call.text("stem");
+  if (stem.ends_with(".pvd")) stem.resize(stem.size() - 4);
+  add_output<output::VtkSeries>(*run, {"vtk", stem, stem + ".pvd", {}}, interval_of(options), fields);
   return 1;
 }
 

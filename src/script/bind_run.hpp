@@ -38,6 +38,14 @@ class RunRecord {
 
 class Keeper;
 
+// A table or series of the run's.
+struct Output {
+  std::string kind, path;  // "record" or "vtk", as given
+  std::string file;        // its full path
+  std::shared_ptr<output::Series> series;
+  std::size_t hook = 0;  // that writes it
+};
+
 // A call of solve() and advance(), with the time that it goes to, or of step().
 struct Drive {
   bool single = false;
@@ -52,7 +60,8 @@ struct FailedCall {
   double time = 0;
   std::int64_t element = -1;
   std::string yarn, why;
-  void keep(Archive& archive) { archive(call, numerical, message, time, element, yarn, why); }
+  std::string value;  // that a hook raised, as a packed table of one; empty: there is a message
+  void keep(Archive& archive) { archive(call, numerical, message, time, element, yarn, why, value); }
 };
 
 class Clock {
@@ -73,9 +82,9 @@ struct Run {
   std::int64_t number;  // among the analyses of the session, from 1
   std::shared_ptr<analysis::Run> analysis;
   RunRecord record;
-  std::vector<std::pair<std::string, std::shared_ptr<output::Series>>> series;  // by "record curve.csv"
+  std::vector<std::shared_ptr<Output>> outputs;
   std::vector<std::shared_ptr<Keeper>> checkpoints;
-  std::set<std::string> paths;  // of the outputs
+  std::set<std::string> paths;  // of the outputs and checkpoints
   double seconds = 0;           // spent before the call under way
   Clock clock;                  // of that call
   bool clock_runs = false;
@@ -88,6 +97,8 @@ struct Run {
   std::shared_ptr<const Checkpoint> from;
   bool taken_up = false, same_deck = false;
   std::int64_t passing = 0;
+  std::map<std::size_t, std::string> claimed;  // parts of that checkpoint, and the path each goes on with
+  bool went_on = false;                        // from there: outputs made later are new
   std::vector<std::shared_ptr<const analysis::Run::Snapshot>> passed_snapshots;
 };
 
@@ -96,8 +107,8 @@ struct ClassName<Run> {
   static constexpr const char* name = "analysis";
 };
 
-// Error: the run writes there already.
-void claim(Run& run, const std::string& path);
+// Absolute. Error: the run writes there already.
+std::string free_path(const Run& run, const std::string& path);
 
 // A Lua function (or table) kept by an analysis object (not by the registry, so that a hook may mention its
 // own analysis and both are still collected).

@@ -41,8 +41,6 @@ std::uint64_t deck_hash(const Options& options) {
   return hash(all);
 }
 
-std::string table_name(const std::string& path) { return "keep " + path; }
-
 Checkpoint checkpoint_of(Run& run) {
   analysis::Run& a = *run.analysis;
   const Options& options = run.session.options();
@@ -62,12 +60,18 @@ Checkpoint checkpoint_of(Run& run) {
   c.under_way = run.under_way;
   c.failed = run.failed;
   c.seconds = run.seconds_now();
-  for (const auto& [name, series] : run.series) {
+  for (const auto& output : run.outputs) {
     Archive place;
-    series->keep(place);
-    c.parts.push_back({name, place.bytes()});
+    output->series->keep(place);
+    c.parts.push_back({output->kind, output->path, place.bytes()});
   }
+  for (const auto& keeper : run.checkpoints) keeper->add_table(c.parts);
   return c;
+}
+
+std::string part_text(const std::string& kind, const std::string& path) {
+  if (kind == "keep") return "kept table of checkpoint '" + path + "'";
+  return (kind == "record" ? "table '" : "series '") + path + "'";
 }
 
 }  // namespace
@@ -106,6 +110,8 @@ void begin_from(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
     run.session.notices().say("restart: the deck or its arguments are not those that wrote '" +
                               checkpoint->path + "'; the problem is the same, so the run goes on");
   run.from = std::move(checkpoint);
+  run.claimed.clear();
+  run.went_on = false;
 }
 
 void take_up(Run& run) {
@@ -125,7 +131,7 @@ void take_up(Run& run) {
 }
 
 void restart(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
-  if (!run.series.empty() || !run.checkpoints.empty())
+  if (!run.outputs.empty() || !run.checkpoints.empty())
     throw Error(
         "expected to be called before 'record', 'vtk' and 'checkpoint', which then go on with their files");
   begin_from(run, std::move(checkpoint));
@@ -134,11 +140,36 @@ void restart(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
   run.passing = 0;
 }
 
-const std::string* kept_part(const Run& run, const std::string& name) {
-  if (!run.from) return nullptr;
+const std::string* take_part(Run& run, const std::string& kind, const std::string& path) {
+  if (!run.from || run.went_on) return nullptr;
   const auto& parts = run.from->parts;
-  const auto part = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; });
-  return part == parts.end() ? nullptr : &part->bytes;
+  const auto find = [&](const auto& fits) -> const std::string* {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].kind == kind && fits(i)) {
+        run.claimed[i] = path;
+        return &parts[i].bytes;
+      }
+    return nullptr;
+  };
+  const auto is_free = [&](std::size_t i) { return run.claimed.count(i) == 0; };
+  const std::string* part = find([&](std::size_t i) { return !is_free(i) && run.claimed[i] == path; });
+  if (part == nullptr) part = find([&](std::size_t i) { return is_free(i) && parts[i].path == path; });
+  if (part == nullptr) part = find(is_free);
+  if (part == nullptr)
+    throw Error("checkpoint '" + run.from->path + "': the run that wrote it had no " + part_text(kind, path) +
+                " there; new ones can be added after the first solve(), advance() or step()");
+  return part;
+}
+
+void check_parts(Run& run) {
+  if (!run.from || run.went_on) return;
+  for (std::size_t i = 0; i < run.from->parts.size(); ++i) {
+    const auto& part = run.from->parts[i];
+    if (run.claimed.count(i) == 0)
+      throw Error("checkpoint '" + run.from->path + "': it has the " + part_text(part.kind, part.path) +
+                  ", which nothing of this run goes on with");
+  }
+  run.went_on = true;
 }
 
 Keeper::Keeper(Run& run, std::string path, std::optional<double> every, std::optional<double> minutes)
@@ -166,17 +197,19 @@ void Keeper::look() {
   if (due()) write();
 }
 
+void Keeper::add_table(std::vector<Checkpoint::Part>& parts) const {
+  if (!table_) return;
+  lua_State* L = table_->push();
+  parts.push_back({"keep", path_, pack_table(L, -2, "keep")});
+  lua_pop(L, 2);
+}
+
 void Keeper::write() {
   const std::size_t step = run_.analysis->steps().size();
   if (step == written_ && !forced_) return;
   try {
-    for (const auto& part : run_.series) part.second->sync();
+    for (const auto& output : run_.outputs) output->series->sync();
     Checkpoint c = checkpoint_of(run_);
-    if (table_) {
-      lua_State* L = table_->push();
-      c.parts.push_back({table_name(path_), pack_table(L, -2, "keep")});
-      lua_pop(L, 2);
-    }
     Archive archive;
     c.keep(archive);
     files::write_checkpoint(path_, archive.bytes());

@@ -25,9 +25,9 @@ struct Checkpoint {
   Drive under_way;
   std::vector<FailedCall> failed;
   double seconds = 0;
-  struct Part {  // an output, or a table of the deck's
-    std::string name, bytes;
-    void keep(Archive& archive) { archive(name, bytes); }
+  struct Part {  // an output ("record", "vtk"), or a table of the deck's ("keep")
+    std::string kind, path, bytes;
+    void keep(Archive& archive) { archive(kind, path, bytes); }
   };
   std::vector<Part> parts;
 
@@ -47,8 +47,12 @@ void begin_from(Run& run, std::shared_ptr<const Checkpoint> checkpoint);
 void restart(Run& run, std::shared_ptr<const Checkpoint> checkpoint);
 // State and settings of the checkpoint that the run begins from, if it hasn't taken them yet.
 void take_up(Run& run);
-// What the checkpoint that the run began from has under a name; null: nothing.
-const std::string* kept_part(const Run& run, const std::string& name);
+// What the checkpoint that the run begins from has for an output or a table: the part of that path or, where
+// the deck writes elsewhere now, the next of that kind in the order of the deck. Null: the run begins from
+// none or has gone on from it. Error: there is none left.
+const std::string* take_part(Run& run, const std::string& kind, const std::string& path);
+// Before the first step. Error: names a part that nothing of the run goes on with.
+void check_parts(Run& run);
 
 // Writes a file of the run's as often as it is asked for.
 class Keeper {
@@ -56,6 +60,7 @@ class Keeper {
   // every: s of simulated time, 0: every step; minutes of time on the clock; at least one of them.
   Keeper(Run& run, std::string path, std::optional<double> every, std::optional<double> minutes);
   void keep_table(Hook table) { table_ = std::move(table); }
+  void add_table(std::vector<Checkpoint::Part>& parts) const;
   void look();                      // after a step: writes where that is due
   void write();                     // Error: names the file and why
   void force() { forced_ = true; }  // at the next look

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "script/checkpoint.hpp"
+#include "script/lua_table.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -24,7 +25,7 @@ class Watch {
     if (!run_.session.take_interrupt()) return;
     run_.session.rest_hook(run_.session.active());
     run_.session.set_stopped_by_interrupt();
-    throw Interrupted("interrupted at " +
+    throw Interrupted((run_.session.terminated() ? "ended by SIGTERM at " : "interrupted at ") +
                       number_text(run_.analysis->steps().empty() ? run_.analysis->time()
                                                                  : run_.analysis->steps().back().time) +
                       " s; the run is alive, solve() goes on");
@@ -82,12 +83,40 @@ void leave(Run& run, const std::string& status, bool ended, bool broken) {
   run.clock_runs = false;
   All all;
   if (ended) {
-    for (const auto& [name, series] : run.series)
-      all.run([&a, broken, s = series.get()] { broken ? s->extra_frame(a) : s->frame(a); });
+    for (const auto& output : run.outputs)
+      all.run([&a, broken, s = output->series.get()] { broken ? s->extra_frame(a) : s->frame(a); });
     for (const auto& checkpoint : run.checkpoints) all.run([&checkpoint] { checkpoint->write(); });
   }
   all.run([&] { run.record.write(a, status, run.seconds); });
-  if (!broken) all.finish();
+  if (!broken) return all.finish();
+  for (const auto& output : run.outputs)
+    if (output->series->in_trouble())
+      run.session.notices().say("'" + output->file + "' lacks a row or frame: solve() tries it again; a:" +
+                                output->kind + " of the same path puts a new one in its place");
+}
+
+// What a hook raised, on top of the stack, where it is plain; else empty.
+std::string plain_error(lua_State* L) {
+  const int top = lua_gettop(L);
+  if (top == 0 || lua_checkstack(L, 10) == 0) return {};
+  std::string bytes;
+  try {
+    lua_newtable(L);
+    lua_pushvalue(L, top);
+    lua_rawseti(L, -2, 1);
+    bytes = pack_table(L, -1, "error");
+  } catch (...) {  // it can't be kept: the message stands for it
+  }
+  lua_settop(L, top);
+  return bytes;
+}
+
+[[noreturn]] void raise(lua_State* L, const std::string& value) {
+  lua_newtable(L);
+  fill_table(L, -1, value);
+  lua_rawgeti(L, -1, 1);
+  lua_error(L);
+  throw Error("an error in a hook");  // not reached
 }
 
 void note_failure(Run& run, const std::exception& trouble) {
@@ -109,6 +138,7 @@ bool passes_over(Run& run) {
   if (run.calls >= run.passing) return false;
   for (const FailedCall& failed : run.failed) {
     if (failed.call != run.calls) continue;
+    if (!failed.value.empty()) raise(run.session.active(), failed.value);
     if (!failed.numerical) throw Error(failed.message);
     NumericalFailure again(failed.message, failed.time, failed.element, failed.yarn);
     again.why = failed.why;
@@ -145,11 +175,13 @@ void drive(Run& run, Drive call) {
   if (run.session.options().check) return;
   begin_call(run);
   if (passes_over(run)) return;
+  if (run.session.terminated()) throw Interrupted("ended by SIGTERM");
   const bool under_way = run.passing > 0 && run.calls == run.passing;
   const bool over = under_way && is_over(run);
   call.from = run.analysis->steps().size();
   if (under_way && run.same_deck) call = run.from->under_way;
-  for (const auto& part : run.series) part.second->go_on();
+  check_parts(run);
+  for (const auto& output : run.outputs) output->series->go_on();
   std::erase_if(run.failed, [&](const FailedCall& failed) { return failed.call == run.calls; });
   run.under_way = call;
   run.clock = {};
@@ -173,6 +205,7 @@ void drive(Run& run, Drive call) {
     throw;
   } catch (...) {  // an error of Lua's in a hook: what it says stays where Lua has it
     note_failure(run, Error("an error in a hook"));
+    run.failed.back().value = plain_error(run.session.active());
     leave(run, "an error in a hook", false, true);
     throw;
   }

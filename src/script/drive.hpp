@@ -4,7 +4,7 @@
 
 namespace fabricsh::script {
 
-// Ctrl-C stopped the run at its last committed step.
+// Ctrl-C or SIGTERM stopped the run at its last committed step.
 class Interrupted : public Error {
  public:
   using Error::Error;

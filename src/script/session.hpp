@@ -62,6 +62,12 @@ class Session {
 
   // Asked for by Ctrl-C; a running analysis stops at its next committed step. Safe in a signal handler.
   void interrupt() { interrupted_ = true; }
+  // SIGTERM: the program is to end; no run goes on after it. Safe in a signal handler too.
+  void terminate() {
+    terminated_ = true;
+    interrupt();
+  }
+  bool terminated() const { return terminated_; }
   bool take_interrupt() { return interrupted_.exchange(false); }
   bool interrupted() const { return interrupted_; }
   // While a run is driven, Ctrl-C is for the run, which answers after its step; not for its hooks.
@@ -87,7 +93,7 @@ class Session {
   std::unique_ptr<Limits> limits_;  // outlives the state, whose allocator it is
   lua_State* main_ = nullptr;
   lua_State* active_ = nullptr;
-  std::atomic<bool> interrupted_{false};
+  std::atomic<bool> interrupted_{false}, terminated_{false};
   bool stopped_by_interrupt_ = false;
   int drives_ = 0;
   std::int64_t analyses_ = 0;

@@ -265,3 +265,82 @@ for _, kind in ipairs { "hook", "event" } do
     assert(text_of "out/stopped.csv" == rows and text_of "out/stopped.pvd" == series)
   end
 end
+
+-- --- another folder of outputs; two kept tables; an error of a hook's, as it was raised; a column that is put right ---
+write("moved.lua", [[
+local fabric = require "fabric"
+local folder, dies = arg[1], arg[2] == "dies"
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.006, 1) })
+local a = fabric.static { model = m, duration = 1, step = 0.1 }
+local one, two, raised = { n = 0 }, { n = 0 }, { n = 0 }
+a:checkpoint(folder .. "/run.ckpt", { every = "step", keep = one })
+a:checkpoint(folder .. "/more.ckpt", { every = "step", keep = two })
+local column = function(run) return run.tim end
+local function record(f)
+  if arg[3] == "none" then return end
+  a:record(folder .. "/pull.csv", { columns = { f = f } })
+end
+record(column)
+if arg[3] == "more" then a:record(folder .. "/more.csv", { columns = { f = column } }) end
+a:vtk(folder .. "/pull", { every = 0.5 })
+a:every("step", function(run)
+  one.n, two.n = one.n + 1, two.n + 2
+  if dies and run.time > 0.75 then os.exit(9, false) end
+  if run.time > 0.35 and raised.n == 0 and one.n < 6 then
+    raised.n = 1
+    error { code = 7, list = { "x" } }
+  end
+end)
+local ok = pcall(a.solve, a)
+assert(not ok)
+record(function(run) return run.time end)
+local _, e = pcall(a.advance, a, 0.5)
+print("raised", e.code, e.list[1])
+a:solve()
+print("done", a, one.n, two.n)
+]])
+os.execute "rm -rf one two; mkdir one two"
+code, wanted = run_program "moved.lua one"
+assert(code == 0, wanted)
+says(wanted, "one/pull.csv' lacks a row or frame: solve() tries it again; a:record of the same path puts a new one in its place")
+says(wanted, "raised\t7\tx")
+assert(select(2, text_of("one/pull.csv"):gsub("\n", "")) == 12)
+assert(run_program "--quiet moved.lua part dies" == 9)
+os.execute "rm -rf two; cp -r part two"
+code, got = run_program "--quiet --restart two/run.ckpt moved.lua two"
+assert(code == 0, got)
+assert(got:match "raised.*" == wanted:match "raised.*", got .. wanted)
+same_files("one", "two", { "pull.csv", "pull.pvd", "pull_00002.vtu" })
+code, got = run_program "--quiet --restart part/run.ckpt moved.lua part lives none"
+assert(code == 1)
+says(got, "checkpoint 'part/run.ckpt': it has the table 'part/pull.csv', which nothing of this run goes on with")
+code, got = run_program "--quiet --restart part/run.ckpt moved.lua part lives more"
+assert(code == 1)
+says(got, "checkpoint 'part/run.ckpt': the run that wrote it had no table 'part/more.csv'")
+
+-- --- SIGTERM: as Ctrl-C, and no other run is begun ---
+write("term.lua", [[
+local fabric = require "fabric"
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.006, 1) })
+local a = fabric.static { model = m, duration = 1, step = 0.1 }
+a:checkpoint("out/term.ckpt")
+a:record("out/term.csv", { columns = { f = function(run) return run.time end } })
+a:every("step", function(run)
+  if run.time > 0.45 and arg[1] == "term" then os.execute "kill -TERM $PPID; kill -TERM $PPID" end
+end)
+local ok = pcall(a.solve, a)
+if not ok then a:solve() end
+print(a)
+]])
+os.remove "out/run.json"
+code, got = run_program "--quiet term.lua term"
+assert(code == 143, code)
+says(got, "ended by SIGTERM")
+says(text_of "out/run.json", '"status": "interrupted"')
+code, got = run_program "--quiet --restart out/term.ckpt term.lua on"
+says(got, "restart: from 'out/term.ckpt' at time 0.5 s")
+says(got, "t = 1 of 1 s, 10 steps, done")
