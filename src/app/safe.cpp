@@ -19,12 +19,17 @@ namespace {
 // Holds this process' number once its wall stands; a program that is started anew keeps its number.
 constexpr const char* mark = "FABRICSH_WALL";
 
-// The deck's own folder. A deck in the home folder or at the root of the disk would see everything.
+// The home folder or the root of the disk, which hold everything.
+bool holds_everything(const fs::path& folder) {
+  const char* home = std::getenv("HOME");
+  return folder == folder.root_path() ||
+         (home != nullptr && *home != '\0' && folder == fs::weakly_canonical(home));
+}
+
+// The deck's own folder.
 std::string folder_of_deck(const std::string& deck) {
   const fs::path folder = fs::weakly_canonical(fs::absolute(deck).parent_path());
-  const char* home = std::getenv("HOME");
-  const bool is_home = home != nullptr && *home != '\0' && folder == fs::weakly_canonical(home);
-  if (is_home || folder == folder.root_path())
+  if (holds_everything(folder))
     throw Error("--safe: the deck lies in '" + folder.string() +
                 "', all of which it could read; put it into a folder of its own");
   return fs::absolute(deck).parent_path().string();
@@ -46,6 +51,9 @@ std::string output_folder(const CommandLine& command) {
   std::error_code trouble;
   fs::create_directories(folder, trouble);
   if (trouble) throw Error("--safe: cannot make the output folder '" + folder + "': " + trouble.message());
+  if (const fs::path real = fs::canonical(folder); holds_everything(real))
+    throw Error("--safe: the output folder is '" + real.string() +
+                "', all of which the deck could change; give it a folder of its own");
   return folder;
 }
 

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "base/computing_time.hpp"
 #include "base/paths.hpp"
 #include "files/descriptor.hpp"
 
@@ -111,12 +112,14 @@ void set_limit(int what, rlim_t soft, rlim_t margin) {
 }
 
 // All that a signal handler may do: say it and end. Outputs are whole at any moment.
-extern "C" void time_is_over(int) {
+[[noreturn]] void end_in_time() {
   constexpr char words[] =
       "fabricsh: limit of computing time under --safe is reached (option --limit-seconds); ended\n";
   [[maybe_unused]] const auto said = write(STDERR_FILENO, words, sizeof words - 1);
   _exit(1);
 }
+
+extern "C" void time_is_over(int) { end_in_time(); }
 
 }  // namespace
 
@@ -136,6 +139,7 @@ void limit_process(const script::SafeOptions& limits) {
   std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead
   const rlim_t gigabyte = rlim_t{1} << 30, threads = static_cast<rlim_t>(sysconf(_SC_NPROCESSORS_ONLN));
   set_limit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds), 5);
+  limit_computing_time(static_cast<double>(limits.seconds), end_in_time);
   set_limit(RLIMIT_FSIZE, 4 * gigabyte, 0);
   set_limit(RLIMIT_CORE, 0, 0);
 #if !defined(__SANITIZE_ADDRESS__)  // whose shadow is larger than any limit

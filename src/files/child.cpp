@@ -10,6 +10,7 @@
 #include <memory>
 #include <system_error>
 
+#include "base/computing_time.hpp"
 #include "base/error.hpp"
 
 extern char** environ;
@@ -74,9 +75,11 @@ ChildResult run_child(const std::vector<std::string>& arguments, const std::stri
   pid_t child = 0;
   int reason = spawn(arguments, given.get(), out.get(), said.get(), child), status = 0;
   if (reason == ENOENT) return {false, false, {}, {}};
-  if (reason == 0)
+  if (reason == 0) {
+    const CountedChild counted(child);
     while (waitpid(child, &status, 0) < 0)
       if (errno != EINTR) reason = errno;
+  }
   if (reason != 0)
     throw Error(who + ": " + arguments[0] + " does not start: " + std::generic_category().message(reason));
   return {true, WIFEXITED(status) && WEXITSTATUS(status) == 0, content(out.get()), words(said.get())};

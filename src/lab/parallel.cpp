@@ -3,19 +3,21 @@
 #include <omp.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <optional>
 #include <system_error>
+
+#include "base/computing_time.hpp"
+#include "base/error.hpp"
 
 namespace fabricsh::lab {
 
@@ -25,31 +27,12 @@ using Work = std::function<std::vector<double>(std::size_t)>;
 
 struct Worker {
   pid_t process = -1;
+  CountedChild counted;
   int pipe = -1;  // what it answers
   std::size_t item = 0;
   std::string bytes;
   int status = 0;  // how it ended
 };
-
-double seconds_used() {
-  double seconds = 0;
-  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
-    rusage used{};
-    getrusage(who, &used);
-    for (const timeval& t : {used.ru_utime, used.ru_stime})
-      seconds += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  }
-  return seconds;
-}
-
-// A copy's clock starts at zero; its limit is what the others have left.
-void limit_time(double used) {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
-  const double left = static_cast<double>(limit.rlim_cur) - used;
-  limit.rlim_cur = left < 1 ? 1 : static_cast<rlim_t>(left);
-  setrlimit(RLIMIT_CPU, &limit);
-}
 
 Answer answer_of(const Work& work, std::size_t i, bool forked) {
   try {
@@ -62,7 +45,7 @@ Answer answer_of(const Work& work, std::size_t i, bool forked) {
   }
 }
 
-// First byte: v for values, t for trouble.
+// First byte: v for values, t for trouble, x for one that left by itself.
 std::string encoded(const Answer& answer) {
   if (!answer.trouble.empty()) return "t" + answer.trouble;
   std::string bytes(1 + answer.values.size() * sizeof(double), 'v');
@@ -77,7 +60,7 @@ Answer decoded(const std::string& bytes, int status) {
                 strsignal(WTERMSIG(status)) + ")",
             true};
   if (bytes.empty()) return {{}, "the process ended without an answer", true};
-  if (bytes[0] == 't') return {{}, bytes.substr(1), false};
+  if (bytes[0] != 'v') return {{}, bytes.substr(1), bytes[0] == 'x'};
   Answer answer;
   answer.values.resize((bytes.size() - 1) / sizeof(double));
   std::memcpy(answer.values.data(), bytes.data() + 1, bytes.size() - 1);
@@ -92,29 +75,49 @@ void write_all(int pipe, const std::string& bytes) {
   }
 }
 
-// Leaves without destructors or flushing: what they would close and write belongs to the parent.
-[[noreturn]] void work_and_leave(int pipe, const Work& work, std::size_t i, double used) {
+int answers_to = -1;  // the pipe of this copy; what exit() calls can be given nothing
+
+// Work that calls exit(), as os.exit does.
+void say_that_it_left() {
+  write_all(answers_to, "xthe work called os.exit");
+  std::fflush(nullptr);
+  std::_Exit(0);
+}
+
+// Leaves without destructors: what they would close belongs to the parent. Files are flushed, since what the
+// parent had to write was written before the copy was made.
+[[noreturn]] void work_and_leave(int pipe, const Work& work, std::size_t i, double left, pid_t parent) {
   std::signal(SIGINT, SIG_DFL);      // Ctrl-C ends it at once
   std::signal(SIGTERM, SIG_DFL);     // and so does its parent
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // and so does the end of its parent
-  limit_time(used);
+  if (getppid() != parent) std::_Exit(1);
+  limit_computing_time_of_copy(left);
   omp_set_num_threads(1);  // a forked copy has none of the other threads
+  answers_to = pipe;
+  std::atexit(say_that_it_left);
   write_all(pipe, encoded(answer_of(work, i, true)));
+  std::fflush(nullptr);
   std::_Exit(0);
 }
 
 Worker started(const Work& work, std::size_t i) {
   int ends[2];
-  const double used = seconds_used();
+  const double left = computing_time_left();
+  if (left <= 0) throw Error("no computing time is left for another process");
+  std::fflush(nullptr);
   if (::pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  const pid_t process = ::fork();
-  if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  const pid_t parent = ::getpid(), process = ::fork();
+  if (process < 0) {
+    const int reason = errno;
+    for (const int end : ends) ::close(end);
+    throw std::system_error(reason, std::generic_category(), "fork");
+  }
   if (process == 0) {
     ::close(ends[0]);
-    work_and_leave(ends[1], work, i, used);
+    work_and_leave(ends[1], work, i, left, parent);
   }
   ::close(ends[1]);
-  return {process, ends[0], i, {}, 0};
+  return {process, CountedChild(process), ends[0], i, {}, 0};
 }
 
 // The running workers; whoever is left when this goes away is stopped.

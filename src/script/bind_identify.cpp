@@ -1,6 +1,7 @@
 // fabric.lab: least squares and parallel work for the identification through simulation.
 #include <omp.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -28,8 +29,11 @@ std::vector<double> pop_numbers(lua_State* L, const std::string& what) {
 // Calls the function with one value on the stack above it; a Lua error becomes an Error of its words.
 void call_one(lua_State* L) {
   if (lua_pcall(L, 1, 1, 0) == LUA_OK) return;
-  const std::string message = luaL_tolstring(L, -1, nullptr);
-  lua_pop(L, 2);
+  const int kind = lua_type(L, -1);
+  const bool words = kind != LUA_TTABLE || luaL_getmetafield(L, -1, "__tostring") != LUA_TNIL;
+  if (kind == LUA_TTABLE && words) lua_pop(L, 1);
+  const std::string message = words ? luaL_tolstring(L, -1, nullptr) : "an error that is a table";
+  lua_pop(L, words ? 2 : 1);
   throw Error(message);
 }
 
@@ -77,6 +81,14 @@ class Progress {
   double said_ = 0;
 };
 
+// Under --safe: memory is limited for each process, so there is one for a thread at most, and they start
+// none.
+void bound_processes(const Session& session, lab::Processes& how) {
+  if (session.forked() && how.always)
+    throw Error("--safe: a process of fabric.lab.parallel or fabric.study starts no others");
+  how.at_a_time = std::min(how.at_a_time, omp_get_max_threads());
+}
+
 int parallel(Call& call) {
   lua_State* L = call.L();
   const Function work = call.function("work"), done = call.function("done");
@@ -87,6 +99,7 @@ int parallel(Call& call) {
   lab::Processes how;
   how.at_a_time = call.has("processes") ? static_cast<int>(call.integer("processes")) : omp_get_max_threads();
   how.always = call.flag("isolated");
+  if (session.limits() != nullptr) bound_processes(session, how);
   how.stop = [&session] { return session.interrupted(); };
   how.done = [&](std::size_t i, const lab::Answer& answer) {
     progress.done(!answer.trouble.empty());
@@ -98,6 +111,11 @@ int parallel(Call& call) {
   };
   const auto answers = lab::in_processes(
       count, [&](std::size_t i) { return work_on(work, i); }, how);
+  if (session.take_interrupt()) {
+    session.rest_hook(session.active());
+    session.set_stopped_by_interrupt();
+    throw Error("interrupted");
+  }
   lua_createtable(L, static_cast<int>(answers.size()), 0);
   lua_Integer place = 0;
   for (const lab::Answer& answer : answers) {

@@ -75,7 +75,8 @@ double unit_size(const Call& call, const std::string& field) {
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
   lua_getfield(L, -1, "units");
   std::vector<std::string> known{"%"};
-  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) known.emplace_back(lua_tostring(L, -2));
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
   lua_pushstring(L, name.c_str());
   const double size = lua_rawget(L, -2) == LUA_TNUMBER ? lua_tonumber(L, -1) : 0;
   lua_pop(L, 3);

@@ -1,10 +1,32 @@
 #include "script/limits.hpp"
 
+#include <sys/mman.h>
+
 #include <cstdlib>
+#include <new>
 
 #include "script/session.hpp"
 
 namespace fabricsh::script {
+
+using Counter = std::atomic<std::int64_t>;
+static_assert(Counter::is_always_lock_free);  // no lock would be one for several processes
+
+Limits::Limits(const SafeOptions& options) : options_(options) {
+  void* shared = mmap(nullptr, sizeof(Counter), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) throw std::bad_alloc();
+  left_ = new (shared) Counter(options.instructions);
+}
+
+Limits::~Limits() { munmap(left_, sizeof(Counter)); }
+
+void Limits::renew() { *left_ = options_.instructions; }
+
+bool Limits::take() {
+  if (left_->fetch_sub(period) > period) return true;
+  *left_ = 0;
+  return false;
+}
 
 // Lua collects all its garbage when this returns null, and tries once more before it says "not enough
 // memory".
@@ -27,12 +49,7 @@ void* Limits::allocate(void* self, void* block, std::size_t old_size, std::size_
 // Once nothing is left every instruction raises the error anew: a pcall that catches it gets no further.
 void Limits::count(lua_State* L, lua_Debug*) {
   Limits& limits = *Session::of(L).limits();
-  if (limits.left_ > period) {
-    limits.left_ -= period;
-    return;
-  }
-  limits.left_ = 0;
-  limits.refuse(L);
+  if (!limits.take()) limits.refuse(L);
 }
 
 void Limits::refuse(lua_State* L) const {
@@ -48,14 +65,10 @@ void Limits::watch(lua_State* L) {
   rest_hook(L);
 }
 
-void Limits::rest_hook(lua_State* L) const { lua_sethook(L, count, LUA_MASKCOUNT, left_ > 0 ? period : 1); }
+void Limits::rest_hook(lua_State* L) const { lua_sethook(L, count, LUA_MASKCOUNT, *left_ > 0 ? period : 1); }
 
 void Limits::charge_coroutine(lua_State* L) {
-  if (left_ <= period) {
-    left_ = 0;
-    refuse(L);
-  }
-  left_ -= period;
+  if (!take()) refuse(L);
 }
 
 std::string Limits::explained(const std::string& message) const {

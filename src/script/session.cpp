@@ -1,5 +1,7 @@
 #include "script/session.hpp"
 
+#include <unistd.h>
+
 #include "base/error.hpp"
 #include "base/paths.hpp"
 #include "script/bind.hpp"
@@ -10,7 +12,8 @@
 
 namespace fabricsh::script {
 
-Session::Session(Options options) : options_(std::move(options)), notices_(options_.notice) {
+Session::Session(Options options)
+    : process_(getpid()), options_(std::move(options)), notices_(options_.notice) {
   main_ = luaL_newstate();
   if (main_ == nullptr) throw std::bad_alloc();
   active_ = main_;
@@ -22,6 +25,8 @@ Session::Session(Options options) : options_(std::move(options)), notices_(optio
   limits_ = std::make_unique<Limits>(*options_.safe);
   limits_->watch(main_);
 }
+
+bool Session::forked() const { return getpid() != process_; }
 
 void Session::rest_hook(lua_State* L) {
   if (limits_)

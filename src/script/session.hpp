@@ -57,6 +57,8 @@ class Session {
   Registry& registry() { return registry_; }
   // Null unless --safe.
   Limits* limits() { return limits_.get(); }
+  // Is this a copy of the process that made the session?
+  bool forked() const;
   // The hook of L as it stands while no interrupt asks for another: none, or the one that counts.
   void rest_hook(lua_State* L);
 
@@ -87,6 +89,7 @@ class Session {
  private:
   friend class ActiveState;
   void open_libraries();
+  const int process_;
   Options options_;
   Notices notices_;
   Registry registry_;

@@ -1,17 +1,18 @@
 #include "script/transcript.hpp"
 
-#include <filesystem>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "files/atomic.hpp"
+#include "files/gate.hpp"
 
 namespace fabricsh::script {
 
 void Transcript::start(const std::string& path) {
-  std::error_code trouble;
-  if (path != path_ && std::filesystem::exists(path, trouble))
+  const files::Gate& gate = files::Gate::of_process();
+  gate.writing(path);  // where nothing may be written nothing is told either
+  if (path != path_ && gate.exists(path))
     throw Error("'" + path + "' exists already; take another name, or remove it");
   ++changes_;
   const std::string before = std::exchange(path_, path);

@@ -68,6 +68,9 @@ bad src/solver/s.cpp '  std::fputs(text, stderr);' "prints; only app and repl do
 bad src/solver/s.cpp '  std::exit(1);' "ends the program"
 bad src/solver/s.cpp '  std::ifstream file(path);' "past the gate"
 bad src/solver/s.cpp '  const int n = ::open(path, O_RDONLY);' "past the gate"
+bad src/solver/s.cpp '  if (std::filesystem::exists(path, trouble)) return;' "asks for a file past the gate"
+bad src/solver/s.cpp '  if (fs::is_regular_file(path)) return;' "asks for a file past the gate"
+bad src/solver/s.cpp '  if (::stat(path, &about) == 0) return;' "asks for a file past the gate"
 bad src/base/long.hpp "$(yes '//' | head -n 801)" "is 801 lines long"
 bad scripts/other.lua 'print(1)' "scripts/other.lua: has no expect{...} block"
 
