@@ -76,6 +76,7 @@ local function share()
   local id = whole_number "SLURM_ARRAY_TASK_ID"
   if not id then return function() return true end end
   local count, first, step = whole_number("SLURM_ARRAY_TASK_COUNT", 1), whole_number("SLURM_ARRAY_TASK_MIN", 0), whole_number("SLURM_ARRAY_TASK_STEP", 1)
+  if step < 1 then fail(("study: the variable SLURM_ARRAY_TASK_STEP: expected a whole number of at least 1, got '%d'"):format(step)) end
   local place = (id - first) // step
   if count < 1 or place < 0 or place >= count then
     fail(("study: task %d is none of the %d tasks from %d: give the array as a plain range, --array=1-%d"):format(id, count, first, math.max(count, 1)))
@@ -105,20 +106,44 @@ local function identity()
   return "fabricsh study 1\ndeck " .. case_file.hash(text) .. "\n"
 end
 
-local function work(t, case)
-  local good, values = pcall(t.run, case)
-  collectgarbage()  -- closes files that run left open: the process leaves without more ado
-  if not good then
-    case_file.save(t.folder, case, nil, tostring(values))
-    error(values, 0)
+-- An error in words: a table without words of its own by its plain fields, nothing by its address.
+local function words_of(trouble)
+  local kind = type(trouble)
+  local own = kind == "table" and getmetatable(trouble)
+  if kind ~= "table" and kind ~= "function" and kind ~= "thread" or type(own) == "table" and own.__tostring then return tostring(trouble) end
+  if kind ~= "table" then return "an error that is a " .. kind end
+  local fields = {}
+  for key, value in next, trouble do
+    if type(key) ~= "table" and type(value) ~= "table" and pcall(check_value, "", key) and pcall(check_value, "", value) then
+      fields[#fields + 1] = tostring(key) .. "=" .. tostring(value)
+    end
   end
-  if type(values) ~= "table" then error("study: expected run(p) to return a table of named values, got " .. tostring(values), 0) end
+  table.sort(fields)
+  return "an error that is a table" .. (#fields > 0 and ": " .. table.concat(fields, ", ") or "")
+end
+
+local function checked_values(values)
+  if type(values) ~= "table" then error("study: expected run(p) to return a table of named values, got " .. (values == nil and "nil" or "a " .. type(values)), 0) end
   for name, value in pairs(values) do
     if type(name) ~= "string" then error("study: expected run(p) to return named values, got an entry without a name", 0) end
     check_value(name, value)
   end
-  case_file.save(t.folder, case, values)
+  return values
+end
+
+local function work(t, case)
+  local good, values = pcall(function() return checked_values(t.run(case)) end)
+  collectgarbage()  -- closes files that run left open
+  local trouble = not good and words_of(values) or nil
+  case_file.save(t.folder, case, good and values or nil, trouble)
+  if trouble then error(trouble, 0) end
   return { 1 }  -- the values lie in the file
+end
+
+local function kept(t, cases)
+  local n = 0
+  for _, case in ipairs(cases) do n = n + (case_file.load(t.folder, case) and 1 or 0) end
+  return n
 end
 
 -- Runs what is missing of this share; troubles of processes that left no file, by case.
@@ -129,16 +154,13 @@ local function compute(t, cases)
     if mine(i) and (not known or (t.again and known.trouble)) then missing[#missing + 1] = i end
   end
   if #missing == 0 then return troubles end
-  local answers = fabric.lab.parallel { count = #missing, processes = t.workers, isolated = true, progress = "study",
-    work = function(k) return work(t, cases[missing[k]]) end }
-  local stopped = 0
-  for k, answer in ipairs(answers) do
-    troubles[missing[k]] = answer.trouble
-    if answer.trouble == "stopped" then stopped = stopped + 1 end
+  local good, answers = pcall(fabric.lab.parallel, { count = #missing, processes = t.workers, isolated = true, progress = "study",
+    work = function(k) return work(t, cases[missing[k]]) end })
+  if not good then
+    local why = tostring(answers):match "parallel: (.*)" or tostring(answers)
+    fail(("study: %s; %d of %d cases are kept in '%s', the same deck goes on from there"):format(why, kept(t, cases), #cases, t.folder))
   end
-  if stopped > 0 then
-    fail(("study: interrupted; %d of %d cases are kept in '%s', the same deck goes on from there"):format(#cases - stopped, #cases, t.folder))
-  end
+  for k, answer in ipairs(answers) do troubles[missing[k]] = answer.trouble end
   return troubles
 end
 
@@ -146,11 +168,15 @@ local function collect(t, cases, troubles)
   local study = { folder = t.folder, file = t.folder .. "/study.csv", missing = 0, failed = 0 }
   local names, results = {}, {}
   for i, case in ipairs(cases) do
-    local known = case_file.load(t.folder, case) or { trouble = troubles[i] }
-    local row = { parameters = case, values = known.values, trouble = known.trouble }
-    if known.trouble then study.failed = study.failed + 1 elseif not known.values then study.missing = study.missing + 1 end
+    local known = case_file.load(t.folder, case)
+    local row = { parameters = case, values = known and known.values, trouble = known and known.trouble }
+    if not known then  -- its process ended without a word: it runs again next time
+      study.missing, row.trouble = study.missing + 1, troubles[i]
+    elseif known.trouble then
+      study.failed = study.failed + 1
+    end
     for name in pairs(case) do names[name] = true end
-    for name in pairs(known.values or {}) do results[name] = true end
+    for name in pairs(row.values or {}) do results[name] = true end
     study[i] = row
   end
   study.parameters, study.results = sorted_keys(names), sorted_keys(results)

@@ -8,6 +8,8 @@ end
 
 local rows = { { E = 0.001, S = 1e6 }, { E = 0.05, S = 4e6 } }
 fails("field 'xunit': unknown unit 'mmm', did you mean 'mm'?", { xunit = "mmm", curves = { { x = { 1 }, y = { 1 } } } })
+fabric.units[{}], fabric.units[1.5] = 1, 2  -- names are texts
+fails("field 'xunit': unknown unit 'mmm', did you mean 'mm'?", { xunit = "mmm", curves = { { x = { 1 }, y = { 1 } } } })
 fails("field 'curves[1].y': expected a list of numbers; a name goes with rows", { curves = { { x = { 1 }, y = "S" } } })
 fails("field 'curves[1].rows[1].T': expected a number, got nil", { curves = { { rows = rows, x = "E", y = "T" } } })
 fails("field 'curves[1].rows[2]': expected a table, got 7", { curves = { { rows = { rows[1], 7 }, x = "E", y = "S" } } })

@@ -115,6 +115,11 @@ refused("a record over a link", link, function() return run():record(root .. "ou
 refused("an invalid mode", "invalid mode", io.open, root .. "out/x", "w,ccs=UTF-8")
 refused("io.tmpfile", "outside the output folder", io.tmpfile)
 
+-- Whether a file lies elsewhere is not told.
+for _, p in ipairs { "/etc/passwd", "/etc/no-such-file", secret, root .. "secret/no-such-file" } do
+  refused("a transcript to " .. p, below_out, fabric.transcript, p)
+end
+
 -- Labels of figures are text for gnuplot, never commands.
 for _, label in ipairs { "`touch secret/made`", "'; system('touch secret/made') #", "x\nsystem 'touch secret/made'\n", "a\\", "@x", '"' } do
   fabric.plot { file = root .. "out/figure.svg", title = label, xlabel = label, ylabel = label, curves = { { x = { 0, 1 }, y = { 0, 1 }, label = label } } }

@@ -67,6 +67,23 @@ for chunk in 'print(("a"):rep(3e4):find((".-"):rep(12) .. "b"))' \
   'while true do pcall(string.find, ("a"):rep(3e4), (".-"):rep(12) .. "b") end'; do
   expect 1 'limit of computing time' --limit-seconds 1 -e "$chunk"
 done
+# Processes have one allowance of time and of instructions together, and none of their own.
+endless='fabric.lab.parallel{ count=1, processes=1, isolated=true, work=function() while true do end end }'
+begin=$(date +%s)
+expect 1 'limit of computing time' --limit-seconds 1 --limit-instructions 1e13 -e "for i = 1, 30 do $endless end"
+[ $(($(date +%s) - begin)) -lt 25 ] || { echo "FAILED: 30 processes had a second each" && status=1; }
+expect 1 'limit of computing time' --limit-seconds 1 --limit-instructions 1e13 \
+  -e 'fabric.lab.parallel{ count=2, processes=2, isolated=true, work=function() while true do end end }'
+expect 1 "$limit" --limit-instructions 1e6 -e "$endless for i = 1, 2000 do local x = i end"
+expect 0 'one starts no others' -e 'local deep = { count=1, isolated=true, work=function() return { 1 } end }
+  local told = fabric.lab.parallel{ count=1, isolated=true, work=function() fabric.lab.parallel(deep) return { 1 } end }[1].trouble
+  assert(told:find("a process of fabric.lab.parallel or fabric.study starts no others", 1, true), told)
+  print "one starts no others"'
+expect 0 'one at a time' --threads 1 -e 'local names = {}
+  fabric.lab.parallel{ count=3, processes=64, isolated=true, done=function() names[#names + 1] = #fabric.folder "out/busy" end,
+    work=function(i) fabric.write("out/busy/" .. i, "") return { i } end }
+  assert(table.concat(names) == "123", table.concat(names))
+  print "one at a time"'
 expect 1 "invalid conversion specification: '%99999d'" -e 'string.format("%99999d", 1)'
 
 # A folder that becomes a link and a folder again, as fast as it goes, while the deck opens files in it.
@@ -79,6 +96,9 @@ wait $swapper 2>/dev/null
 
 mkdir home && cp deck/race.lua home/deck.lua
 HOME=$root/home expect 1 'all of which it could read' "$root/home/deck.lua"
+expect 1 'all of which the deck could change' --output / -e 'x = 1'
+HOME=$root/home expect 1 'all of which the deck could change' --output "$root/home" -e 'x = 1'
+expect 2 'a number from 1 to 1e+09' --limit-memory 1e18 -e 'x = 1'
 expect 2 "unknown option '--safe=no'" --safe=no
 [ "$before" = "$(secret_sum)" ] || { echo "FAILED: the secret folder has changed" && secret_sum && status=1; }
 exit $status

@@ -31,6 +31,9 @@ cmp once/study.csv whole/study.csv || fail "the table of tasks side by side is a
 SLURM_ARRAY_TASK_ID=9 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=1 "$program" --quiet "$deck" no >said 2>&1 && fail "task 9 of 3"
 grep -q 'task 9 is none of the 3 tasks from 1' said || fail "task 9 says $(cat said)"
 
+SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_STEP=0 "$program" --quiet "$deck" no >said 2>&1 && fail "steps of 0"
+grep -q 'SLURM_ARRAY_TASK_STEP: expected a whole number of at least 1' said || fail "steps of 0: $(cat said)"
+
 # Broken off by each signal; no worker stays behind, what is done is kept, the rest is done on the second run.
 cat >slow.lua <<'EOF'
 local s = require "fabric".study { parameters = { n = { 1, 2, 3, 4, 5, 6, 7, 8 } }, folder = arg[1], workers = 2, run = function(p)
@@ -50,7 +53,8 @@ for signal in INT TERM KILL; do
   done
   kill -$signal $process
   wait $process && fail "$signal did not end it"
-  [ $signal != INT ] || grep -q interrupted said || fail "INT says $(cat said)"
+  [ $signal != INT ] || grep -q "study: interrupted; [2-7] of 8 cases are kept in 'slow-INT', the same deck goes on from there" said ||
+    fail "INT says $(cat said)"
   sleep 0.2
   workers=$(pgrep -f "slow.lua slow-$signal" | wc -l)
   [ "$workers" -eq 0 ] || fail "$signal left $workers workers"
