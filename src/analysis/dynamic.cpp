@@ -71,21 +71,14 @@ void Dynamic::set(const Settings& settings) {
                             : settings.max_iterations ? "max_iterations"
                                                       : "max_cuts") +
                 "': unknown for scheme=\"explicit\", which does not iterate");
-  DynamicOptions options = options_;
-  take_setting(settings.tolerance, options.tolerance);
-  take_setting(settings.max_iterations, options.max_iterations);
-  take_setting(settings.max_cuts, options.max_cuts);
-  if (settings.step) options.step = settings.step;
+  const DynamicOptions options = with_settings(options_, settings);
   check_options(options);
   take_options(options);
 }
 
 void Dynamic::keep_settings(Archive& archive) {
   DynamicOptions options = options_;
-  keep_setting(archive, given_.tolerance, options.tolerance);
-  keep_setting(archive, given_.max_iterations, options.max_iterations);
-  keep_setting(archive, given_.max_cuts, options.max_cuts);
-  keep_setting(archive, given_.step, options.step);
+  analysis::keep_settings(archive, given_, options);
   if (archive.reading()) take_options(options);
 }
 

@@ -1,4 +1,4 @@
-// A setting that may change while a run is under way.
+// The settings that may change while a run is under way: those that static runs and runs in motion share.
 #pragma once
 #include "base/archive.hpp"
 
@@ -15,6 +15,25 @@ void keep_setting(Archive& archive, const T& given, T& now) {
 template <class T>
 void take_setting(const std::optional<T>& wanted, T& now) {
   if (wanted) now = *wanted;
+}
+
+// Options of either kind; the order is that of the checkpoint.
+template <class Options>
+void keep_settings(Archive& archive, const Options& given, Options& now) {
+  keep_setting(archive, given.tolerance, now.tolerance);
+  keep_setting(archive, given.max_iterations, now.max_iterations);
+  keep_setting(archive, given.max_cuts, now.max_cuts);
+  keep_setting(archive, given.step, now.step);
+}
+
+// The options with what is wanted otherwise.
+template <class Options, class Settings>
+Options with_settings(Options options, const Settings& wanted) {
+  take_setting(wanted.tolerance, options.tolerance);
+  take_setting(wanted.max_iterations, options.max_iterations);
+  take_setting(wanted.max_cuts, options.max_cuts);
+  if (wanted.step) options.step = wanted.step;
+  return options;
 }
 
 }  // namespace fabricsh::analysis

@@ -76,11 +76,7 @@ std::string Static::method() const {
 }
 
 void Static::set(const Settings& settings) {
-  StaticOptions options = options_;
-  take_setting(settings.tolerance, options.tolerance);
-  take_setting(settings.max_iterations, options.max_iterations);
-  take_setting(settings.max_cuts, options.max_cuts);
-  if (settings.step) options.step = settings.step;
+  const StaticOptions options = with_settings(options_, settings);
   check_options(options);
   options_ = options;
   if (settings.step || settings.max_cuts) now_.step = control_of(options_);
@@ -89,10 +85,7 @@ void Static::set(const Settings& settings) {
 void Static::keep_settings(Archive& archive) {
   const auto step = options_.step;
   const int max_cuts = options_.max_cuts;
-  keep_setting(archive, given_.tolerance, options_.tolerance);
-  keep_setting(archive, given_.max_iterations, options_.max_iterations);
-  keep_setting(archive, given_.max_cuts, options_.max_cuts);
-  keep_setting(archive, given_.step, options_.step);
+  analysis::keep_settings(archive, given_, options_);
   if (step != options_.step || max_cuts != options_.max_cuts) now_.step = control_of(options_);
 }
 
