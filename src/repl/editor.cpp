@@ -45,14 +45,14 @@ class Signals {
   Signals(const Signals&) = delete;
   Signals& operator=(const Signals&) = delete;
 
-  // Sleeps until there is input or a signal; a signal that came before has its flag set when this returns.
+  // Sleeps until there is input or a signal, one that came since the last key too.
   static void wait_for_input() {
     sigset_t ours, usual;
     sigemptyset(&ours);
     for (const int number : numbers) sigaddset(&ours, number);
     sigprocmask(SIG_BLOCK, &ours, &usual);
     pollfd input{STDIN_FILENO, POLLIN, 0};
-    ppoll(&input, 1, nullptr, &usual);
+    if (interrupted == 0 && resized == 0 && resumed == 0) ppoll(&input, 1, nullptr, &usual);
     sigprocmask(SIG_SETMASK, &usual, nullptr);
   }
 

@@ -95,6 +95,23 @@ TEST_CASE("a second Ctrl-C quits, a first one never does at the prompt") {
   CHECK(line.find("while true") != std::string::npos);
 }
 
+TEST_CASE("Ctrl-C while a key is being answered drops the line, without another key") {
+  Terminal terminal([] {
+    setenv("TERM", "vt100", 1);
+    repl::TerminalOptions options;
+    options.complete = [](const std::string& text) {
+      std::raise(SIGINT);
+      return repl::Completion{text.size()};
+    };
+    std::string line;
+    const bool dropped = repl::terminal_lines(options)->next("", line) == repl::Lines::State::interrupted;
+    return dropped ? 0 : 1;
+  });
+  CHECK(terminal.wait_for([&] { return terminal.screen.lines().back() == ">"; }));
+  terminal.type("ab\t");
+  CHECK(terminal.end() == 0);
+}
+
 TEST_CASE("a notice while a line is typed leaves the line whole") {
   Terminal terminal([] {
     setenv("TERM", "vt100", 1);
