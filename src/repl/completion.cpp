@@ -4,6 +4,7 @@
 
 #include "repl/place.hpp"
 #include "script/peek.hpp"
+#include "script/words.hpp"
 
 namespace fabricsh::repl {
 
@@ -11,6 +12,8 @@ namespace {
 
 using script::Argument;
 using script::Entry;
+using script::is_name;
+using script::keywords;
 using Words = std::vector<std::string>;
 
 void add(Words& to, const Words& more) { to.insert(to.end(), more.begin(), more.end()); }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "script/words.hpp"
+
 namespace fabricsh::repl {
 
-const std::vector<std::string> keywords = {
-    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
-    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
-
 namespace {
+
+using script::keywords;
 
 bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
@@ -116,12 +116,6 @@ class Reader {
 }  // namespace
 
 std::vector<Token> tokens_of(std::string_view text) { return Reader(text).read(); }
-
-bool is_name(std::string_view word) {
-  if (word.empty() || !letter(word[0])) return false;
-  if (!std::all_of(word.begin(), word.end(), [](char c) { return letter(c) || digit(c); })) return false;
-  return std::find(keywords.begin(), keywords.end(), word) == keywords.end();
-}
 
 int nesting(const Token& token) {
   for (const char* word : {"(", "{", "[", "function", "do", "if", "repeat"})

@@ -22,10 +22,6 @@ struct Token {
 
 std::vector<Token> tokens_of(std::string_view text);
 
-extern const std::vector<std::string> keywords;
-
-bool is_name(std::string_view word);
-
 // Names declared by `local` outside of every block: they end with the chunk.
 std::vector<std::string> chunk_locals(const std::vector<Token>& tokens);
 

@@ -14,6 +14,7 @@ namespace {
 // A signal handler can be given nothing: what it needs has to be here.
 script::Session* interruptible = nullptr;
 volatile std::sig_atomic_t running = 0, asked = 0;  // is something running; Ctrl-C came while it did
+volatile std::sig_atomic_t between = 0;             // Ctrl-C came between two lines
 
 constexpr int kPatience = 10'000'000;  // instructions that a hook of a run may take to come to its end
 
@@ -51,7 +52,10 @@ extern "C" void on_interrupt_or_end(int signal) {
     if (interruptible->terminated()) return;
     interruptible->terminate();
   } else {
-    if (running == 0) return;
+    if (running == 0) {
+      between = 1;
+      return;
+    }
     if (asked != 0) end_by(signal);
     interruptible->interrupt();
   }
@@ -99,6 +103,13 @@ Outcome run(script::Session& session, const std::string& input, const Voice& voi
   return result.outcome;
 }
 
+// Does an input that goes on end, since Ctrl-C came while no line was being typed?
+bool drop_between(const std::string& input) {
+  const bool came = between != 0;
+  between = 0;
+  return came && !input.empty();
+}
+
 bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") == std::string::npos; }
 
 }  // namespace
@@ -142,7 +153,7 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
   };
   std::string input, line;
   while (!session.terminated()) {
-    const auto state = lines.next(input, line);
+    const auto state = drop_between(input) ? Lines::State::interrupted : lines.next(input, line);
     if (state == Lines::State::end) break;
     if (state == Lines::State::interrupted) {
       input.clear();

@@ -26,8 +26,8 @@ class Watch {
     run_.session.rest_hook(run_.session.active());
     run_.session.set_stopped_by_interrupt();
     throw Interrupted((run_.session.terminated() ? "ended by SIGTERM at " : "interrupted at ") +
-                      number_text(run_.analysis->steps().empty() ? run_.analysis->time()
-                                                                 : run_.analysis->steps().back().time) +
+                      brief_number(run_.analysis->steps().empty() ? run_.analysis->time()
+                                                                  : run_.analysis->steps().back().time) +
                       " s; the run is alive, solve() goes on");
   }
 

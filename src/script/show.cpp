@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "script/object.hpp"
+#include "script/words.hpp"
 
 namespace fabricsh::script {
 
@@ -14,12 +15,6 @@ constexpr lua_Integer short_list = 12;  // numbers of a list that are all shown
 constexpr std::size_t line_width = 100;
 constexpr std::size_t most_fields = 60;
 constexpr int most_depth = 2;
-
-std::string brief(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.7g", x);
-  return text;
-}
 
 // The text at index with what a terminal would obey, or not show at all, as Lua writes it: \27, \0.
 std::string visible(lua_State* L, int index) {
@@ -34,11 +29,6 @@ std::string visible(lua_State* L, int index) {
   return out;
 }
 
-bool is_name(const std::string& word) {
-  if (word.empty() || std::isdigit(static_cast<unsigned char>(word[0]))) return false;
-  return std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-}
-
 // Smallest and largest of what was seen, and how much of it was no number.
 struct Spread {
   double low = INFINITY, high = -INFINITY;
@@ -49,7 +39,7 @@ struct Spread {
     high = std::fmax(high, x);
   }
   std::string text() const {
-    std::string words = low > high ? "" : ", " + brief(low) + " to " + brief(high);
+    std::string words = low > high ? "" : ", " + brief_number(low) + " to " + brief_number(high);
     return words + (lost > 0 ? ", " + std::to_string(lost) + " of them nan" : "");
   }
 };
@@ -203,7 +193,7 @@ std::string value_text(lua_State* L, int index, int depth) {
     return "\"" + (words.size() > 60 ? words.substr(0, 57) + "..." : words) + "\"";
   }
   if (depth > 0 && lua_type(L, index) == LUA_TNUMBER && !lua_isinteger(L, index))
-    return brief(lua_tonumber(L, index));
+    return brief_number(lua_tonumber(L, index));
   luaL_tolstring(L, index, nullptr);
   const std::string words = visible(L, -1);
   lua_pop(L, 1);

@@ -1,7 +1,10 @@
 #include "script/words.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "base/suggest.hpp"
 
@@ -53,6 +56,23 @@ std::string with_article(const std::string& noun) {
 
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string brief_number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.7g", value);
+  return text;
+}
+
+const std::vector<std::string> keywords = {
+    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
+    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
+
+bool is_name(std::string_view word) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  return !word.empty() && !std::isdigit(static_cast<unsigned char>(word[0])) &&
+         std::all_of(word.begin(), word.end(), fits) &&
+         std::find(keywords.begin(), keywords.end(), word) == keywords.end();
 }
 
 std::string last_word(std::string_view dotted) {

@@ -13,6 +13,9 @@ std::string unknown(const std::string& kind, std::string_view word, const std::v
 // The shortest decimal that reads back as the same double; "inf", "-inf", "nan" for the others.
 std::string number_text(double value);
 
+// To seven digits, for people.
+std::string brief_number(double value);
+
 // The value at index for a message: -1, nil, "left", a table, a mesh.
 std::string describe(lua_State* L, int index);
 
@@ -21,6 +24,11 @@ std::string with_article(const std::string& noun);
 
 // "1 number", "3 numbers".
 std::string counted(std::size_t count, const std::string& noun);
+
+// The words of Lua that can't be names, sorted.
+extern const std::vector<std::string> keywords;
+// A name of Lua: table.word means something.
+bool is_name(std::string_view word);
 
 // "name" for fabric.mesh.rectangle, mesh:set -> rectangle, set.
 std::string last_word(std::string_view dotted);

@@ -47,7 +47,7 @@ class Player {
   }
 
   void press(const std::string& keys) {
-    if (!typing_ && !keys.starts_with("<see ") && !keys.starts_with("<ctrl-c>")) await_prompt(">...");
+    if (!typing_ && !keys.starts_with("<see ")) await_prompt(">...");
     typing_ = true;
     for (std::size_t i = 0; i < keys.size() && trouble_.empty(); ++i) {
       const std::size_t close = keys.find('>', i);

@@ -1,4 +1,5 @@
 // The prompt without a terminal.
+#include <csignal>
 #include <sstream>
 
 #include "catch.hpp"
@@ -30,6 +31,7 @@ Talk talk(const std::string& input) {
 TEST_CASE("expressions print, statements do not") {
   CHECK(talk("1 + 1\nx = 3\nx, 'two'\nnil\n").out == "2\n3\ttwo\nnil\n");
   CHECK(talk("{1, 2, a={b='c'}}\n").out == "{1, 2, a = {b = \"c\"}}\n");
+  CHECK(talk("{['end']=1, ['a b']=2}\n").out == "{[\"a b\"] = 2, [\"end\"] = 1}\n");
 }
 
 TEST_CASE("unfinished input goes on with the next line") {
@@ -96,4 +98,23 @@ TEST_CASE("a numerical failure is told from a deck error") {
   script::Session session{script::Options{}};
   CHECK(repl::run_text(session, "error{kind='numerical'}", "=t").outcome == Outcome::numerical_failure);
   CHECK(repl::run_text(session, "error{kind='other'}", "=t").outcome == Outcome::deck_error);
+}
+
+TEST_CASE("Ctrl-C between two lines drops what was typed of an input") {
+  struct Typist : repl::Lines {
+    State next(const std::string& before, std::string& line) override {
+      befores.push_back(before);
+      line = befores.size() == 1 ? "for i = 1, 2 do" : "'new'";
+      if (befores.size() == 1) std::raise(SIGINT);
+      return befores.size() < 3 ? State::line : State::end;
+    }
+    std::vector<std::string> befores;
+  } typist;
+  script::Session session{script::Options{}};
+  std::ostringstream out, err;
+  const repl::InterruptGuard guard(session);
+  repl::converse(session, typist, {out, err});
+  CHECK(typist.befores == std::vector<std::string>(3, ""));
+  CHECK(out.str() == "\nnew\n");
+  CHECK(err.str().empty());
 }
