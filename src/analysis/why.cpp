@@ -36,8 +36,8 @@ Course course_of(const std::vector<double>& r) {
   if (r.size() < 4) return Course::none;
   const auto last = r.end() - 4;
   int falls = 0;
-  for (int i = 1; i < 4; ++i) falls += last[i] < 0.7 * last[i - 1] ? 1 : 0;
-  if (falls == 3) return Course::falls;
+  for (int i = 1; i < 4; ++i) falls += last[i] < last[i - 1] ? 1 : 0;
+  if (falls == 3 && last[3] < 0.5 * last[0]) return Course::falls;
   const auto [least, most] = std::minmax_element(last, r.end());
   if (*most < 2 * *least) return Course::stands;
   return *most == r.back() && last[3] > 10 * last[0] ? Course::grows : Course::swings;

@@ -32,6 +32,16 @@ assert(not text:find "negative pivots")
 a:set { max_iterations = 50, max_cuts = 12, step = 0.05 }:solve()
 assert(a.time == 1)
 
+-- ... slowly at first, as with forces on cloth that stiffens
+local loaded = fabric.model { mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 3, ny = 9 }, card = fabric.card "denim", warp = 90 }
+loaded:fix("all", "z rotation"):fix("bottom", "x y"):force("top", { y = fabric.ramp(300, 1) })
+a = fabric.static { model = loaded, duration = 1, step = 0.5, max_cuts = 0, max_iterations = 5 }
+text = failing(a)
+has(text, "(still falling)")
+has(text, "more max_iterations, set{ max_iterations=20 } (the residual is still falling)")
+a:set { max_iterations = 20 }:solve()
+assert(a.time == 1)
+
 -- a tolerance below what numbers can do
 a = fabric.static { model = flat(), duration = 1, step = 0.1, max_cuts = 1, max_iterations = 2, tolerance = 1e-15 }
 text = failing(a)
