@@ -1,5 +1,5 @@
 #!/bin/sh
-# Attempts to get out of --safe. Usage: run.sh <fabricsh> <folder with attempts.lua>
+# Attempts to get out of --safe. Usage: run.sh <fabricsh> <folder with attempts.lua> [sanitized]
 set -u
 program=$1 here=$2
 root=$(mktemp -d) || exit 1
@@ -58,7 +58,9 @@ for chunk in 'x = ("x"):rep(1e9)' 'x = ("x"):rep(1e4, ("y"):rep(1e5))' 'x = {} f
   'x = ("x"):rep(4e7):gsub("x", "yyyy")' 'collectgarbage "stop" x = {} for i = 1, 1e9 do x[i] = ("x"):rep(1e6) .. i end'; do
   expect 1 "$memory" --limit-memory 100 -e "$chunk"
 done
-expect 1 'memory limit of' --limit-memory 1 -e 'fabric.mesh.rectangle{ width=1, height=1, nx=30000, ny=30000 }'
+# The address sanitizer has the process' memory for itself: it sets no limit, and ends the program where there is none.
+[ "${3:-}" = sanitized ] ||
+  expect 1 'memory limit of' --limit-memory 1 -e 'fabric.mesh.rectangle{ width=1, height=1, nx=30000, ny=30000 }'
 
 # C that never comes back to Lua: the last resort.
 for chunk in 'print(("a"):rep(3e4):find((".-"):rep(12) .. "b"))' \
