@@ -122,17 +122,30 @@ local function words_of(trouble)
   return "an error that is a table" .. (#fields > 0 and ": " .. table.concat(fields, ", ") or "")
 end
 
-local function checked_values(values)
+-- Names of columns of study.csv that no result may have: ours, and the parameters' unless it says the same.
+local function taken_names(cases)
+  local taken = { case = "study.csv has a column of that name", trouble = "study.csv has a column of that name" }
+  for _, case in ipairs(cases) do
+    for name in pairs(case) do
+      if name == "case" or name == "trouble" then fail(("study: field 'parameters': no parameter can be named '%s': %s"):format(name, taken[name])) end
+      taken[name] = "a parameter has that name"
+    end
+  end
+  return taken
+end
+
+local function checked_values(values, taken, case)
   if type(values) ~= "table" then error("study: expected run(p) to return a table of named values, got " .. (values == nil and "nil" or "a " .. type(values)), 0) end
   for name, value in pairs(values) do
     if type(name) ~= "string" then error("study: expected run(p) to return named values, got an entry without a name", 0) end
+    if taken[name] and value ~= case[name] then error(("study: no result can be named '%s': %s"):format(name, taken[name]), 0) end
     check_value(name, value)
   end
   return values
 end
 
 local function work(t, case)
-  local good, values = pcall(function() return checked_values(t.run(case)) end)
+  local good, values = pcall(function() return checked_values(t.run(case), t.taken, case) end)
   collectgarbage()  -- closes files that run left open
   local trouble = not good and words_of(values) or nil
   case_file.save(t.folder, case, good and values or nil, trouble)
@@ -185,15 +198,19 @@ local function collect(t, cases, troubles)
 end
 
 local function csv(study)
-  local header = { "case" }
-  for _, list in ipairs { study.parameters, study.results, { "trouble" } } do
+  local header, results, parameters = { "case" }, {}, {}
+  for _, name in ipairs(study.parameters) do parameters[name] = true end
+  for _, name in ipairs(study.results) do
+    if not parameters[name] then results[#results + 1] = name end
+  end
+  for _, list in ipairs { study.parameters, results, { "trouble" } } do
     for _, name in ipairs(list) do header[#header + 1] = case_file.cell(name) end
   end
   local lines = { table.concat(header, ",") }
   for i, row in ipairs(study) do
     local cells = { tostring(i) }
     for _, name in ipairs(study.parameters) do cells[#cells + 1] = case_file.cell(row.parameters[name]) end
-    for _, name in ipairs(study.results) do cells[#cells + 1] = case_file.cell(row.values and row.values[name]) end
+    for _, name in ipairs(results) do cells[#cells + 1] = case_file.cell(row.values and row.values[name]) end
     cells[#cells + 1] = case_file.cell(row.trouble)
     lines[#lines + 1] = table.concat(cells, ",")
   end
@@ -202,6 +219,7 @@ end
 
 local function run(t)
   local cases = cases_of(t.parameters)
+  t.taken = taken_names(cases)
   if fabric.checking() then
     t.run(cases[1])
     return { folder = t.folder, missing = #cases, failed = 0, complete = false, parameters = {}, results = {} }

@@ -125,4 +125,12 @@ refused({ a = 1 }, "field 'parameters.a': expected a list of values, got 1")
 refused({ a = { {} } }, "field 'parameters.a[1]': expected a number, a string or true or false, got a table")
 refused({ { 1 } }, "field 'parameters[1]': expected names, got '1'")
 refused({}, "got an empty table")
+-- Names that study.csv has already.
+local clash = fabric.study { parameters = { a = { 1, 2 } }, run = function(p) return p.a == 1 and { case = 7 } or { a = 1, b = 1 } end, folder = here .. "/clash" }
+assert(clash.failed == 2 and clash[1].trouble:find("no result can be named 'case': study.csv has a column of that name", 1, true), clash[1].trouble)
+assert(clash[2].trouble:find("no result can be named 'a': a parameter has that name", 1, true), clash[2].trouble)
+local echo = fabric.study { parameters = { a = { 1, 2 } }, run = function(p) return { a = p.a, b = 2 * p.a } end, folder = here .. "/echo" }
+assert(content(echo.file) == "case,a,b,trouble\n1,1,2,\n2,2,4,\n", content(echo.file))
+local good, message = pcall(fabric.study, { parameters = { trouble = { 1 } }, run = values, folder = here .. "/clash2" })
+assert(not good and tostring(message):find("no parameter can be named 'trouble'", 1, true), message)
 os.execute("rm -rf " .. here)
