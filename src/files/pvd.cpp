@@ -1,5 +1,7 @@
 #include "files/pvd.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -34,6 +36,19 @@ std::string xml(const std::string& text) {
   return out;
 }
 
+// What tells a file from another that takes its place; empty where there is none, or none may be asked after.
+std::vector<std::int64_t> mark_of(const std::string& path) {
+  struct stat file {};
+  try {
+    const Place place = Gate::of_process().reading(path);
+    if (fstatat(place.at(), place.name.c_str(), &file, 0) != 0) return {};
+  } catch (const Error&) {
+    return {};
+  }
+  return {static_cast<std::int64_t>(file.st_dev), static_cast<std::int64_t>(file.st_ino), file.st_size,
+          file.st_mtim.tv_sec, file.st_mtim.tv_nsec};
+}
+
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 }  // namespace
@@ -61,6 +76,7 @@ std::string PvdSeries::frame_path(std::size_t i) const {
 }
 
 void PvdSeries::frame(double time, const Grid& grid) {
+  check_place();
   const std::string path = frame_path(frames());
   write_vtu(path, grid, Sync::no, Folder::expect);
   place_.entries.push_back("    <DataSet timestep=\"" + short_number(time) + "\" file=\"" +
@@ -76,6 +92,7 @@ void PvdSeries::frame(double time, const Grid& grid) {
 
 void PvdSeries::keep(std::size_t n) {
   if (n >= frames()) return;
+  check_place();
   place_.entries.resize(n);
   synced_ = std::min(synced_, n);
   write_index(Folder::expect);
@@ -92,13 +109,21 @@ void PvdSeries::remove_frames(std::size_t from) const {
   while (Gate::of_process().discard(frame_path(from))) ++from;
 }
 
-void PvdSeries::write_index(Folder folder) const {
+// Is the .pvd still the one that this series wrote? One that is gone is written again.
+void PvdSeries::check_place() const {
+  const auto now = mark_of(path_);
+  if (now.empty() || mark_.empty() || now == mark_) return;
+  throw Error("cannot write '" + path_ + "': another file has taken its place");
+}
+
+void PvdSeries::write_index(Folder folder) {
   std::string text =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\">\n"
       "  <Collection>\n";
   for (const std::string& entry : place_.entries) text += entry;
   write_file(path_, text + "  </Collection>\n</VTKFile>\n", Sync::no, folder);
+  mark_ = mark_of(path_);
 }
 
 }  // namespace fabricsh::files

@@ -1,5 +1,6 @@
 // A series of grids in time: <stem>.pvd, which ParaView opens, and <stem>_00000.vtu and on.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ class PvdSeries {
   // frame is missing.
   PvdSeries(const std::string& stem, const PvdPlace& place);
   // The grid goes to the next .vtu, then the .pvd that names it is replaced: it is valid at any instant.
-  // Error: the folder is gone, and what the system says.
+  // Error: the folder is gone, another series has been begun on the same path, and what the system says.
   void frame(double time, const Grid& grid);
   void keep(std::size_t n);  // takes off all frames but the first n
   void sync();               // to the disk
@@ -33,12 +34,16 @@ class PvdSeries {
 
  private:
   std::string frame_path(std::size_t i) const;
-  void write_index(Folder folder) const;
+  void write_index(Folder folder);
+  void check_place() const;
   void remove_frames(std::size_t from) const;
 
   std::string stem_, path_;
   PvdPlace place_;
   std::size_t synced_ = 0;  // frames
+  // The .pvd as it was last written: device, number, size, seconds and nanoseconds of its change; empty: not
+  // known.
+  std::vector<std::int64_t> mark_;
 };
 
 }  // namespace fabricsh::files

@@ -118,6 +118,25 @@ TEST_CASE("a series takes its name with or without .pvd", "[files]") {
   says(message_of([&] { PvdSeries series(folder / ""); }), "expected a name");
 }
 
+TEST_CASE("two series on one path do not mix: the one that was there before says so", "[files]") {
+  const ScratchFolder folder;
+  const Sample sample;
+  PvdSeries first(folder / "x");
+  first.frame(0, sample.grid());
+  PvdSeries second(folder / "x");
+  for (int i = 0; i < 3; ++i) second.frame(i, sample.grid());
+  const std::string index = content_of(second.path());
+  says(message_of([&] { first.frame(1, sample.grid()); }),
+       "'" + first.path() + "': another file has taken its place");
+  says(message_of([&] { first.keep(0); }), "another file has taken its place");
+  CHECK(content_of(second.path()) == index);
+  second.frame(3, sample.grid());
+  std::filesystem::remove(second.path());  // what is gone is written again
+  second.frame(4, sample.grid());
+  CHECK(folder.listing() ==
+        Names{"x.pvd", "x_00000.vtu", "x_00001.vtu", "x_00002.vtu", "x_00003.vtu", "x_00004.vtu"});
+}
+
 TEST_CASE("a frame that fails leaves the series as it was", "[files]") {
   const ScratchFolder folder;
   const Sample sample;
