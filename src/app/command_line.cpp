@@ -29,7 +29,7 @@ const char* const usage =
     "  --version     versions of the program and of what it stands on\n"
     "  --help        this text\n"
     "exit codes: 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended by Ctrl-C, 143 by "
-    "SIGTERM\n";
+    "SIGTERM, 129 by SIGHUP\n";
 
 namespace {
 

@@ -1,5 +1,5 @@
 // fabricsh: options and exit codes. 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended
-// by Ctrl-C, 143 by SIGTERM.
+// by Ctrl-C, 143 by SIGTERM, 129 by SIGHUP.
 #include <omp.h>
 #include <unistd.h>
 
@@ -23,14 +23,17 @@ namespace {
 using namespace fabricsh;
 using repl::Outcome;
 
-constexpr int by_sigterm = 143;
+int code_of(int signal) { return 128 + signal; }
 
 int exit_code(const script::Session& session, const repl::Result& result) {
-  if (result.outcome == Outcome::done) return session.terminated() ? by_sigterm : 0;
+  if (result.outcome == Outcome::done) {
+    if (session.terminated() != 0) return code_of(session.terminated());
+    return session.stopped_by_interrupt() ? code_of(SIGINT) : 0;
+  }
   std::fflush(stdout);
   std::cerr << "fabricsh: " << result.message << std::endl;
-  if (session.terminated()) return by_sigterm;
-  if (session.stopped_by_interrupt()) return 130;
+  if (session.terminated() != 0) return code_of(session.terminated());
+  if (session.stopped_by_interrupt()) return code_of(SIGINT);
   return result.outcome == Outcome::numerical_failure ? 3 : 1;
 }
 
@@ -109,7 +112,7 @@ int converse(script::Session& session, Speaker& speaker) {
   const Outcome first =
       repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)});
   speaker.lines = nullptr;
-  if (session.terminated()) return by_sigterm;
+  if (session.terminated() != 0) return code_of(session.terminated());
   if (terminal || first == Outcome::done) return 0;
   return first == Outcome::numerical_failure ? 3 : 1;
 }
@@ -139,7 +142,7 @@ int main(int count, char** words) {
       return exit_code(session, run(session, command));
     }();
     const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
-    if (!prompt || session.terminated()) return code;
+    if (!prompt || session.terminated() != 0) return code;
     return converse(session, speaker);
   } catch (const std::exception& error) {
     std::cerr << "fabricsh: " << error.what() << std::endl;

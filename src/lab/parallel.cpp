@@ -87,8 +87,9 @@ void say_that_it_left() {
 // Leaves without destructors: what they would close belongs to the parent. Files are flushed, since what the
 // parent had to write was written before the copy was made.
 [[noreturn]] void work_and_leave(int pipe, const Work& work, std::size_t i, double left, pid_t parent) {
-  std::signal(SIGINT, SIG_DFL);      // Ctrl-C ends it at once
-  std::signal(SIGTERM, SIG_DFL);     // and so does its parent
+  std::signal(SIGINT, SIG_DFL);   // Ctrl-C ends it at once
+  std::signal(SIGTERM, SIG_DFL);  // and so does its parent
+  if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // and so does the end of its parent
   if (getppid() != parent) std::_Exit(1);
   limit_computing_time_of_copy(left);

@@ -1,5 +1,7 @@
 #include "repl/deck_text.hpp"
 
+#include <algorithm>
+
 #include "repl/lexer.hpp"
 
 namespace fabricsh::repl {
@@ -29,6 +31,9 @@ std::string statements(const std::string& input) {
 }  // namespace
 
 std::string deck_text(const std::string& input, const Result& result) {
+  const auto tokens = tokens_of(input);
+  const auto says_nothing = [](const Token& t) { return t.is(";") || t.kind == Token::Kind::comment; };
+  if (std::all_of(tokens.begin(), tokens.end(), says_nothing)) return input + "\n";
   if (result.outcome != Outcome::done)
     return commented(input, "-- ") +
            commented(result.message.substr(0, result.message.find('\n')), "--   failed: ");

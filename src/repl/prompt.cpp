@@ -1,6 +1,7 @@
 #include "repl/prompt.hpp"
 
 #include <csignal>
+#include <utility>
 
 #include "base/error.hpp"
 #include "repl/deck_text.hpp"
@@ -47,10 +48,10 @@ void end_by(int signal) {
 // process of a job, and handed on by its shell): the first counts.
 extern "C" void on_interrupt_or_end(int signal) {
   if (interruptible == nullptr) return;
-  if (signal == SIGTERM) {
+  if (signal != SIGINT) {
     if (running == 0) return end_by(signal);
-    if (interruptible->terminated()) return;
-    interruptible->terminate();
+    if (interruptible->terminated() != 0) return;
+    interruptible->terminate(signal);
   } else {
     if (running == 0) {
       between = 1;
@@ -70,6 +71,9 @@ void set_handler(void (*handler)(int)) {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup stays what it is
 }
 
 void show(const Result& result, const Voice& voice) {
@@ -152,12 +156,17 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
     if (first == Outcome::done) first = outcome;
   };
   std::string input, line;
-  while (!session.terminated()) {
+  while (session.terminated() == 0) {
     const auto state = drop_between(input) ? Lines::State::interrupted : lines.next(input, line);
-    if (state == Lines::State::end) break;
+    if (state == Lines::State::end && input.empty()) break;
     if (state == Lines::State::interrupted) {
       input.clear();
       voice.out << std::endl;
+      continue;
+    }
+    if (state ==
+        Lines::State::end) {  // Ctrl-D, or the text ends: what is not whole says so, the session goes on
+      evaluated(std::exchange(input, {}));
       continue;
     }
     input += (input.empty() ? "" : "\n") + line;
@@ -168,7 +177,6 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
     }
     input.clear();
   }
-  if (!input.empty()) evaluated(input);
   return first;
 }
 

@@ -20,8 +20,8 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice);
 // A word about input that does what few people mean; empty: nothing to say.
 std::string advice(const std::string& input);
 
-// Ctrl-C or SIGTERM stops the Lua code or the analysis that runs in this session, as long as the guard lives;
-// a second one, before that has stopped or within the same input, ends the program.
+// Ctrl-C, SIGTERM or SIGHUP stops the Lua code or the analysis that runs in this session, as long as the
+// guard lives; a second one, before that has stopped or within the same input, ends the program.
 class InterruptGuard {
  public:
   explicit InterruptGuard(script::Session& session);

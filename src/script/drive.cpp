@@ -1,6 +1,7 @@
 #include "script/drive.hpp"
 
 #include <algorithm>
+#include <csignal>
 
 #include "script/checkpoint.hpp"
 #include "script/lua_table.hpp"
@@ -9,6 +10,10 @@
 namespace fabricsh::script {
 
 namespace {
+
+std::string ended_by(const Session& session) {
+  return session.terminated() == SIGHUP ? "ended by SIGHUP" : "ended by SIGTERM";
+}
 
 // Progress, and Ctrl-C.
 class Watch {
@@ -25,7 +30,7 @@ class Watch {
     if (!run_.session.take_interrupt()) return;
     run_.session.rest_hook(run_.session.active());
     run_.session.set_stopped_by_interrupt();
-    throw Interrupted((run_.session.terminated() ? "ended by SIGTERM at " : "interrupted at ") +
+    throw Interrupted((run_.session.terminated() != 0 ? ended_by(run_.session) + " at " : "interrupted at ") +
                       brief_number(run_.analysis->steps().empty() ? run_.analysis->time()
                                                                   : run_.analysis->steps().back().time) +
                       " s; the run is alive, solve() goes on");
@@ -175,7 +180,7 @@ void drive(Run& run, Drive call) {
   if (run.session.options().check) return;
   begin_call(run);
   if (passes_over(run)) return;
-  if (run.session.terminated()) throw Interrupted("ended by SIGTERM");
+  if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
   const bool under_way = run.passing > 0 && run.calls == run.passing;
   const bool over = under_way && is_over(run);
   call.from = run.analysis->steps().size();

@@ -64,12 +64,13 @@ class Session {
 
   // Asked for by Ctrl-C; a running analysis stops at its next committed step. Safe in a signal handler.
   void interrupt() { interrupted_ = true; }
-  // SIGTERM: the program is to end; no run goes on after it. Safe in a signal handler too.
-  void terminate() {
-    terminated_ = true;
+  // SIGTERM or SIGHUP: the program is to end; no run goes on after it. Safe in a signal handler too.
+  void terminate(int signal) {
+    terminated_ = signal;
     interrupt();
   }
-  bool terminated() const { return terminated_; }
+  // The signal's number; 0: none came.
+  int terminated() const { return terminated_; }
   bool take_interrupt() { return interrupted_.exchange(false); }
   bool interrupted() const { return interrupted_; }
   // While a run is driven, Ctrl-C is for the run, which answers after its step; not for its hooks.
@@ -96,7 +97,8 @@ class Session {
   std::unique_ptr<Limits> limits_;  // outlives the state, whose allocator it is
   lua_State* main_ = nullptr;
   lua_State* active_ = nullptr;
-  std::atomic<bool> interrupted_{false}, terminated_{false};
+  std::atomic<bool> interrupted_{false};
+  std::atomic<int> terminated_{0};
   bool stopped_by_interrupt_ = false;
   int drives_ = 0;
   std::int64_t analyses_ = 0;

@@ -320,7 +320,7 @@ code, got = run_program "--quiet --restart part/run.ckpt moved.lua part lives mo
 assert(code == 1)
 says(got, "checkpoint 'part/run.ckpt': the run that wrote it had no table 'part/more.csv'")
 
--- --- SIGTERM: as Ctrl-C, and no other run is begun ---
+-- --- SIGTERM and SIGHUP: as Ctrl-C, and no other run is begun ---
 write("term.lua", [[
 local fabric = require "fabric"
 local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
@@ -330,17 +330,24 @@ local a = fabric.static { model = m, duration = 1, step = 0.1 }
 a:checkpoint("out/term.ckpt")
 a:record("out/term.csv", { columns = { f = function(run) return run.time end } })
 a:every("step", function(run)
-  if run.time > 0.45 and arg[1] == "term" then os.execute "kill -TERM $PPID; kill -TERM $PPID" end
+  if run.time > 0.45 and run.time < 0.55 then for signal in (arg[1] or ""):gmatch "%u+" do io.popen("kill -" .. signal .. " $PPID"):close() end end
 end)
 local ok = pcall(a.solve, a)
 if not ok then a:solve() end
 print(a)
 ]])
-os.remove "out/run.json"
-code, got = run_program "--quiet term.lua term"
-assert(code == 143, code)
-says(got, "ended by SIGTERM")
-says(text_of "out/run.json", '"status": "interrupted"')
-code, got = run_program "--quiet --restart out/term.ckpt term.lua on"
-says(got, "restart: from 'out/term.ckpt' at time 0.5 s")
+for signal, wanted_code in pairs { TERM = 143, HUP = 129 } do
+  os.execute "rm -f out/run.json out/term.ckpt"
+  code, got = run_program("--quiet term.lua " .. signal .. "," .. signal)
+  assert(code == wanted_code, code)
+  says(got, "ended by SIG" .. signal)
+  says(text_of "out/run.json", '"status": "interrupted"')
+  code, got = run_program "--quiet --restart out/term.ckpt term.lua"
+  assert(code == 0, code)
+  says(got, "restart: from 'out/term.ckpt' at time 0.5 s")
+  says(got, "t = 1 of 1 s, 10 steps, done")
+end
+-- A deck may catch Ctrl-C as any error; how it ends tells of it all the same.
+code, got = run_program "--quiet term.lua INT"
+assert(code == 130, code)
 says(got, "t = 1 of 1 s, 10 steps, done")

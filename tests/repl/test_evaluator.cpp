@@ -118,3 +118,18 @@ TEST_CASE("Ctrl-C between two lines drops what was typed of an input") {
   CHECK(out.str() == "\nnew\n");
   CHECK(err.str().empty());
 }
+
+TEST_CASE("the end of the text within an input is said, and ends nothing but that") {
+  struct Typist : repl::Lines {
+    State next(const std::string&, std::string& line) override {
+      line = count == 0 ? "function f()" : "'still'";
+      return ++count == 2 ? State::end : count < 4 ? State::line : State::end;
+    }
+    int count = 0;
+  } typist;
+  script::Session session{script::Options{}};
+  std::ostringstream out, err;
+  CHECK(repl::converse(session, typist, {out, err}) == Outcome::deck_error);
+  CHECK(out.str() == "still\n");
+  CHECK(err.str() == "prompt:1: 'end' expected near <eof>\n");
+}

@@ -46,6 +46,7 @@ TEST_CASE("an input as part of a deck") {
   CHECK(deck_text("= x", done(true)) == "_show( x)\n");
   CHECK(deck_text("x -- why", done(true)) == "_show(x -- why\n)\n");
   CHECK(deck_text("x = 1", done(false)) == "x = 1\n");
+  CHECK(deck_text("; -- nothing", done(true)) == "; -- nothing\n");
   CHECK(deck_text("(f or g)(1) y = 2", done(false)) == ";(f or g)(1) y = 2\n");
   CHECK(deck_text("local x = 1 y = x", done(false)) == "do\nlocal x = 1 y = x\nend\n");
   CHECK(deck_text("::top:: x = 1", done(false)) == "do\n::top:: x = 1\nend\n");
