@@ -23,17 +23,19 @@ namespace {
 using namespace fabricsh;
 using repl::Outcome;
 
-int code_of(int signal) { return 128 + signal; }
+// 0 where no signal has ended or stopped anything.
+int code_of_signal(const script::Session& session) {
+  if (session.terminated() != 0) return 128 + session.terminated();
+  return session.stopped_by_interrupt() ? 128 + SIGINT : 0;
+}
 
 int exit_code(const script::Session& session, const repl::Result& result) {
-  if (result.outcome == Outcome::done) {
-    if (session.terminated() != 0) return code_of(session.terminated());
-    return session.stopped_by_interrupt() ? code_of(SIGINT) : 0;
+  if (result.outcome != Outcome::done) {
+    std::fflush(stdout);
+    std::cerr << "fabricsh: " << result.message << std::endl;
   }
-  std::fflush(stdout);
-  std::cerr << "fabricsh: " << result.message << std::endl;
-  if (session.terminated() != 0) return code_of(session.terminated());
-  if (session.stopped_by_interrupt()) return code_of(SIGINT);
+  if (const int code = code_of_signal(session)) return code;
+  if (result.outcome == Outcome::done) return 0;
   return result.outcome == Outcome::numerical_failure ? 3 : 1;
 }
 
@@ -112,7 +114,7 @@ int converse(script::Session& session, Speaker& speaker) {
   const Outcome first =
       repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)});
   speaker.lines = nullptr;
-  if (session.terminated() != 0) return code_of(session.terminated());
+  if (session.terminated() != 0) return code_of_signal(session);
   if (terminal || first == Outcome::done) return 0;
   return first == Outcome::numerical_failure ? 3 : 1;
 }

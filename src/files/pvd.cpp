@@ -1,5 +1,6 @@
 #include "files/pvd.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -40,8 +41,10 @@ std::string xml(const std::string& text) {
 std::vector<std::int64_t> mark_of(const std::string& path) {
   struct stat file {};
   try {
-    const Place place = Gate::of_process().reading(path);
-    if (fstatat(place.at(), place.name.c_str(), &file, 0) != 0) return {};
+    const Gate& gate = Gate::of_process();
+    const Place place = gate.reading(path);
+    if (fstatat(place.at(), place.name.c_str(), &file, gate.closed() ? AT_SYMLINK_NOFOLLOW : 0) != 0)
+      return {};
   } catch (const Error&) {
     return {};
   }
