@@ -20,7 +20,7 @@ local function fails(f, ...)
 end
 local function says(message, part) assert(message:find(part, 1, true), message .. "\nis without: " .. part) end
 local function run_program(words)
-  local pipe = assert(io.popen(("'%s' %s 2>&1"):format(arg[-1], words)))
+  local pipe = assert(io.popen(("env --default-signal=HUP '%s' %s 2>&1"):format(arg[-1], words)))
   local talk = pipe:read "a"
   local _, _, code = pipe:close()
   return code, talk
