@@ -221,7 +221,10 @@ void Assembly::realign(Index node, std::span<double> d, std::span<double> b1) co
   const auto& held_axes = freedoms_.nodes[node].held_axes;
   if (held_axes.empty()) return;
   const Vec3 direction = allowed_direction(held_axes, at(d, node));
-  if (!direction.isZero()) at(b1, node) = direction;
+  if (direction.isZero()) return;
+  // The longest shadow changes from one held axis to another, and turns round where the director passes an
+  // axis. A rate along b1 keeps its number through a step, so b1 has to keep its sense.
+  at(b1, node) = direction.dot(at(std::span<const double>(b1), node)) < 0 ? Vec3(-direction) : direction;
 }
 
 void Assembly::begin_iterate() {
