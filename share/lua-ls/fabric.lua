@@ -38,6 +38,7 @@ local history = {}
 
 ---A run, static or in motion.
 ---@class analysis
+---@field beyond any How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the one tested, and when the run first went beyond.
 ---@field duration number Where it ends, s.
 ---@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; error: what the balance misses over the largest external work.
 ---@field stable_step number The largest stable step of central differences in the reference configuration, s.
@@ -1456,9 +1457,9 @@ function model:turn(set, motion) end
 ---@field spin? number[] {wx, wy, wz}, degrees/s: beside it a rigid rotation
 ---@field centre? number[] {x, y, z}, m: a point of its axis; default {0, 0, 0}
 
----Velocity of a node set at time 0, for fabric.dynamic.
+---Velocity of a node set at time 0, for fabric.dynamic: one for all, or a function of place that returns it for each node.
 ---@param set string name of a node set
----@param velocity model_velocity_fields.velocity {x=, y=, z=, spin=, centre=}
+---@param velocity function|model_velocity_fields.velocity {x=, y=, z=, spin=, centre=}, or function(x, y, z) returning it
 ---@return model
 function model:velocity(set, velocity) end
 

@@ -94,8 +94,9 @@ void Dynamic::begin() {
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->failed_element());
   assembly_->state().commit(0);
   assembly_->external(0, dead_);
-  set_motion(initial_rates());
-  tell_dropped();
+  const assembly::NodalRates rates = initial_rates();
+  set_motion(rates);
+  tell_dropped(rates);
   work_.start(*assembly_, dead_);
   now_.driven_kinetic_at_0 = driven_kinetic();
   now_.next_check = duration_ / kChecks;
@@ -107,8 +108,9 @@ assembly::NodalRates Dynamic::initial_rates() const {
   const auto d = std::as_const(*assembly_).state().d();
   for (const auto& given : model_->velocities())
     for (const auto n : model_->mesh().set(given.set)) {
-      const Vec3 v = given.linear + given.spin.cross(X[n] - given.centre);
-      const Vec3 w = given.spin.cross(Eigen::Map<const Vec3>(d.data() + 3 * n));
+      const model::RigidVelocity here = given.at(X[n]);
+      const Vec3 v = here.linear + here.spin.cross(X[n] - here.centre);
+      const Vec3 w = here.spin.cross(Eigen::Map<const Vec3>(d.data() + 3 * n));
       for (int i = 0; i < 3; ++i) {
         rates.x[3 * n + i] = v[i];
         rates.d[3 * n + i] = w[i];
@@ -117,27 +119,43 @@ assembly::NodalRates Dynamic::initial_rates() const {
   return rates;
 }
 
-void Dynamic::tell_dropped() const {
-  for (const auto& given : model_->velocities()) {
-    std::string axes;
-    std::int64_t nodes = 0;
-    for (const auto n : model_->mesh().set(given.set)) {
-      const auto& freedoms = assembly_->freedoms().nodes[n];
-      const Vec3 v =
-          freedoms.frame * (given.linear + given.spin.cross(assembly_->reference()[n] - given.centre));
-      bool dropped = false;
-      for (int i = 0; i < 3; ++i) {
-        const auto equation = freedoms.equation[i];
-        if (v[i] == 0 || equation >= 0 || equation == assembly::tied) continue;
-        dropped = true;
-        if (axes.find("xyz"[i]) == std::string::npos) axes += std::string(" ") + "xyz"[i];
-      }
-      nodes += dropped ? 1 : 0;
+// Which of the nodes' velocities lie along a freedom that is held or driven; the axes of those are marked.
+std::vector<bool> Dynamic::dropped_nodes(const assembly::NodalRates& rates, std::array<bool, 3>& axes) const {
+  std::vector<bool> dropped(assembly_->reference().size(), false);
+  for (std::size_t n = 0; n < dropped.size(); ++n) {
+    const auto& freedoms = assembly_->freedoms().nodes[n];
+    const Vec3 v = freedoms.frame * Eigen::Map<const Vec3>(rates.x.data() + 3 * n);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto equation = freedoms.equation[i];
+      if (v[static_cast<int>(i)] == 0 || equation >= 0 || equation == assembly::tied) continue;
+      dropped[n] = axes[i] = true;
     }
-    if (nodes > 0)
-      notices_->say("dynamic: the velocity of set '" + given.set + "' is dropped along" + axes + " at " +
-                    std::to_string(nodes) + " of its nodes, which are fixed or moved there");
   }
+  return dropped;
+}
+
+// Once, for all sets together.
+void Dynamic::tell_dropped(const assembly::NodalRates& rates) const {
+  constexpr std::size_t most = 3;  // names of sets
+  std::array<bool, 3> axes{};
+  const auto dropped = dropped_nodes(rates, axes);
+  const auto nodes = std::count(dropped.begin(), dropped.end(), true);
+  if (nodes == 0) return;
+  std::vector<std::string> sets;
+  for (const auto& given : model_->velocities()) {
+    const auto& set = model_->mesh().set(given.set);
+    const bool touched = std::any_of(set.begin(), set.end(), [&](auto n) { return dropped[n]; });
+    if (touched && std::find(sets.begin(), sets.end(), given.set) == sets.end()) sets.push_back(given.set);
+  }
+  std::string names = sets.size() == 1 ? "the velocity of set " : "the velocities of sets ", along;
+  for (std::size_t i = 0; i < std::min(most, sets.size()); ++i)
+    names += (i == 0 ? "'" : i + 1 == sets.size() ? " and '" : ", '") + sets[i] + "'";
+  if (sets.size() > most) names += " and " + std::to_string(sets.size() - most) + " more";
+  for (std::size_t i = 0; i < 3; ++i)
+    if (axes[i]) along += std::string(" ") + "xyz"[i];
+  notices_->say("dynamic: " + names + (sets.size() == 1 ? " is" : " are") + " dropped along" + along +
+                " at " + std::to_string(nodes) + (sets.size() == 1 ? " of its" : " of their") +
+                " nodes, which are fixed or moved there");
 }
 
 void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time,

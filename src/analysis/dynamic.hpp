@@ -1,6 +1,7 @@
 // Runs in motion: Newmark's method [williams2010, Box 5-2, corrected], explicit or implicit, with directors
 // on the sphere and a ledger of energies that are functions of the state.
 #pragma once
+#include <array>
 #include <optional>
 
 #include "analysis/run.hpp"
@@ -62,7 +63,9 @@ class Dynamic : public Run {
   virtual void set_motion(const assembly::NodalRates& rates) = 0;  // at time 0
   // A notice where a driven displacement goes by more than `most` m in the step to a time, s.
   void watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time, double most);
-  void tell_dropped() const;  // a notice of velocities given to nodes that are held or driven
+  std::vector<bool> dropped_nodes(const assembly::NodalRates& rates, std::array<bool, 3>& axes) const;
+  // A notice of velocities at time 0 given to nodes that are held or driven.
+  void tell_dropped(const assembly::NodalRates& rates) const;
   void say(const std::string& text) { notices_->say(text); }
   std::string remedy(const Energy& energies) const;  // of a ledger's error
 

@@ -71,17 +71,6 @@ std::vector<mesh::Index> elements_about(const mesh::Mesh& mesh, mesh::Index node
   return about;
 }
 
-Vec3 centre_of(const mesh::Mesh& mesh, mesh::Index element, std::span<const double> x) {
-  Vec3 sum = Vec3::Zero();
-  int corners = 0;
-  for (const mesh::Index n : mesh.elements[element]) {
-    if (n < 0) continue;
-    sum += Eigen::Map<const Vec3>(x.data() + 3 * n);
-    ++corners;
-  }
-  return sum / corners;
-}
-
 // Names the first of the elements that switches, and its point; else the point of the first that is strained
 // most.
 void name_element(const std::vector<mesh::Index>& about, const Looks& before, const Looks& now,
@@ -151,7 +140,7 @@ Blame find_blame(assembly::Assembly& assembly, const mesh::Mesh& mesh, const sol
   name_element(about, before, now, blame);
   count(before, now, blame);
   if (blame.element >= 0) {
-    blame.centre = centre_of(mesh, blame.element, std::as_const(assembly).state().x());
+    blame.centre = assembly.centre(blame.element);
     for (const auto& p : look(assembly, blame.element, true))
       blame.stiffness_ratio = std::max(blame.stiffness_ratio, p.ratio);
   }

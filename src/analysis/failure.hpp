@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/foresight.hpp"
 #include "assembly/assembly.hpp"
 #include "fabric/law.hpp"
 #include "solver/newton.hpp"
@@ -47,6 +48,7 @@ struct Failure {
   double moved = 0,
          size = 0;  // m: the farthest that a support moves in the first attempt; the smallest element
   card::Tested tested;
+  Mechanism mechanism;  // of a static run
   bool dynamic = false, arc = false, stabilised = false, turned_back = false;
 };
 

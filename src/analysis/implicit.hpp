@@ -9,6 +9,7 @@
 #include "analysis/dynamic.hpp"
 #include "analysis/failure.hpp"
 #include "analysis/step_control.hpp"
+#include "solver/libraries.hpp"
 #include "solver/newton.hpp"
 
 namespace fabricsh::analysis {
@@ -20,6 +21,7 @@ class Implicit final : public Dynamic {
   const assembly::NodalRates& rates() const override;
   ~Implicit() override;
   double tolerance() const override { return options_.tolerance; }
+  std::string kernels() const override { return solver::blas_kernels(); }
 
  private:
   class Problem;

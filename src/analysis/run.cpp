@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/foresight.hpp"
 #include "analysis/number.hpp"
 #include "base/error.hpp"
 
@@ -19,6 +20,8 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   assembly_ = std::make_unique<assembly::Assembly>(*model_);
   model_->seal();
   kinks_ = model_->kinks();
+  if (const std::string words = bending_warning(*model_, *assembly_); !words.empty())
+    notices_->once("bending of card " + model_->card().name, "warning: " + words);
 }
 
 Run::~Run() = default;
@@ -111,7 +114,11 @@ bool Run::is_kink(double time) const {
 }
 
 void Run::fail(NumericalFailure failure, const std::string& why) {
-  why_ = failure.why = std::string(kind()) + ": " + why + "\nrun        to " + number(duration_) +
+  std::string strained;
+  if (const auto far = beyond())
+    strained = "\nbeyond     " + beyond_text(*far) + ", " + number(far->share) + " times as far, at " +
+               number(far->time) + " s";
+  why_ = failure.why = std::string(kind()) + ": " + why + strained + "\nrun        to " + number(duration_) +
                        " s, card " + model_->card().name + ", " +
                        std::to_string(model_->mesh().elements.size()) + " elements";
   throw NumericalFailure(failure);
@@ -133,12 +140,32 @@ void Run::advance_to(double limit) {
   commit(report);
   trial_time_ = report.time;
   reports_.push_back(std::move(report));
+  watch_strain();
   for (auto& event : events_) event.settle();
   mark_due();
   run_pending();
   check();
   for (std::size_t i = 0; i < settled_.size(); ++i) settled_[i](*this);
   if (monitor_) monitor_(*this);
+}
+
+// What a card was tested to is the mean strain of a strip between grips. A run of that test has elements that
+// are strained a per cent or two more: that is known, and not told.
+void Run::watch_strain() {
+  constexpr double reached = 1 + 1e-6, told = 1.02;
+  const double share = assembly_->largest_share(), before = beyond_.share;
+  if (!(share > std::max(reached, before))) return;
+  const assembly::Strained most = assembly_->most_strained();
+  const char* const yarns[] = {"warp", "weft", "shear"};
+  const double first = before > 0 ? beyond_.first : time();
+  beyond_ = {share, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
+  if (told_beyond_ || before > told || share <= told) return;
+  told_beyond_ = true;
+  const Vec3 at = assembly_->centre(most.element);
+  notices_->say("warning: " + std::string(kind()) + ": at time " + number(time()) + " s " +
+                beyond_text(beyond_) + ", about (" + number(at.x()) + ", " + number(at.y()) + ", " +
+                number(at.z()) +
+                ") m: from here on the card is a guess; said once, a.beyond and run.json have the farthest");
 }
 
 // --- events

@@ -64,6 +64,11 @@ class Run {
   std::vector<double> field(const std::string& name) const;  // one per element
   const std::vector<ElementValues>& elements() const;        // of the current state, computed once per state
   Energy energy() const;
+  // How far the run has gone beyond what its card was tested to; nothing: it has not, or the card does not
+  // say.
+  std::optional<Beyond> beyond() const {
+    return beyond_.share > 1 ? std::optional<Beyond>(beyond_) : std::nullopt;
+  }
 
   const model::Model& model() const { return *model_; }
   const assembly::Assembly& assembly() const { return *assembly_; }
@@ -72,6 +77,8 @@ class Run {
   Notices& notices() { return *notices_; }
   virtual const char* kind() const = 0;    // "static", "dynamic"
   virtual std::string method() const = 0;  // all options that a state hangs on, as text
+  // The linear algebra's kernels, on which the bits of a solve hang; empty: this kind of run solves nothing.
+  virtual std::string kernels() const { return {}; }
   // What may change while a run is under way. Errors: out of range, or not of this kind of run.
   struct Settings {
     std::optional<double> tolerance = {}, step = {};
@@ -182,6 +189,7 @@ class Run {
   };
   void start();
   void advance_to(double limit);  // one committed step towards the limit
+  void watch_strain();            // of the committed state: the farthest beyond what was tested, said once
   void measure(Event& event);
   double land(double size, StepReport& report);  // shortens the attempt to the first event inside it
   double search(Event& event, double size, StepReport& report);
@@ -202,6 +210,8 @@ class Run {
   std::vector<double> kinks_;
   bool started_ = false, stopped_ = false, busy_ = false;
   std::string stop_reason_;
+  Beyond beyond_;
+  bool told_beyond_ = false;
   mutable std::vector<ElementValues> cache_;
   mutable std::uint64_t cache_version_ = 0;
 };

@@ -22,7 +22,7 @@ void Run::keep(Archive& archive) {
     trial_time_ = committed_time();
     assembly_->aim(trial_time_);
   }
-  archive(dead_, initial_energy_, work_, reports_, started_, stopped_, stop_reason_);
+  archive(dead_, initial_energy_, work_, reports_, started_, stopped_, stop_reason_, beyond_);
   memory(archive);
   keep_hooks(archive);
 }

@@ -97,6 +97,10 @@ void Static::begin() {
   const auto targets = assembly_->targets(0);
   if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; }))
     notices_->say("static: a motion is not zero at time 0; all of it is applied in the first step");
+  // Where one step is the whole run, a ramp would be applied whole as well.
+  if (now_.step.largest() >= options_.duration) return;
+  if (const std::string words = jump_warning(*model_, options_.duration); !words.empty())
+    notices_->say("warning: static: " + words);
 }
 
 double Static::no_size() const { return arc_ ? 0 : committed_time(); }
@@ -292,6 +296,7 @@ void Static::give_up(const StepReport& report) {
   failure.negative_pivots = last_.negative_pivots;
   failure.moved = farthest_move(*assembly_, now, now + (tries_.empty() ? 0 : tries_.front().step));
   failure.size = assembly_->smallest_size();
+  failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
   if (const auto* woven = std::get_if<card::Woven>(&model_->card().law)) failure.tested = woven->tested;
   failure.arc = arc_ != nullptr;
   failure.stabilised = problem_->damping().on();

@@ -6,6 +6,7 @@
 #include "analysis/run.hpp"
 #include "analysis/step_control.hpp"
 #include "solver/arc_length.hpp"
+#include "solver/libraries.hpp"
 #include "solver/relaxation.hpp"
 
 namespace fabricsh::analysis {
@@ -47,6 +48,7 @@ class Static final : public Run {
   const char* kind() const override { return "static"; }
   double tolerance() const override { return options_.tolerance; }
   std::string method() const override;
+  std::string kernels() const override { return solver::blas_kernels(); }
   void set(const Settings& settings) override;
   void keep_settings(Archive& archive) override;
 

@@ -1,5 +1,6 @@
 // What can be read from a run.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,17 @@ struct Energy {  // J
   // kinetic + stored + dissipated + damping - external - initial, which is zero where no energy is made.
   double surplus() const { return kinetic + stored + dissipated + damping - external - initial; }
   double error = 0;  // |surplus| / largest |external| so far (a free flight: / initial)
+};
+
+// Where a run went farthest beyond what its card was tested to.
+struct Beyond {
+  double share = 0;               // of the tested strain: 1.2 is 20 % beyond it; 0: nowhere beyond 1
+  std::string yarn;               // "warp", "weft", "shear"
+  std::int64_t element = -1;      // from 0
+  double time = 0;                // s, of the share above
+  double first = 0;               // s, when the run first went beyond 1 anywhere
+  double strain = 0, tested = 0;  // E11, E22 or |E12| (tensor) there, and up to which the card was tested
+  void keep(Archive& archive) { archive(share, yarn, element, time, first, strain, tested); }
 };
 
 // One line per committed step.

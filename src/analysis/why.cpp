@@ -1,6 +1,7 @@
 // The report of a step that could not be done: chosen from what was measured in it.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "analysis/failure.hpp"
 #include "analysis/number.hpp"
@@ -92,6 +93,21 @@ std::string switch_text(const Failure& f) {
   return text;
 }
 
+void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
+  const auto& m = f.mechanism;
+  std::string support = "a support that takes it away";
+  if (m.driven) {
+    std::ostringstream stiffness;
+    stiffness.precision(1);
+    stiffness << m.stiffness;
+    support += " (a small one is m:spring(\"all\", { " + std::string(1, "xyz"[m.axis]) + "=" +
+               stiffness.str() + " }))";
+  }
+  all.push_back("motion, fabric.dynamic with damping, or " + support +
+                ": the supports leave the sheet free to " + m.words +
+                (m.driven ? ", and the loads drive it" : ""));
+}
+
 void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
   const bool singular = !f.tries.empty() && f.tries.back().status == solver::NewtonStatus::singular;
   const std::string pivots = std::to_string(f.negative_pivots) + " negative pivots";
@@ -162,9 +178,11 @@ std::vector<std::string> advice(const Failure& f) {
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
         "step, so that the path is not walked the way it came");
+  if (f.mechanism.driven) advise_on_mechanism(f, all);
   advise_on_tangent(f, all);
   if (!f.tries.empty()) advise_on_iterations(f, all);
   advise_on_cloth(f, all);
+  if (!f.mechanism.driven && !f.mechanism.words.empty()) advise_on_mechanism(f, all);
   if (all.empty())
     all.push_back(f.dynamic ? "a smaller step, or scheme=\"explicit\""
                             : "a smaller step, more max_cuts, stabilise=true, or method=\"either\"");

@@ -92,6 +92,7 @@ Assembly::Assembly(const model::Model& model) : model_(model), X_(model.mesh().n
   make_geometry(directors);
   make_pattern();
   make_force_slots();
+  find_tested();
   force_x_.assign(3 * X_.size(), 0);
   force_d_.assign(3 * X_.size(), 0);
   add_inertia();
@@ -378,6 +379,14 @@ void Assembly::visit(Index element, const PointVisitor& f) const {
         state[i] = law[(g * section.state_size + point.state + i) * lanes + place.lane];
       f(geometry[(kind.point(g, k, points) + 7) * lanes + place.lane], *point.law, e, state.data());
     }
+}
+
+Vec3 Assembly::centre(Index element) const {
+  const Batch& batch = batches_[place_[element].batch];
+  Vec3 sum = Vec3::Zero();
+  for (int a = 0; a < batch.kind->corners; ++a)
+    sum += at(std::as_const(*state_).x(), batch.nodes[place_[element].lane][a]);
+  return sum / batch.kind->corners;
 }
 
 std::pair<Vec3, Vec3> Assembly::yarns(Index element) const {

@@ -6,6 +6,7 @@
 // An explicit step: move state().x(), d() and b1() (or retract()), state().touch(), aim(time), forces(),
 // read internal_on_x() and internal_on_d(), state().commit(time).
 #pragma once
+#include <array>
 #include <memory>
 #include <span>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "assembly/state.hpp"
 #include "base/aligned.hpp"
 #include "element/shell3.hpp"
+#include "fabric/peaks.hpp"
 #include "model/model.hpp"
 #include "solver/sparse.hpp"
 
@@ -44,6 +46,15 @@ struct BendingEnergy {
 struct WorkingForces {
   std::vector<double> on_x;  // N
   std::vector<double> on_d;  // N m, on directors; empty where no load and no moving support acts on them
+};
+
+// The point that is farthest beyond what its card was tested to.
+struct Strained {
+  double share = 0;   // of the tested strain: 1.2 is 20 % beyond it
+  double strain = 0;  // E11, E22 or |E12| (tensor)
+  double tested = 0;  // the strain that the card was tested to
+  int yarn = 0;       // 0 warp, 1 weft, 2 shear
+  Index element = -1;
 };
 
 // Velocities of all nodes, 3 per node, global.
@@ -115,6 +126,11 @@ class Assembly {
   // The committed state and its internal forces. Error when reading: of another model.
   void keep(Archive& archive);
 
+  // --- strain beyond what the cards were tested to (strained.cpp), of the forces or tangent that were
+  // computed last; the yarns' is the largest so far. 0: no card says what it was tested to.
+  double largest_share() const;
+  Strained most_strained() const;
+
   // --- motion (motion.cpp)
   // kg per unknown displacement, kg m^2 per unknown rotation, lumped. Rotary inertia of an element per mass:
   // what its thickness has, t^2/12 + t^2 zeta_bar^2/4, and if scaled at least A_e/8 [hughes1978]. Error: ties
@@ -142,6 +158,7 @@ class Assembly {
   // Warp and weft of an element in the trial configuration: unit vectors, global, convected with the cloth,
   // at its middle.
   std::pair<Vec3, Vec3> yarns(Index element) const;
+  Vec3 centre(Index element) const;                   // m, mean of its corners in the trial configuration
   BendingEnergy bending_energy(Index element) const;  // of separate bending; zero without
   Index elements() const { return static_cast<Index>(place_.size()); }
   bool turns(Index unknown) const { return turns_[unknown]; }  // a rotation, not a displacement
@@ -173,6 +190,8 @@ class Assembly {
   void realign(Index node, std::span<double> d, std::span<double> b1) const;
   void add_load_stiffness(solver::SparseMatrix& K, std::span<const double> lead,
                           std::span<double> product) const;
+  void find_tested();
+  double share_of(const Batch& batch, const double* law) const;
   double lead_of(Index motion, std::span<const double> lead) const;
 
   // Ties (ties.cpp). An element with a tied node is scattered after the parallel loop, in element order: what
@@ -234,6 +253,15 @@ class Assembly {
   std::vector<std::vector<std::pair<Index, int>>> led_;  // per node: followers it leads, and as which lead
   std::vector<double> lever_;  // per unknown: m that a rotation's moment is divided by; 1
   double length_ = 1;          // m, mean edge of the elements
+  // Points through the thickness whose card says what it was tested to; per batch the largest share of that.
+  struct TestedPoint {
+    const fabric::Law* law;
+    int state;
+    std::array<double, 3> tested, inverse;  // E11, E22, E12; 1 over them, 0 where not known
+  };
+  std::vector<TestedPoint> tested_;
+  fabric::SharesFunction shares_ = nullptr;
+  std::vector<double> share_;
   Index failed_element_ = -1;
 };
 

@@ -77,6 +77,7 @@ Index Assembly::evaluate(Index b, fabric::AtSwitch at, double* trial, double* K,
   const unsigned failed = (K == nullptr ? kernels.force(model_.section(), at, data, f)
                                         : kernels.tangent(model_.section(), at, data, f, K)) &
                           ((1u << batch.used) - 1);
+  if (!tested_.empty() && !law_only) share_[b] = share_of(batch, trial);
   return failed == 0 ? -1 : batch.element[__builtin_ctz(failed)];
 }
 

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "files/gate.hpp"
 #include "files/number.hpp"
+#include "files/source.hpp"
 
 namespace fabricsh::files {
 
@@ -64,12 +65,26 @@ PvdSeries::PvdSeries(const std::string& stem) : stem_(without_extension(stem)), 
 
 PvdSeries::PvdSeries(const std::string& stem, const PvdPlace& place)
     : stem_(without_extension(stem)), path_(stem_ + ".pvd"), place_(place), synced_(frames()) {
-  for (std::size_t i = 0; i < frames(); ++i)
-    if (!Gate::of_process().exists(frame_path(i)))
-      throw Error("cannot go on with '" + path_ + "': its frame '" + frame_path(i) + "' is missing");
+  for (std::size_t i = 0; i < frames(); ++i) look_at_frame(i);
   write_index(Folder::expect);
   remove_frames(frames());
   remove_leftovers(stem_);
+}
+
+void PvdSeries::look_at_frame(std::size_t i) {
+  PvdPlace::Frame& frame = place_.frames[i];
+  if (frame.entry.empty()) return;
+  const std::string path = frame_path(i);
+  if (!Gate::of_process().exists(path)) {
+    frame.entry.clear();
+    lost_.push_back(path);
+    return;
+  }
+  const FileSum now = sum_of(read_file(path));
+  if (now == frame.file) return;
+  throw Error("cannot go on with '" + path_ + "': its frame '" + path + "' is not as it was written (" +
+              std::to_string(now.size) + " bytes, " + std::to_string(frame.file.size) +
+              " were written); where it is deleted, the series goes on without it");
 }
 
 std::string PvdSeries::frame_path(std::size_t i) const {
@@ -81,13 +96,14 @@ std::string PvdSeries::frame_path(std::size_t i) const {
 void PvdSeries::frame(double time, const Grid& grid) {
   check_place();
   const std::string path = frame_path(frames());
-  write_vtu(path, grid, Sync::no, Folder::expect);
-  place_.entries.push_back("    <DataSet timestep=\"" + short_number(time) + "\" file=\"" +
-                           xml(file_name(path)) + "\"/>\n");
+  const FileSum file = write_vtu(path, grid, Sync::no, Folder::expect);
+  place_.frames.push_back(
+      {"    <DataSet timestep=\"" + short_number(time) + "\" file=\"" + xml(file_name(path)) + "\"/>\n",
+       file});
   try {
     write_index(Folder::expect);
   } catch (...) {
-    place_.entries.pop_back();
+    place_.frames.pop_back();
     Gate::of_process().discard(path);
     throw;
   }
@@ -96,7 +112,7 @@ void PvdSeries::frame(double time, const Grid& grid) {
 void PvdSeries::keep(std::size_t n) {
   if (n >= frames()) return;
   check_place();
-  place_.entries.resize(n);
+  place_.frames.resize(n);
   synced_ = std::min(synced_, n);
   write_index(Folder::expect);
   remove_frames(n);
@@ -124,7 +140,7 @@ void PvdSeries::write_index(Folder folder) {
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\">\n"
       "  <Collection>\n";
-  for (const std::string& entry : place_.entries) text += entry;
+  for (const PvdPlace::Frame& frame : place_.frames) text += frame.entry;
   write_file(path_, text + "  </Collection>\n</VTKFile>\n", Sync::no, folder);
   mark_ = mark_of(path_);
 }

@@ -11,8 +11,13 @@ namespace fabricsh::files {
 
 // How far a series has come, for a program that continues it.
 struct PvdPlace {
-  std::vector<std::string> entries;  // one line of the .pvd each
-  void keep(Archive& archive) { archive(entries); }
+  struct Frame {
+    std::string entry;  // its line of the .pvd; empty: the frame is lost, and the series goes on without it
+    FileSum file;
+    void keep(Archive& archive) { archive(entry, file); }
+  };
+  std::vector<Frame> frames;
+  void keep(Archive& archive) { archive(frames); }
 };
 
 class PvdSeries {
@@ -20,8 +25,8 @@ class PvdSeries {
   // stem: "out/drape"; a trailing ".pvd" is taken off. Writes a series without frames at once, so that a
   // folder that cannot be written is known before the run begins.
   explicit PvdSeries(const std::string& stem);
-  // Goes on with the series that another program has left: frames behind the place are taken off. Error: a
-  // frame is missing.
+  // Goes on with the series that another program has left: frames behind the place are taken off, one that
+  // was deleted is passed over (see lost()). Error: a frame is not as it was written.
   PvdSeries(const std::string& stem, const PvdPlace& place);
   // The grid goes to the next .vtu, then the .pvd that names it is replaced: it is valid at any instant.
   // Error: the folder is gone, another series has been begun on the same path, and what the system says.
@@ -30,9 +35,11 @@ class PvdSeries {
   void sync();               // to the disk
   const PvdPlace& place() const { return place_; }
   const std::string& path() const { return path_; }
-  std::size_t frames() const { return place_.entries.size(); }
+  std::size_t frames() const { return place_.frames.size(); }
+  const std::vector<std::string>& lost() const { return lost_; }  // frames that were gone when it went on
 
  private:
+  void look_at_frame(std::size_t i);
   std::string frame_path(std::size_t i) const;
   void write_index(Folder folder);
   void check_place() const;
@@ -40,6 +47,7 @@ class PvdSeries {
 
   std::string stem_, path_;
   PvdPlace place_;
+  std::vector<std::string> lost_;
   std::size_t synced_ = 0;  // frames
   // The .pvd as it was last written: device, number, size, seconds and nanoseconds of its change; empty: not
   // known.

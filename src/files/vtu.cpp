@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "files/checksum.hpp"
 
 namespace fabricsh::files {
 
@@ -107,7 +108,9 @@ std::string document(vtkUnstructuredGrid* data) {
 
 }  // namespace
 
-void write_vtu(const std::string& path, const Grid& grid, Sync sync, Folder folder) {
+FileSum sum_of(std::string_view bytes) { return {static_cast<std::int64_t>(bytes.size()), checksum(bytes)}; }
+
+FileSum write_vtu(const std::string& path, const Grid& grid, Sync sync, Folder folder) {
   vtkNew<vtkUnstructuredGrid> data;
   for (const Array& array : grid.point_data) check_length(array, grid.points.size(), "points");
   for (const Array& array : grid.cell_data) check_length(array, grid.cells.size(), "cells");
@@ -116,7 +119,9 @@ void write_vtu(const std::string& path, const Grid& grid, Sync sync, Folder fold
   for (const Array& array : grid.point_data) add(data->GetPointData(), array);
   for (const Array& array : grid.cell_data) add(data->GetCellData(), array);
   if (grid.time) add_time(data, *grid.time);
-  write_file(path, document(data), sync, folder);
+  const std::string bytes = document(data);
+  write_file(path, bytes, sync, folder);
+  return sum_of(bytes);
 }
 
 }  // namespace fabricsh::files

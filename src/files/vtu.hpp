@@ -1,10 +1,13 @@
 // One picture of a surface and what is known on it, as a VTK unstructured grid that ParaView reads.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "files/atomic.hpp"
 #include "mesh/mesh.hpp"
 
@@ -28,9 +31,18 @@ struct Grid {
   std::optional<double> time = {};  // s
 };
 
-// Replaces the file, compressed. Error: an array whose length is not components times points (or cells), a
-// file that cannot be written.
-void write_vtu(const std::string& path, const Grid& grid, Sync sync = Sync::yes,
-               Folder folder = Folder::make);
+// What tells a file's content from another's.
+struct FileSum {
+  std::int64_t size = 0;  // bytes
+  std::uint32_t sum = 0;  // checksum of them
+  bool operator==(const FileSum&) const = default;
+  void keep(Archive& archive) { archive(size, sum); }
+};
+FileSum sum_of(std::string_view bytes);
+
+// Replaces the file, compressed; returns what is in it now. Error: an array whose length is not components
+// times points (or cells), a file that cannot be written.
+FileSum write_vtu(const std::string& path, const Grid& grid, Sync sync = Sync::yes,
+                  Folder folder = Folder::make);
 
 }  // namespace fabricsh::files

@@ -121,8 +121,14 @@ Fingerprint fingerprint(const Model& model, double duration) {
       part.add(static_cast<int>(t.kind)).add_set(t.set).add_set(t.partner).add_freedoms(t.freedoms);
   });
   add("velocities", "", [](Part& part, const Model& m) {
-    for (const auto& v : m.velocities())
+    for (const auto& v : m.velocities()) {
       part.add_set(v.set).add_vector(v.linear).add_vector(v.spin).add_vector(v.centre);
+      if (!v.place) continue;
+      for (const auto n : m.mesh().set(v.set)) {
+        const RigidVelocity here = v.at(m.mesh().nodes[n]);
+        part.add_vector(here.linear).add_vector(here.spin).add_vector(here.centre);
+      }
+    }
   });
   return parts;
 }

@@ -92,12 +92,21 @@ struct Turn {
   std::optional<Vec3> centre;  // m
 };
 
-// Velocity at time 0 of a set's nodes, and of their directors with the spin: v + spin x (X - centre).
+// A rigid body's velocity: linear + spin x (X - centre); a director turns with the spin.
+struct RigidVelocity {
+  Vec3 linear = Vec3::Zero();  // m/s
+  Vec3 spin = Vec3::Zero();    // rad/s
+  Vec3 centre = Vec3::Zero();  // m
+};
+// Velocity at time 0 of a set's nodes and directors: the same rigid one for all, or at each node X the one
+// that the function of place gives there.
 struct InitialVelocity {
   std::string set;
   Vec3 linear = Vec3::Zero();  // m/s
   Vec3 spin = Vec3::Zero();    // rad/s
   Vec3 centre = Vec3::Zero();  // m
+  std::function<RigidVelocity(const Vec3& X)> place = {};
+  RigidVelocity at(const Vec3& X) const { return place ? place(X) : RigidVelocity{linear, spin, centre}; }
 };
 
 // equal     the nodes of the set share their displacements

@@ -1,6 +1,7 @@
 // Rows or frames that a run writes as it goes, one a step at most, each whole when it is there.
 #pragma once
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "analysis/run.hpp"
@@ -19,9 +20,10 @@ class Series {
   // The same where a run is broken off: it shows where that was, and goes away when the run goes on.
   void extra_frame(const analysis::Run& run);
   void go_on();
-  bool in_trouble() const { return in_trouble_; }  // its last frame was an error
-  void rewind(std::size_t step);                   // takes off what is later than a step
-  virtual void sync() = 0;                         // to the disk
+  virtual std::vector<std::string> lost() const { return {}; }  // files that were gone when it went on
+  bool in_trouble() const { return in_trouble_; }               // its last frame was an error
+  void rewind(std::size_t step);                                // takes off what is later than a step
+  virtual void sync() = 0;                                      // to the disk
   // How far it is, for a program that continues it.
   void keep(Archive& archive);
 

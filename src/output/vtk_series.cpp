@@ -36,7 +36,7 @@ namespace {
 files::PvdSeries continued(const std::string& stem, std::size_t frames, Archive& from) {
   files::PvdPlace place;
   from(place);
-  if (place.entries.size() != frames)
+  if (place.frames.size() != frames)
     throw Error("cannot go on with '" + stem + "': frames were lost count of");
   return {stem, place};
 }

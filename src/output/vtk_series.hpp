@@ -16,6 +16,7 @@ class VtkSeries final : public Series {
   // Goes on with the series that another program has left, from where it was kept.
   VtkSeries(const std::string& stem, std::vector<std::string> fields, Archive& from);
   void sync() override { series_.sync(); }
+  std::vector<std::string> lost() const override { return series_.lost(); }
 
  private:
   void write(const analysis::Run& run) override;

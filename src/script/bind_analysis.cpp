@@ -143,6 +143,24 @@ int energy(Call& call) {
   return 1;
 }
 
+int beyond(Call& call) {
+  const auto far = call.self<Run>()->analysis->beyond();
+  lua_State* L = call.L();
+  if (!far) return lua_pushnil(L), 1;
+  lua_newtable(L);
+  for (const auto& [name, value] : {std::pair{"share", far->share},
+                                    {"time", far->time},
+                                    {"first", far->first},
+                                    {"strain", far->strain},
+                                    {"tested", far->tested}})
+    set_number(L, name, value);
+  lua_pushinteger(L, far->element + 1);
+  lua_setfield(L, -2, "element");
+  lua_pushstring(L, far->yarn.c_str());
+  lua_setfield(L, -2, "yarn");
+  return 1;
+}
+
 int time(Call& call) {
   lua_pushnumber(call.L(), call.self<Run>()->analysis->time());
   return 1;
@@ -340,6 +358,16 @@ std::vector<Entry> reading() {
        "internal, initial, created; error: what the balance misses over the largest external work.",
        run + "a:solve()\nassert(a.energy.error < 1)",
        energy},
+      {"analysis.beyond",
+       Style::property,
+       {},
+       "How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), "
+       "yarn "
+       "(warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the "
+       "one "
+       "tested, and when the run first went beyond.",
+       run + "assert(a:advance(0.5).beyond == nil)",
+       beyond},
       {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},
       {"analysis.duration",
        Style::property,

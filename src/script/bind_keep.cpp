@@ -46,9 +46,9 @@ int checkpoint(Call& call) {
   files::make_folder_for(path);
   files::remove_leftovers(path);
   run->paths.insert(file);
-  // In a restarted deck the analyses before the one that is taken up are done again: the file is not theirs.
+  // In a restarted deck the analyses before the one that is taken up are behind it: the file is not theirs.
   const auto& begun = call.session().restart();
-  if (begun && run->number < begun->analysis) return chain(call);
+  if (begun && run->number < begun->analysis) keeper->write_nothing();
   run->checkpoints.push_back(keeper);
   run->analysis->when_settled([keeper](analysis::Run&) { keeper->look(); });
   return chain(call);

@@ -6,6 +6,7 @@
 #include "script/bind.hpp"
 #include "script/bind_model.hpp"
 #include "script/bind_run.hpp"
+#include "script/words.hpp"
 
 namespace fabricsh::script {
 
@@ -58,15 +59,57 @@ int turn(Call& call) {
   return return_self(call);
 }
 
-int velocity(Call& call) {
-  const Fields given = call.fields("velocity");
-  model::InitialVelocity v{call.text("set")};
+// The fields of a velocity, in the call itself and in what a function of place returns.
+const std::vector<Argument>& velocity_rows() {
+  static const std::vector<Argument> rows{
+      number_("x", "m/s", everything, "along x").optional(),
+      number_("y", "m/s", everything, "along y").optional(),
+      number_("z", "m/s", everything, "along z").optional(),
+      value_("spin", numbers, "{wx, wy, wz}, degrees/s: beside it a rigid rotation").optional(),
+      value_("centre", numbers, "{x, y, z}, m: a point of its axis; default {0, 0, 0}").optional()};
+  return rows;
+}
+
+model::RigidVelocity read_velocity(const Fields& given, const std::string& what) {
+  model::RigidVelocity v;
   const char* const axes[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i)
     if (given.has(axes[i])) v.linear[i] = given.number(axes[i]);
   if (given.has("spin"))
-    v.spin = std::numbers::pi / 180 * read_vector(given.numbers("spin"), "velocity: field 'spin'");
-  if (given.has("centre")) v.centre = read_vector(given.numbers("centre"), "velocity: field 'centre'");
+    v.spin = std::numbers::pi / 180 * read_vector(given.numbers("spin"), what + "field 'spin'");
+  if (given.has("centre")) v.centre = read_vector(given.numbers("centre"), what + "field 'centre'");
+  return v;
+}
+
+// What a function of place says at a node.
+model::RigidVelocity velocity_at(const Function& place, const std::string& set, const Vec3& X) {
+  lua_State* L = place.push();
+  for (int i = 0; i < 3; ++i) lua_pushnumber(L, X[i]);
+  lua_call(L, 3, 1);
+  const std::string what = "velocity '" + set + "': what the function returned at (" + number_text(X.x()) +
+                           ", " + number_text(X.y()) + ", " + number_text(X.z()) + ") m: ";
+  if (!lua_istable(L, -1))
+    throw Error(what + "expected a table {x, y, z, spin, centre}, got " + describe(L, -1));
+  model::RigidVelocity v;
+  try {
+    v = read_velocity(Fields(L, -1, velocity_rows()), "");
+  } catch (const Error& error) {
+    throw Error(what + error.what());
+  }
+  lua_pop(L, 1);
+  return v;
+}
+
+int velocity(Call& call) {
+  model::InitialVelocity v{call.text("set")};
+  if (const Function place = call.function("velocity")) {
+    v.place = [place, set = v.set](const Vec3& X) { return velocity_at(place, set, X); };
+  } else {
+    const model::RigidVelocity all = read_velocity(call.fields("velocity"), "velocity: ");
+    v.linear = all.linear;
+    v.spin = all.spin;
+    v.centre = all.centre;
+  }
   call.self<Model>()->velocity(std::move(v));
   return return_self(call);
 }
@@ -77,6 +120,13 @@ int symmetry(Call& call) {
     throw Error("symmetry: argument 'normal': expected \"x\", \"y\" or \"z\", got \"" + axis + "\"");
   call.self<Model>()->symmetry(call.text("set"), axis[0] - 'x');
   return return_self(call);
+}
+
+Argument velocity_row() {
+  Argument row =
+      fields_("velocity", velocity_rows(), "{x=, y=, z=, spin=, centre=}, or function(x, y, z) returning it");
+  row.kinds |= function;
+  return row;
 }
 
 Argument set_row() { return value_("set", text, "name of a node set"); }
@@ -137,17 +187,12 @@ std::vector<Entry> rows() {
        turn},
       {"model:velocity",
        Style::positional,
-       {set_row(),
-        fields_(
-            "velocity",
-            {number_("x", "m/s", everything, "along x").optional(),
-             number_("y", "m/s", everything, "along y").optional(),
-             number_("z", "m/s", everything, "along z").optional(),
-             value_("spin", numbers, "{wx, wy, wz}, degrees/s: beside it a rigid rotation").optional(),
-             value_("centre", numbers, "{x, y, z}, m: a point of its axis; default {0, 0, 0}").optional()},
-            "{x=, y=, z=, spin=, centre=}")},
-       "Velocity of a node set at time 0, for fabric.dynamic.",
-       sample + "m:velocity('all', { z=-2, spin={0, 0, 360} })",
+       {set_row(), velocity_row()},
+       "Velocity of a node set at time 0, for fabric.dynamic: one for all, or a function of place that "
+       "returns "
+       "it for each node.",
+       sample + "m:velocity('all', { z=-2, spin={0, 0, 360} })\n"
+                "m:velocity('top', function(x, y, z) return { z=0.1 * math.sin(x / 0.0254 * math.pi) } end)",
        velocity},
       {"model:symmetry",
        Style::positional,

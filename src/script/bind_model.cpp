@@ -131,13 +131,16 @@ void read_layers(const Call& call, model::Options& options) {
   if (options.plies.empty()) call.refuse("layers", "expected at least one layer, got an empty table");
 }
 
-// A card that fails its check is refused; each of its warnings is said once.
+// A card that fails its check is refused; each of its warnings is said once. That of bending is the run's: it
+// knows whether the sheet can leave its surface.
 void check_card(const Call& call, const card::Card& card) {
   const auto report = fabric::check(card);
   for (const auto& item : report.items) {
     const std::string words = "card '" + card.name + "': " + item.key + ": " + item.text;
     if (item.severity == fabric::Severity::error) throw Error(words);
-    if (item.severity == fabric::Severity::warning) call.session().notices().once(words, "warning: " + words);
+    const bool is_bending = item.key.starts_with("bending.");
+    if (item.severity == fabric::Severity::warning && !is_bending)
+      call.session().notices().once(words, "warning: " + words);
   }
 }
 
@@ -166,8 +169,38 @@ int fix(Call& call) {
   return return_self(call);
 }
 
+// m, the diagonal of the box about a mesh.
+double length_of(const mesh::Mesh& mesh) {
+  if (mesh.nodes.empty()) return 0;
+  Vec3 low = mesh.nodes.front(), high = low;
+  for (const Vec3& X : mesh.nodes) {
+    low = low.cwiseMin(X);
+    high = high.cwiseMax(X);
+  }
+  return (high - low).norm();
+}
+
+// A motion many times as long as the mesh is a wrong unit more often than a flight.
+void ask_about_motion(const Call& call, const model::Components& components) {
+  constexpr double many = 10;
+  const double length = length_of(call.self<Model>()->mesh());
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!components[i]) continue;
+    const auto& history = *components[i];
+    double farthest = history.is_constant() ? std::abs(history.value(0)) : 0;
+    for (const double t : history.kinks()) farthest = std::max(farthest, std::abs(history.value(t)));
+    if (farthest <= many * length) continue;
+    const std::string words = position(call.L()) + "move '" + call.text("set") + "': field '" + "xyz"[i] +
+                              "': " + number_text(farthest) + " m is " + brief_number(farthest / length) +
+                              " times the size of the mesh (" + brief_number(length) + " m): is it in m?";
+    call.session().notices().once(words, "warning: " + words);
+  }
+}
+
 int move(Call& call) {
-  call.self<Model>()->move(call.text("set"), read_components(call), read_frame(call));
+  auto components = read_components(call);
+  ask_about_motion(call, components);
+  call.self<Model>()->move(call.text("set"), std::move(components), read_frame(call));
   return return_self(call);
 }
 

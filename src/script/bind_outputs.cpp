@@ -50,6 +50,8 @@ void add_output(Run& run, Output output, double interval, const Options& options
   if (const std::string* kept = take_part(run, output.kind, output.path)) {
     Archive from(*kept);
     output.series = std::make_shared<Series>(output.path, options, from);
+    for (const std::string& file : output.series->lost())
+      run.session.notices().say("warning: restart: '" + file + "' is gone, the series goes on without it");
   } else {
     output.series = std::make_shared<Series>(output.path, options);
   }

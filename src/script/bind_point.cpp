@@ -119,10 +119,22 @@ std::optional<double> given(const Call& call, const char* name) {
   return call.has(name) ? std::optional(call.number(name)) : std::nullopt;
 }
 
+// Error where no deformation has this strain: C = 1 + 2 E has a square length below zero in some direction.
+void require_possible(const std::string& where, double E11, double E22, double E12) {
+  const double C11 = 1 + 2 * E11, C22 = 1 + 2 * E22, C12 = 2 * E12;
+  if (C11 > 0 && C22 > 0 && C11 * C22 > C12 * C12) return;
+  throw Error(where + "there is no such strain: E11 = " + number_text(E11) + ", E22 = " + number_text(E22) +
+              ", E12 = " + number_text(E12) +
+              " would make a length zero or less; expected E11 and E22 above -0.5 and "
+              "(2 E12)^2 below (1 + 2 E11) (1 + 2 E22)");
+}
+
 int strain(Call& call) {
-  push_sample(call.L(),
-              call.self<PointDriver>()->strain(given(call, "E11"), given(call, "E22"), given(call, "E12")),
-              false);
+  const auto p = call.self<PointDriver>();
+  const auto E11 = given(call, "E11"), E22 = given(call, "E22"), E12 = given(call, "E12");
+  const Sample now = p->now();
+  require_possible("", E11.value_or(now.E11), E22.value_or(now.E22), E12.value_or(now.E12));
+  push_sample(call.L(), p->strain(E11, E22, E12), false);
   return 1;
 }
 
@@ -203,13 +215,18 @@ int path(Call& call) {
   call.push("strains");
   const auto strains = lua_rawlen(L, -1) > 0 ? strain_rows(L) : strain_columns(L, p->now());
   lua_pop(L, 1);
+  for (std::size_t i = 0; i < strains.size(); ++i)
+    require_possible("argument 'strains." + std::to_string(i + 1) + "': ", strains[i][0], strains[i][1],
+                     strains[i][2]);
   return push_curve(call, false, [&] { return p->path(strains); });
 }
 
 int biaxial(Call& call) {
-  return push_curve(call, false, [&] {
-    return call.self<PointDriver>()->biaxial(call.number("ratio"), call.numbers("E"));
-  });
+  const auto p = call.self<PointDriver>();
+  const double ratio = call.number("ratio");
+  const auto strains = call.numbers("E");
+  for (const double E : strains) require_possible("", E, ratio * E, p->now().E12);
+  return push_curve(call, false, [&] { return p->biaxial(ratio, strains); });
 }
 
 int state(Call& call) {
@@ -242,8 +259,11 @@ int point_text(lua_State* L) {
   return 1;
 }
 
-Argument strain_(const char* name, const char* sentence) {
-  return number_(name, "", everything, sentence).usually(1e-12, 5, "strains are numbers, not per cent");
+// Where a length is zero: (0 - 1) / 2. There is no strain at or below it.
+constexpr Range above_nothing{-0.5, std::numeric_limits<double>::infinity(), true, false};
+
+Argument strain_(const char* name, const char* sentence, Range range = everything) {
+  return number_(name, "", range, sentence).usually(1e-12, 5, "strains are numbers, not per cent");
 }
 
 Argument columns_() {
@@ -261,7 +281,8 @@ std::vector<Entry> rows() {
        make},
       {"point:strain",
        Style::fields,
-       {strain_("E11", "along the warp").optional(), strain_("E22", "along the weft").optional(),
+       {strain_("E11", "along the warp", above_nothing).optional(),
+        strain_("E22", "along the weft", above_nothing).optional(),
         strain_("E12", "shear, tensor component").optional()},
        "Reaches a total strain in one straight increment and commits it; components not named stay. Returns "
        "S11 S22 S12 E11 E22 "
@@ -278,7 +299,7 @@ std::vector<Entry> rows() {
          true,
          {},
          {"warp", "weft"}},
-        {"E", number | numbers, "", everything, "strain along it, or a list of strains"},
+        {"E", number | numbers, "", above_nothing, "strain along it, or a list of strains"},
         columns_()},
        "Strain along a direction with the other stresses driven to zero. Returns the same and S, E, "
        "E_lateral; for a list of strains a list of such rows, or the columns named.",

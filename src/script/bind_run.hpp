@@ -16,9 +16,13 @@ struct ClassName<model::Model> {
   static constexpr const char* name = "model";
 };
 
-// What the run.json of each folder says of the runs of this session that write there, by their numbers.
+// What a session knows of its analyses, by their numbers.
 struct RunRecords {
+  // What the run.json of each folder says of those that write there.
   std::map<std::string, std::map<std::int64_t, files::Json>> folders;
+  // Of those that are finished and were kept (a:checkpoint): the bytes of a checkpoint of their end, which
+  // the checkpoints of the others hold too.
+  std::map<std::int64_t, std::string> finished;
 };
 
 // A run.json beside the outputs of a run: what made them.

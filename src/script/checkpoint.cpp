@@ -26,6 +26,9 @@ model::Fingerprint problem_of(const analysis::Run& a) {
   add_part(parts, "method", a.method(), a.method());
   const std::string duration = number_text(a.duration()) + " s";
   add_part(parts, "duration", duration, duration);
+  if (const std::string kernels = a.kernels(); !kernels.empty())
+    add_part(parts, "BLAS kernels (the bits of a solve hang on them; OPENBLAS_CORETYPE chooses)", kernels,
+             kernels);
   const model::Model& m = a.model();
   std::string cards = card_text(m.card());
   for (const auto& ply : m.options().plies) cards += card_text(ply.card);
@@ -76,18 +79,17 @@ std::string part_text(const std::string& kind, const std::string& path) {
 
 }  // namespace
 
-std::shared_ptr<const Checkpoint> load_checkpoint(const std::string& path) {
-  if (files::Gate::of_process().closed())
-    throw Error("checkpoint '" + path +
-                "': not read under --safe: a file made up for it could make the run write where it must not");
+namespace {
+
+std::shared_ptr<Checkpoint> read_checkpoint(const std::string& path, std::string bytes) {
   auto c = std::make_shared<Checkpoint>();
-  Archive archive(files::read_checkpoint(path));
+  Archive archive(std::move(bytes));
   const auto refuse = [&](const std::string& why) { throw Error("checkpoint '" + path + "': " + why); };
   try {
     archive(c->version);
     if (c->version != version()) refuse("it was written by version " + c->version + ", this is " + version());
     archive(c->instructions, c->deck, c->deck_hash, c->analysis, c->problem, c->time, c->state, c->settings);
-    archive(c->calls, c->under_way, c->failed, c->seconds, c->parts);
+    archive(c->calls, c->under_way, c->failed, c->seconds, c->parts, c->finished);
   } catch (const Error& error) {
     if (std::string(error.what()).starts_with("checkpoint ")) throw;
     refuse(std::string("it is damaged: ") + error.what());
@@ -100,18 +102,67 @@ std::shared_ptr<const Checkpoint> load_checkpoint(const std::string& path) {
   return c;
 }
 
+}  // namespace
+
+std::shared_ptr<const Checkpoint> load_checkpoint(const std::string& path) {
+  if (files::Gate::of_process().closed())
+    throw Error("checkpoint '" + path +
+                "': not read under --safe: a file made up for it could make the run write where it must not");
+  auto c = read_checkpoint(path, files::read_checkpoint(path));
+  for (const std::string& bytes : c->finished) c->others.push_back(read_checkpoint(path, bytes));
+  return c;
+}
+
+std::shared_ptr<const Checkpoint> part_of(const std::shared_ptr<const Checkpoint>& checkpoint,
+                                          std::int64_t analysis) {
+  if (checkpoint->analysis == analysis) return checkpoint;
+  for (const auto& other : checkpoint->others)
+    if (other->analysis == analysis) return other;
+  return nullptr;
+}
+
+namespace {
+
+std::string bytes_of(Checkpoint checkpoint) {
+  Archive archive;
+  checkpoint.keep(archive);
+  return archive.bytes();
+}
+
+void begin(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
+  const Options& options = run.session.options();
+  run.same_deck = checkpoint->deck_hash == deck_hash(options);
+  if (!options.deck.empty() && !run.same_deck)
+    run.session.notices().once("restart", "restart: the deck or its arguments are not those that wrote '" +
+                                              checkpoint->path +
+                                              "'; the problem is the same, so the run goes on");
+  run.from = std::move(checkpoint);
+  run.claimed.clear();
+  run.went_on = false;
+}
+
+}  // namespace
+
 void begin_from(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
   const std::string differs = difference(checkpoint->problem, problem_of(*run.analysis));
   if (!differs.empty())
     throw Error("checkpoint '" + checkpoint->path + "' is of another problem: it differs in " + differs);
-  const Options& options = run.session.options();
-  run.same_deck = checkpoint->deck_hash == deck_hash(options);
-  if (!options.deck.empty() && !run.same_deck)
-    run.session.notices().say("restart: the deck or its arguments are not those that wrote '" +
-                              checkpoint->path + "'; the problem is the same, so the run goes on");
-  run.from = std::move(checkpoint);
-  run.claimed.clear();
-  run.went_on = false;
+  begin(run, std::move(checkpoint));
+}
+
+void begin_finished(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
+  const std::string differs = difference(checkpoint->problem, problem_of(*run.analysis));
+  if (!differs.empty())
+    return run.session.notices().say("restart: analysis " + std::to_string(run.number) +
+                                     " is done anew: it differs from the finished one in '" +
+                                     checkpoint->path + "' in " + differs);
+  run.session.run_records().finished[run.number] = bytes_of(*checkpoint);
+  begin(run, std::move(checkpoint));
+}
+
+void remember_end(Run& run) {
+  if (run.checkpoints.empty()) return;
+  run.session.run_records().finished[run.number] = bytes_of(checkpoint_of(run));
 }
 
 void take_up(Run& run) {
@@ -127,7 +178,10 @@ void take_up(Run& run) {
   run.taken_up = true;
   run.failed = c.failed;
   run.seconds = c.seconds;
-  run.session.notices().say("restart: from '" + c.path + "' at time " + number_text(c.time) + " s");
+  const bool finished = run.session.restart() != nullptr && run.session.restart()->analysis != c.analysis;
+  run.session.notices().say(
+      "restart: " + (finished ? "analysis " + std::to_string(c.analysis) + " is finished, " : "") + "from '" +
+      c.path + "' at time " + number_text(c.time) + " s");
 }
 
 void restart(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
@@ -189,6 +243,7 @@ bool Keeper::due() const {
 // The times of `every` are counted from 0, whenever the run was taken up: what is written does not hang on
 // it.
 void Keeper::look() {
+  if (silent_) return;
   const double time = run_.analysis->time();
   if (every_ && *every_ > 0 && next_ == 0 && written_ == static_cast<std::size_t>(-1)) {
     const auto passed = run_.analysis->steps().empty() ? 0.0 : time - run_.analysis->steps().back().step;
@@ -205,14 +260,15 @@ void Keeper::add_table(std::vector<Checkpoint::Part>& parts) const {
 }
 
 void Keeper::write() {
+  if (silent_) return;
   const std::size_t step = run_.analysis->steps().size();
   if (step == written_ && !forced_) return;
   try {
     for (const auto& output : run_.outputs) output->series->sync();
     Checkpoint c = checkpoint_of(run_);
-    Archive archive;
-    c.keep(archive);
-    files::write_checkpoint(path_, archive.bytes());
+    for (const auto& [number, bytes] : run_.session.run_records().finished)
+      if (number != run_.number) c.finished.push_back(bytes);
+    files::write_checkpoint(path_, bytes_of(std::move(c)));
   } catch (const Error& error) {
     throw Error("checkpoint: " + std::string(error.what()) + " (the run is alive at " +
                 number_text(run_.analysis->time()) + " s, solve() goes on)");

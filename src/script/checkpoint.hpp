@@ -30,15 +30,27 @@ struct Checkpoint {
     void keep(Archive& archive) { archive(kind, path, bytes); }
   };
   std::vector<Part> parts;
+  std::vector<std::string> finished;  // checkpoints of the end of other analyses, as bytes
+  std::vector<std::shared_ptr<const Checkpoint>> others;  // the same, once read; not kept
 
   void keep(Archive& archive) {
     archive(version, instructions, deck, deck_hash, analysis, problem, time, state, settings, calls,
-            under_way, failed, seconds, parts);
+            under_way, failed, seconds, parts, finished);
   }
 };
 
 // Error: see files::read_checkpoint; of another version or of other instructions.
 std::shared_ptr<const Checkpoint> load_checkpoint(const std::string& path);
+
+// What the checkpoint has of an analysis: its own, or one that was finished by then. Null: nothing.
+std::shared_ptr<const Checkpoint> part_of(const std::shared_ptr<const Checkpoint>& checkpoint,
+                                          std::int64_t analysis);
+
+// The run, made by a restarted deck, is finished in the checkpoint of another one, and is taken as that. One
+// that has become another problem since is done anew; a notice says so.
+void begin_finished(Run& run, std::shared_ptr<const Checkpoint> checkpoint);
+// The end of a kept run goes into all checkpoints written from here on.
+void remember_end(Run& run);
 
 // The run begins from the checkpoint, at its first solve(), advance() or step(). Error: of another problem,
 // with what differs. A notice: the deck has changed.
@@ -64,6 +76,8 @@ class Keeper {
   void look();                      // after a step: writes where that is due
   void write();                     // Error: names the file and why
   void force() { forced_ = true; }  // at the next look
+  // The file is another analysis' by now: only the table is kept, in the checkpoints of the others.
+  void write_nothing() { silent_ = true; }
 
  private:
   bool due() const;
@@ -72,7 +86,7 @@ class Keeper {
   std::optional<double> every_, minutes_;
   std::optional<Hook> table_;
   double next_ = 0;  // s
-  bool forced_ = false;
+  bool forced_ = false, silent_ = false;
   std::size_t written_ = static_cast<std::size_t>(-1);  // at that step
   std::chrono::steady_clock::time_point last_;
 };

@@ -185,6 +185,7 @@ void drive(Run& run, Drive call) {
   const bool over = under_way && is_over(run);
   call.from = run.analysis->steps().size();
   if (under_way && run.same_deck) call = run.from->under_way;
+  if (!under_way) run.session.run_records().finished.erase(run.number);
   check_parts(run);
   for (const auto& output : run.outputs) output->series->go_on();
   std::erase_if(run.failed, [&](const FailedCall& failed) { return failed.call == run.calls; });
@@ -207,6 +208,7 @@ void drive(Run& run, Drive call) {
   } catch (const std::exception& trouble) {
     note_failure(run, trouble);
     leave(run, trouble.what(), true, true);
+    if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) remember_end(run);
     throw;
   } catch (...) {  // an error of Lua's in a hook: what it says stays where Lua has it
     note_failure(run, Error("an error in a hook"));
@@ -216,6 +218,7 @@ void drive(Run& run, Drive call) {
   }
   const bool ended = a.stopped() || a.time() >= a.duration() * (1 - 1e-12);
   leave(run, a.stopped() ? "stopped: " + a.stop_reason() : ended ? "done" : "under way", ended, false);
+  if (ended) remember_end(run);
 }
 
 void go_back(Run& run, const std::shared_ptr<const analysis::Run::Snapshot>& snapshot) {
@@ -224,6 +227,7 @@ void go_back(Run& run, const std::shared_ptr<const analysis::Run::Snapshot>& sna
   const auto& gone = run.passed_snapshots;
   if (std::find(gone.begin(), gone.end(), snapshot) != gone.end())
     throw Error("this snapshot belongs to a part of the run that the restart passed over");
+  run.session.run_records().finished.erase(run.number);
   run.analysis->restore(*snapshot);
   for (const auto& checkpoint : run.checkpoints) checkpoint->force();
 }

@@ -70,6 +70,15 @@ files::Json steps_json(const analysis::Run& run) {
   return json;
 }
 
+files::Json beyond_json(const analysis::Run& run) {
+  const auto far = run.beyond();
+  if (!far) return {};
+  files::Json json = files::Json::object();
+  json.set("share", far->share).set("yarn", far->yarn).set("element", far->element + 1);
+  json.set("time", far->time).set("first", far->first);
+  return json.set("strain", far->strain).set("tested", far->tested);
+}
+
 files::Json program_json(const Options& options) {
   files::Json json = files::Json::object();
   json.set("program", "fabricsh").set("version", version()).set("build", build_kind());
@@ -91,8 +100,13 @@ std::string sample_run() {
 
 void push_run(lua_State* L, std::shared_ptr<Run> run) {
   const Run* address = run.get();
-  const auto& checkpoint = run->session.restart();
-  if (checkpoint && checkpoint->analysis == run->number) begin_from(*run, checkpoint);
+  if (const auto& checkpoint = run->session.restart()) {
+    const auto mine = part_of(checkpoint, run->number);
+    if (mine == checkpoint)
+      begin_from(*run, mine);
+    else if (mine)
+      begin_finished(*run, mine);
+  }
   push_object(L, std::move(run));
   lua_newtable(L);
   lua_setiuservalue(L, -2, 1);
@@ -131,7 +145,8 @@ void RunRecord::write(const analysis::Run& run, const std::string& status, doubl
   mine.set("number", number_).set("kind", run.kind()).set("card", model.card().name);
   mine.set("card_hash", hash_text(card_text(model.card()))).set("model", model.describe());
   mine.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
-  mine.set("steps", steps_json(run)).set("energy_error", run.energy().error).set("outputs", outputs_);
+  mine.set("steps", steps_json(run)).set("energy_error", run.energy().error);
+  mine.set("beyond", beyond_json(run)).set("outputs", outputs_);
   std::set<std::string> folders;
   for (const std::string& output : outputs_)
     folders.insert(std::filesystem::path(output).parent_path().string());

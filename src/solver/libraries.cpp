@@ -18,10 +18,12 @@ std::string dotted(int major, int minor, int patch) {
 std::string openblas() {
   const std::string words = openblas_get_config();
   const auto first = words.find(' ') + 1;
-  return words.substr(first, words.find(' ', first) - first) + " (" + openblas_get_corename() + ")";
+  return words.substr(first, words.find(' ', first) - first) + " (" + blas_kernels() + ")";
 }
 
 }  // namespace
+
+std::string blas_kernels() { return openblas_get_corename(); }
 
 std::vector<Library> libraries() {
   int found[3] = {0, 0, 0};

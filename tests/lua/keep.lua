@@ -169,6 +169,100 @@ code, got = run_program "--restart out/helped.ckpt -e 'x = 1'"
 assert(code == 1)
 says(got, "was written by analysis 1 of its deck; this one makes 0")
 
+-- --- a deck of several stages: those that are finished are taken as finished, and their outputs go on ---
+write("stages.lua", [[
+local fabric = require "fabric"
+local folder = arg[1]
+local function stage(name, stroke, steps)
+  local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+  local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+  m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(stroke, 1) })
+  local a = fabric.static { model = m, duration = 1, step = 1 / steps, max_cuts = 0 }
+  local seen = { n = 0 }
+  a:every("step", function(run)
+    seen.n = seen.n + 1
+    io.stdout:write(name, " ")
+    if name == "third" and run.time > 0.5 and arg[2] == "dies" then os.exit(9, false) end
+  end)
+  a:record(folder .. "/" .. name .. ".csv", { columns = { f = function(run) return select(2, run:reaction "top") end } })
+  a:vtk(folder .. "/" .. name, { every = 0.25 })
+  a:checkpoint(folder .. "/run.ckpt", { every = "step", keep = seen })
+  return a, seen
+end
+local first, one = stage("first", 0.004, 8)
+first:solve()
+local aside = stage("aside", 0.002, 4)
+aside:advance(0.5)
+local second, two = stage("second", first:node(7).uy, 8)
+second:set { max_iterations = 1 }
+local ok, e = pcall(second.solve, second)
+assert(not ok and e.kind == "numerical")
+second:set { max_iterations = 50 }
+second:solve()
+aside:solve()
+local third, three = stage("third", second:node(7).uy + aside:node(7).uy, 8)
+third:solve()
+print()
+print(one.n, two.n, three.n, third.time, first.energy.external, second.energy.external, third.energy.external, #second.steps)
+]])
+os.execute "rm -rf stages again; mkdir stages again"
+code, wanted = run_program "--quiet stages.lua stages lives"
+assert(code == 0, wanted)
+code = run_program "--quiet stages.lua again dies"
+assert(code == 9)
+code, got = run_program "--restart again/run.ckpt stages.lua again lives"
+assert(code == 0, got)
+says(got, "restart: analysis 1 is finished, from 'again/run.ckpt' at time 1 s")
+says(got, "restart: analysis 3 is finished, from 'again/run.ckpt' at time 1 s")
+assert(not got:find "first " and not got:find "aside " and not got:find "second " and select(2, got:gsub("third ", "")) < 6, got)
+assert(got:match "[^\n]*\n$" == wanted:match "[^\n]*\n$", got .. wanted)
+for _, name in ipairs { "first", "aside", "second", "third" } do
+  same_files("stages", "again", { name .. ".csv", name .. ".pvd", name .. "_00000.vtu", name .. "_00004.vtu" })
+end
+-- ... restarted from the end of all, nothing is computed; a stage that has become another is done anew
+code, got = run_program "--restart again/run.ckpt stages.lua again lives"
+assert(code == 0 and not got:find "third " and got:match "[^\n]*\n$" == wanted:match "[^\n]*\n$", got)
+write("changed.lua", (text_of "stages.lua":gsub('stage%("first", 0.004, 8%)', 'stage("first", 0.0041, 8)')))
+code, got = run_program "--restart again/run.ckpt changed.lua again lives"
+says(got, "restart: analysis 1 is done anew: it differs from the finished one in 'again/run.ckpt' in the motions")
+assert(select(2, got:gsub("first ", "")) == 9, got)
+
+-- --- frames: one that is not as it was written is refused, one that was deleted is told and passed over ---
+os.execute "rm -rf part; mkdir part"
+outputs(make(), "part", {}):advance(0.73)
+local frame = text_of "part/pull_00002.vtu"
+local function goes_on()
+  local run = make():restart "part/run.ckpt"
+  return outputs(run, "part", {})
+end
+for _, damaged in ipairs { "", frame:sub(1, -2), frame:sub(1, 300) .. "x" .. frame:sub(302) } do
+  write("part/pull_00002.vtu", damaged)
+  says(fails(goes_on), ("its frame 'part/pull_00002.vtu' is not as it was written (%d bytes, %d were written)"):format(#damaged, #frame))
+end
+write("part/pull_00002.vtu", frame)
+write("gone.lua", [[
+local fabric = require "fabric"
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.018, 1) })
+local a = fabric.static { model = m, duration = 1, step = 0.05 }
+a:vtk("gone/pull", { every = 0.2 })
+a:checkpoint("gone/run.ckpt", { every = 0.3 })
+if arg[1] then a:advance(0.73) else a:solve() end
+]])
+os.execute "rm -rf gone; mkdir gone"
+assert(run_program "--quiet gone.lua half" == 0)
+assert(os.remove "gone/pull_00002.vtu")
+code, got = run_program "--restart gone/run.ckpt gone.lua"
+assert(code == 0, got)
+says(got, "warning: restart: 'gone/pull_00002.vtu' is gone, the series goes on without it")
+local index = text_of "gone/pull.pvd"
+for i, there in pairs { [0] = true, true, false, true, true, true } do
+  local name = ("pull_%05d.vtu"):format(i)
+  assert((index:find(name, 1, true) ~= nil) == there, index)
+  assert((io.open("gone/" .. name) ~= nil) == there, name)
+end
+
 -- --- run.json speaks of all runs in its folder ---
 local json = text_of "out/run.json"
 assert(select(2, json:gsub('"number": ', "")) == 1 and json:find('"status": "done"', 1, true))

@@ -133,7 +133,7 @@ wrong("model:velocity", "model:velocity()",
 wrong("model:velocity", "model:velocity(7)",
   "deck.lua:1: velocity: argument 'set': expected a string, got 7")
 wrong("model:velocity", "model:velocity('top', 5)",
-  "deck.lua:1: velocity: argument 'velocity': expected a table {x, y, z, spin, centre}, got 5")
+  "deck.lua:1: velocity: argument 'velocity': expected a table {x, y, z, spin, centre} or a function, got 5")
 wrong("model:velocity", "model:velocity('top', { x='1' })",
   "deck.lua:1: velocity: field 'velocity.x': expected a number in m/s, got '1'")
 wrong("model:velocity", "model:velocity('top', { spin={1, 'two'} })",

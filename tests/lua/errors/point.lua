@@ -43,7 +43,21 @@ wrong("point:path", "point:path(5)",
 
 -- point:strain
 wrong("point:strain", "point:strain{ E11='1' }",
-  "deck.lua:1: strain: field 'E11': expected a number, got '1'")
+  "deck.lua:1: strain: field 'E11': expected a number above -0.5, got '1'")
+
+-- strains that no deformation has
+wrong("point:strain", "point:strain{ E11=-0.6 }",
+  "deck.lua:1: strain: field 'E11': expected a number above -0.5, got -0.6")
+wrong("point:strain", "point:strain{ E22=-0.5 }",
+  "deck.lua:1: strain: field 'E22': expected a number above -0.5, got -0.5")
+wrong("point:strain", "point:strain{ E11=0.1, E12=0.6 }",
+  "deck.lua:1: strain: there is no such strain: E11 = 0.1, E22 = 0, E12 = 0.6 would make a length zero or less; expected E11 and E22 above -0.5 and (2 E12)^2 below (1 + 2 E11) (1 + 2 E22)")
+wrong("point:path", "point:path{ {0.1, 0, 0}, {0, -0.7, 0} }",
+  "deck.lua:1: path: argument 'strains.2': there is no such strain: E11 = 0, E22 = -0.7, E12 = 0 would make a length zero or less; expected E11 and E22 above -0.5 and (2 E12)^2 below (1 + 2 E11) (1 + 2 E22)")
+wrong("point:biaxial", "point:biaxial(-7, {0.1})",
+  "deck.lua:1: biaxial: there is no such strain: E11 = 0.1, E22 = -0.7000000000000001, E12 = 0 would make a length zero or less; expected E11 and E22 above -0.5 and (2 E12)^2 below (1 + 2 E11) (1 + 2 E22)")
+wrong("point:uniaxial", "point:uniaxial('warp', -0.5)",
+  "deck.lua:1: uniaxial: argument 'E': expected a number above -0.5 or a table of numbers above -0.5, got -0.5")
 
 -- point:uniaxial
 wrong("point:uniaxial", "point:uniaxial()",
@@ -51,7 +65,7 @@ wrong("point:uniaxial", "point:uniaxial()",
 wrong("point:uniaxial", "point:uniaxial('wapr')",
   "deck.lua:1: uniaxial: argument 'direction': expected a number in degrees from the warp or 'warp' or 'weft', got 'wapr', did you mean 'warp'?")
 wrong("point:uniaxial", "point:uniaxial(0.01, '1')",
-  "deck.lua:1: uniaxial: argument 'E': expected a number or a table of numbers, got '1'")
+  "deck.lua:1: uniaxial: argument 'E': expected a number above -0.5 or a table of numbers above -0.5, got '1'")
 wrong("point:uniaxial", "point:uniaxial(0.01, 0.01, 5)",
   "deck.lua:1: uniaxial: argument 'columns': expected a table, got 5")
 

@@ -1,0 +1,234 @@
+-- What a run says of itself, once each: strain beyond what was tested, loads that jump, bending that no cloth has,
+-- velocities that are dropped, motions in a wrong unit, supports that leave a mechanism.
+local fabric = require "fabric"
+
+local function text_of(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read "a"
+  file:close()
+  return text
+end
+local function has(text, part) assert(text:find(part, 1, true), text .. "\nis without: " .. part) end
+local function count(text, part)
+  local n, at = 0, 1
+  while true do
+    local from, to = text:find(part, at, true)
+    if not from then return n end
+    n, at = n + 1, to + 1
+  end
+end
+local function times(text, part, wanted)
+  assert(count(text, part) == wanted, ("%s\nhas %d times, not %d: %s"):format(text, count(text, part), wanted, part))
+end
+local function near(got, wanted, tolerance)
+  assert(math.abs(got - wanted) <= (tolerance or 1e-12) * math.abs(wanted), ("%.17g, wanted %.17g"):format(got, wanted))
+end
+-- What the program says of a deck; its exit code.
+local head = [[
+local fabric = require "fabric"
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local function sheet(card) return fabric.model { mesh = mesh, card = card or fabric.card "denim", warp = 90 } end
+local function strip(card, top) return sheet(card):fix("all", "x z rotation"):fix("bottom", "y"):move("top", { y = top }) end
+]]
+local function talk_of(name, deck, words)
+  local file = assert(io.open(name .. ".lua", "w"))
+  file:write(head .. deck)
+  file:close()
+  local pipe = assert(io.popen(("'%s' %s %s.lua 2>&1"):format(arg[-1], words or "--quiet", name)))
+  local talk = pipe:read "a"
+  local _, _, code = pipe:close()
+  return talk, code
+end
+os.execute "rm -rf out; mkdir out"
+
+-- --- beyond the tested strain: a strip that cannot narrow is strained alike everywhere, E11 = u/L + (u/L)^2/2 ---
+local mesh = fabric.mesh.rectangle { width = 0.0254, height = 0.0762, nx = 1, ny = 3 }
+local function sheet(card) return fabric.model { mesh = mesh, card = card or fabric.card "denim", warp = 90 } end
+local function strip(card, top) return sheet(card):fix("all", "x z rotation"):fix("bottom", "y"):move("top", { y = top }) end
+local function strain(u) return u / 0.0762 + (u / 0.0762) ^ 2 / 2 end
+local tested = fabric.card "denim".tested.warp
+local there_and_back = fabric.history { { 0, 0 }, { 0.5, 0.03 }, { 1, 0.01 } }
+local a = fabric.static { model = strip(nil, there_and_back), duration = 1, step = 0.05 }
+a:advance(0.3)
+assert(a.beyond == nil)
+a:solve()
+local b = a.beyond
+assert(b.yarn == "warp" and math.type(b.element) == "integer" and b.element >= 1 and b.element <= 3)
+near(b.share, strain(0.03) / tested, 1e-9)
+near(b.strain, strain(0.03), 1e-9)
+assert(b.tested == tested and math.abs(b.time - 0.5) < 1e-12)
+near(b.first, 0.35) -- 0.021 m; 0.3 s has 0.018
+-- ... what a test of a strip has between its grips is not told, but known
+local slightly = fabric.card "denim":with { tested = { warp = strain(0.01) / 1.005 } }
+a = fabric.static { model = strip(slightly, fabric.ramp(0.01, 1)), duration = 1 }:solve()
+near(a.beyond.share, 1.005, 1e-9)
+times(talk_of("slightly", ([[
+local a = fabric.static { model = strip(fabric.card "denim":with { tested = { warp = %.17g } }, fabric.ramp(0.01, 1)), duration = 1 }:solve()
+assert(a.beyond)]]):format(strain(0.01) / 1.005)), "is strained to", 0)
+-- ... a card that does not say what it was tested to is beyond nothing
+assert(fabric.static { model = strip(fabric.svk { young = 1e7, poisson = 0.3, density = 500, thickness = 5e-4 }, there_and_back), duration = 1 }:solve().beyond == nil)
+local silent = fabric.card "denim":with { tested = { warp = 0, weft = 0, shear = 0 } }
+assert(fabric.static { model = strip(silent, there_and_back), duration = 1 }:solve().beyond == nil)
+
+-- ... sheared to and fro: the largest of either side counts, and stays when the branch is left behind
+local square = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 1, ny = 1 }
+local function sheared(card, top)
+  return fabric.model { mesh = square, card = card, warp = 90 }:fix("all", "y z"):fix("bottom", "x"):move("top", { x = top })
+end
+local soft = fabric.card "denim":with { tested = { shear = 0.1 } }
+for _, law in ipairs { "potential", "thesis" } do
+  local card = soft:with { law = law }
+  a = fabric.static { model = sheared(card, fabric.history { { 0, 0 }, { 0.3, 0.025 }, { 0.8, -0.03 }, { 1, 0 } }), duration = 1, step = 0.05 }:solve()
+  b = a.beyond
+  assert(b.yarn == "shear", law)
+  near(b.strain, 0.15, 1e-9) -- half the angle's tangent
+  near(b.share, 1.5, 1e-9)
+  near(b.time, 0.8)
+  near(b.first, 0.25) -- the first step with more than 0.2
+end
+-- ... plies: each has its own limit
+local layered = fabric.model { mesh = mesh, warp = 90, layers = { { card = fabric.card "denim" }, { card = fabric.card "denim":with { tested = { warp = 0.1 } } } } }
+a = fabric.static { model = layered:fix("all", "x z rotation"):fix("bottom", "y"):move("top", { y = fabric.ramp(0.01, 1) }), duration = 1 }:solve()
+near(a.beyond.share, strain(0.01) / 0.1, 1e-9)
+assert(a.beyond.tested == 0.1)
+
+-- ... in explicit motion no step is missed: against all elements after each step
+local pulled = fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.2, nx = 2, ny = 20 }, card = fabric.card "blend":with { tested = { warp = 0.02 } }, warp = 90 }
+pulled:fix("all", "x z rotation"):fix("bottom", "y"):velocity("all", function(x, y) return { y = 20 * y } end)
+a = fabric.dynamic { model = pulled, duration = 0.003 }
+local most, first = 0, nil
+a:every("step", function(run)
+  local E11 = math.max(table.unpack(run:field "E11"))
+  if E11 > 0.02 then first = first or run.time end
+  most = math.max(most, E11)
+end)
+a:solve()
+assert(most > 0.02 and a.beyond.share >= most / 0.02 * (1 - 1e-12) and a.beyond.share < 1.1 * most / 0.02)
+assert(a.beyond.first <= first)
+
+-- ... said once, in run.json, in why(), and over a restart
+local deck = [[
+local a = fabric.static { model = strip(nil, fabric.ramp(0.04, 1)), duration = 1, step = 0.05 }
+a:record("out/pull.csv", { columns = { f = function(run) return select(2, run:reaction "top") end } })
+a:checkpoint("out/run.ckpt", { every = "step" })
+if arg[1] then a:advance(0.7) else a:solve() end
+print(("%.17g %.17g %.17g"):format(a.beyond.share, a.beyond.time, a.beyond.first))
+]]
+local said = "is strained to E11 = "
+local whole, code = talk_of("whole", deck)
+assert(code == 0, whole)
+times(whole, said, 1)
+has(whole, "warning: static: at time 0.55 s the warp of element ")
+has(whole, ", the card was tested to " .. ("%.6g"):format(tested) .. ", about (")
+local json = text_of "out/run.json"
+has(json, '"beyond": {')
+has(json, '"yarn": "warp"')
+near(tonumber(json:match '"first": ([%d.]+)'), 0.55)
+local pipe = io.popen(("'%s' --quiet whole.lua half 2>&1"):format(arg[-1]))
+times(pipe:read "a", said, 1)
+pipe:close()
+local again = talk_of("whole", deck, "--quiet --restart out/run.ckpt")
+times(again, said, 0)
+assert(again:match "[^\n]*\n$" == whole:match "[^\n]*\n$", again .. whole)
+local clamped = sheet():fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.03, 1) })
+a = fabric.static { model = clamped, duration = 1, step = 0.1, max_cuts = 0 }:advance(0.8):set { max_iterations = 1 }
+assert(not pcall(a.solve, a))
+has(a:why(), "\nbeyond     the warp of element ")
+has(a:why(), " times as far, at 0.8 s")
+talk_of("inside", [[
+local a = fabric.static { model = strip(nil, fabric.ramp(0.001, 1)), duration = 1 }
+a:record("out/inside.csv", { columns = { f = function(run) return 0 end } }):solve()]])
+has(text_of "out/run.json", '"beyond": null')
+
+-- --- loads that are there whole at time 0 ---
+local function loaded(load, options)
+  local talk, exit = talk_of("loaded", ([[
+local m = sheet():fix("all", "z rotation"):fix("bottom", "x y")
+%s
+fabric.static { model = m, duration = 2, step = 0.5 %s }:solve()]]):format(load, options or ""))
+  assert(exit == 0, talk)
+  return talk
+end
+local jump = " there whole at time 0 and applied in the first step; fabric.ramp("
+local talk = loaded "m:gravity { 0, -9.81, 0 }"
+has(talk, "warning: static: gravity (y = -9.81 m/s^2) is" .. jump .. "-9.81, 2) in place of -9.81 brings it up step by step")
+times(talk, jump, 1)
+talk = loaded 'm:force("top", { y = 0.5 }):traction("top", { y = function(t) return t > 0 and 3 or 0 end })'
+has(talk, "the force on 'top' (y = 0.5 N) and the traction on 'top' (y = 3 N/m^2 or N/m) are" .. jump .. "0.5, 2)")
+times(loaded "m:gravity { 0, fabric.ramp(-9.81, 1), 0 }", jump, 0)
+times(loaded 'm:force("top", { y = function(t) return t * t end })', jump, 0)
+-- ... one step is the whole run: a ramp would change nothing
+times(talk_of("one", [[
+local m = sheet():fix("all", "z rotation"):fix("bottom", "x y"):gravity { 0, -9.81, 0 }
+fabric.static { model = m, duration = 1, step = 1 }:solve()]]), jump, 0)
+
+-- --- bending: where the sheet can leave its plane, once for a card ---
+local odd = "bending.warp: thickness integration implies"
+times(talk_of("flat", [[
+fabric.static { model = strip(nil, fabric.ramp(0.001, 1)), duration = 1 }:solve()]]), odd, 0)
+talk = talk_of("bends", [[
+for i = 1, 3 do
+  local m = sheet():fix("bottom", "x y z rotation"):move("top", { y = fabric.ramp(0.001, 1) }):fix("top", "x z")
+  fabric.static { model = m, duration = 1 }:solve()
+  sheet(fabric.card "duck":with { density = 300 + i }):fix("bottom", "x y z")
+end]])
+times(talk, odd, 1)
+has(talk, "warning: card 'denim': " .. odd)
+has(talk, "; bending.weft: ")
+
+-- --- velocities: a function of place; what is dropped is said once ---
+local m = sheet():velocity("all", function(x, y, z) return { x = 2 * y, z = x * y, spin = { 0, 0, 90 }, centre = { x, y, z } } end)
+m:fix("bottom", "x y z")
+a = fabric.dynamic { model = m, duration = 1e-7 }:step()
+for i = 3, #mesh.nodes do
+  local n = a:node(i)
+  near(n.vx, 2 * n.Y, 1e-3)
+  assert(math.abs(n.vz - n.X * n.Y) < 1e-5)
+end
+for given, message in pairs {
+  ["function() return 5 end"] = "velocity 'all': what the function returned at (0, 0, 0) m: expected a table {x, y, z, spin, centre}, got 5",
+  ["function() return { x = 'a' } end"] = "velocity 'all': what the function returned at (0, 0, 0) m: field 'x': expected a number in m/s, got 'a'",
+  ["function() return { vx = 1 } end"] = "velocity 'all': what the function returned at (0, 0, 0) m: unknown field 'vx'",
+} do
+  local words, exit = talk_of("velocity", ("fabric.dynamic { model = sheet():velocity('all', %s), duration = 1e-6 }:solve()"):format(given))
+  assert(exit == 1, words)
+  has(words, message)
+end
+talk = talk_of("dropped", [[
+local m = sheet():fix("bottom", "x z"):fix("left", "z")
+m:velocity("all", { z = 1 }):velocity("bottom", { x = 1, z = 1 })
+fabric.dynamic { model = m, duration = 1e-6 }:solve()]])
+times(talk, "dropped", 1)
+has(talk, "dynamic: the velocities of sets 'all' and 'bottom' are dropped along x z at 5 of their nodes, which are fixed or moved there")
+
+-- --- a motion of 20 m on a strip of 76 mm ---
+talk = talk_of("far", [[
+strip(nil, 20)
+strip(nil, fabric.ramp(0.5, 1))
+]])
+has(talk, "warning: far.lua:4: move 'top': field 'y': 20 m is 248.9982 times the size of the mesh (0.0803")
+times(talk, "is it in m?", 1)
+
+-- --- a sheet hung by a free hinge: statics cannot swing it down, why() says so, and what it says helps ---
+local function hung(options, help)
+  local sail = fabric.mesh.rectangle { width = 0.2, height = 0.1, nx = 4, ny = 2 }
+  local model = fabric.model { mesh = sail, card = fabric.card "denim" }
+  model:fix("top", "x y z"):gravity { 0, 0, fabric.ramp(-9.81, 1) }
+  if help then help(model) end
+  options.model, options.duration = model, 1
+  return fabric.static(options)
+end
+a = hung {}
+local ok, e = pcall(a.solve, a)
+assert(not ok and e.kind == "numerical")
+has(e.why, "the supports leave the sheet free to turn about the line through (0.1, 0.1, 0) m along (")
+has(e.why, ", and the loads drive it")
+has(tostring(e), "Try: motion, fabric.dynamic with damping, or a support that takes it away (a small one is m:spring(")
+local axis, stiffness = e.why:match 'm:spring%("all", { ([xyz])=([%d.e+-]+) }%)'
+assert(axis == "z")
+a = hung({}, function(model) model:spring("all", { [axis] = tonumber(stiffness) }) end):solve()
+assert(a.time == 1 and a:node(1).z < -0.09) -- it hangs
+-- ... a strip held well names none
+local held = sheet():fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.03, 1) })
+a = fabric.static { model = held, duration = 1, step = 1, max_cuts = 0, max_iterations = 1 }
+assert(not pcall(a.solve, a) and not a:why():find "free to")
