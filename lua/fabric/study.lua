@@ -110,7 +110,7 @@ end
 local function words_of(trouble)
   local kind = type(trouble)
   local own = kind == "table" and getmetatable(trouble)
-  if kind ~= "table" and kind ~= "function" and kind ~= "thread" or type(own) == "table" and own.__tostring then return tostring(trouble) end
+  if kind ~= "table" and kind ~= "function" and kind ~= "thread" or kind == "table" and own == false or type(own) == "table" and own.__tostring then return tostring(trouble) end
   if kind ~= "table" then return "an error that is a " .. kind end
   local fields = {}
   for key, value in next, trouble do

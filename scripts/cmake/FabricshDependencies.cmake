@@ -6,6 +6,10 @@ find_package(ZLIB REQUIRED)
 
 # Lua built as C++, so that an error raised in a binding unwinds C++ frames and runs destructors.
 pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)
+set(FABRICSH_LUA "" CACHE FILEPATH "A static Lua library in place of the installed one (scripts/lua_checked)")
+if(FABRICSH_LUA)
+  set_property(TARGET PkgConfig::LUA PROPERTY INTERFACE_LINK_LIBRARIES ${FABRICSH_LUA} ${CMAKE_DL_LIBS} m)
+endif()
 pkg_check_modules(EDIT REQUIRED IMPORTED_TARGET libedit)
 
 include(FabricshLibraries)

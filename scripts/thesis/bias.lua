@@ -98,6 +98,7 @@ return function(figure, name, folder)
   local rules = chapter.try(fabric.lab.bias, chapter.patient { card = chapter.rules(card) }) or at_point(chapter.rules(card), free.curve)
   chapter.row("runs to 20 mm and back, free and clamped", nil, free.analysis.stopped and unloaded.analysis.stopped and "both" or "no")
   tables(card, free, clamped, rules)
+  if fabric.checking() then return end -- what follows needs what was computed
   implied(card, name, rules, free, clamped)
   local found = chapter.mesh_rows("clamped, 20 mm", fabric.lab.bias { card = card, grips = "clamped", unload = false, steps = 20 }, { "S", "E12_centre", "S_centre" })
   chapter.mesh_rows("free, 20 mm", fabric.lab.bias { card = card, unload = false, steps = 20 }, { "S", "E12_centre" })

@@ -15,6 +15,7 @@ local test = assert(chapter.square(card, path, { out = chapter.folder }))
 local rules = chapter.square_by_rules(card, test)
 local function at(run, time, name) return chapter.value_at(run, time, name or "S12") end
 local function Pg(gamma) return chapter.P(card.shear, gamma / 2) end
+if fabric.checking() then return end -- what follows needs what was computed
 for i, E12 in ipairs { 0.20, 0.19, 0.25 } do
   chapter.row(("S12 at E12 = %g, MPa"):format(E12), nil, at(test, i) / MPa, at(rules, i) / MPa)
 end

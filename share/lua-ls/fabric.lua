@@ -123,7 +123,7 @@ function analysis:mean(name, set) end
 ---@return table<string, any>
 function analysis:node(number) end
 
----Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global.
+---Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global; zero before the first step.
 ---@param set string name of a node set
 ---@return number x, number y, number z
 function analysis:reaction(set) end

@@ -27,6 +27,7 @@ void check_options(const DynamicOptions& o) {
   const bool is_explicit = o.scheme == Scheme::explicit_steps;
   if (o.step && !(*o.step > 0 && std::isfinite(*o.step)))
     refuse("step", "a positive time in s or \"auto\"", *o.step);
+  if (o.step) check_step("dynamic", *o.step, o.duration);
   if (!(o.gamma >= 0.5) || o.gamma > 1) refuse("gamma", "a number from 0.5 to 1", o.gamma);
   if (is_explicit && o.beta.value_or(0) != 0) refuse("beta", "0 (scheme=\"explicit\")", *o.beta);
   if (!is_explicit && o.beta && !(*o.beta >= 0.25 * (0.5 + o.gamma) * (0.5 + o.gamma) * (1 - 1e-12)))

@@ -27,13 +27,25 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       mass_(assembly_->lumped_mass(scaled_)) {
   // Damping of the masses takes nothing from the stable step; of the stiffness, whose velocity lags half a
   // step, sqrt(1 + xi^2) - xi with xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
-  const double xi = options_.stiffness_damping / stable_;
+  const double xi = options_.stiffness_damping / stable_, undamped = stable_;
   stable_ *= std::sqrt(1 + xi * xi) - xi;
+  check_stable_step(undamped);
   choose_step();
   const auto n = mass_.size();
   for (std::size_t i = 0; i < n; ++i)
     farthest_.push_back(assembly_->turns(static_cast<assembly::Index>(i)) ? std::numbers::pi / 2 : smallest_);
   for (auto* v : {&motion_.v, &motion_.a, &trial_.v, &trial_.a, &increment_, &residual_}) v->assign(n, 0);
+}
+
+void Explicit::check_stable_step(double undamped) const {
+  if ((options_.step && options_.force) || duration_ / (kUsual * stable_) <= most_steps) return;
+  const bool damped = duration_ / (kUsual * undamped) <= most_steps;
+  throw Error("dynamic: field '" + std::string(damped ? "damping.stiffness" : "duration") + "': " +
+              (damped ? number(options_.stiffness_damping) + " s brings the stable step from " +
+                            number(undamped) + " s to " + number(stable_) + " s, with which "
+                      : "the stable step of this mesh and card is " + number(stable_) + " s, with which ") +
+              number(duration_) + " s would take more than " + number(most_steps) + " steps: expected less " +
+              (damped ? "damping" : "time") + ", or scheme=\"implicit\"");
 }
 
 void Explicit::choose_step() {

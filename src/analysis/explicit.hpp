@@ -22,11 +22,13 @@ class Explicit final : public Dynamic {
   void set_motion(const assembly::NodalRates& rates) override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
+  double largest_step() const override { return now_.step; }
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   double kinetic() const override;
   void memory(Archive& archive) override;
 
+  void check_stable_step(double undamped) const;  // s, without stiffness damping
   void choose_step();
   void split();  // where the sheet's stretch has brought the stable step below the one in use
   mesh::Index fastest_node() const;  // -1: none moves

@@ -30,6 +30,7 @@ class Implicit final : public Dynamic {
   void set_motion(const assembly::NodalRates& rates) override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
+  double largest_step() const override { return control_.largest(); }
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   double kinetic() const override;

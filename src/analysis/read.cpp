@@ -83,7 +83,9 @@ double element_value(const ElementValues& v, const std::string& name) {
 
 Vec3 Run::reaction(const std::string& set) const {
   Vec3 sum = Vec3::Zero();
-  for (const auto n : model_->mesh().set(set)) sum += assembly_->support_force(n, dead_) + inertia(n);
+  const auto& nodes = model_->mesh().set(set);
+  if (dead_.empty()) return sum;  // the run has not begun: no force has been computed
+  for (const auto n : nodes) sum += assembly_->support_force(n, dead_) + inertia(n);
   return sum;
 }
 

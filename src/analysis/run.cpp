@@ -26,6 +26,12 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
 
 Run::~Run() = default;
 
+void Run::check_interval(double interval) const {
+  if (!(duration_ / interval <= most_steps))
+    throw Error("every: expected at least " + number(duration_ / most_steps) + " s (" + number(most_steps) +
+                " calls in the duration of " + number(duration_) + " s), got " + number(interval) + " s");
+}
+
 std::size_t Run::every_step(Hook hook, AfterError after) {
   timed_.push_back({0, std::move(hook), after});
   take_up(timed_.back(), timed_.size() - 1);
@@ -35,6 +41,7 @@ std::size_t Run::every_step(Hook hook, AfterError after) {
 void Run::reschedule(std::size_t hook, double interval) {
   Timed& timed = timed_.at(hook);
   if (timed.interval == interval) return;
+  if (interval > 0) check_interval(interval);
   timed.interval = interval;
   timed.count = 1;
   if (interval > 0) timed.count += static_cast<std::int64_t>(std::floor(time() / interval + 1e-9));
@@ -43,6 +50,7 @@ void Run::reschedule(std::size_t hook, double interval) {
 std::size_t Run::every(double interval, Hook hook, AfterError after) {
   if (!(interval > 0) || !std::isfinite(interval))
     throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
+  check_interval(interval);
   timed_.push_back({interval, std::move(hook), after});
   take_up(timed_.back(), timed_.size() - 1);
   return timed_.size() - 1;
@@ -78,6 +86,10 @@ void Run::advance(double to) {
   if (to < time() - same_time * duration_)
     throw Error("advance: expected a time from " + number(time()) + " s, where the run is, got " +
                 number(to) + " s (restore(snapshot) goes back)");
+  if (!((to - time()) / largest_step() <= most_steps))
+    throw Error("advance: expected a time up to " + number(time() + most_steps * largest_step()) + " s (" +
+                number(most_steps) + " steps of " + number(largest_step()) + " s from here), got " +
+                number(to) + " s");
   const Busy busy(*this, "advance");
   stopped_ = false;
   stop_reason_.clear();

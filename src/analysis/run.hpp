@@ -19,6 +19,7 @@
 namespace fabricsh::analysis {
 
 inline constexpr double same_time = 1e-12;  // of the duration: two times this close are one
+inline constexpr double most_steps = 1e10;  // a run of more would not end: it is refused before it begins
 
 class Run {
  public:
@@ -57,9 +58,10 @@ class Run {
 
   double time() const { return trial_time_; }
   double duration() const { return duration_; }
-  Vec3 reaction(const std::string& set) const;  // N, global: the force the supports exert on the cloth
-  NodeValues node(mesh::Index i) const;         // from 0; Error outside
-  ElementValues element(mesh::Index i) const;   // from 0; Error outside
+  // N, global: the force the supports exert on the cloth; zero before the run has begun.
+  Vec3 reaction(const std::string& set) const;
+  NodeValues node(mesh::Index i) const;        // from 0; Error outside
+  ElementValues element(mesh::Index i) const;  // from 0; Error outside
   double mean(const std::string& name, const std::string& set = "all") const;
   std::vector<double> field(const std::string& name) const;  // one per element
   const std::vector<ElementValues>& elements() const;        // of the current state, computed once per state
@@ -113,6 +115,7 @@ class Run {
   // NumericalFailure when stuck.
   virtual double try_step(double limit, StepReport& report) = 0;
   virtual bool attempt(double size, StepReport& report) = 0;  // one try of that size from the committed state
+  virtual double largest_step() const = 0;                    // s
   virtual double no_size() const = 0;                         // of a step that goes nowhere
   virtual double tried_size(double size) const { return size; }  // what the last attempt made of it
   virtual void commit(StepReport& report) = 0;                   // the trial state; adds the external work
@@ -187,6 +190,7 @@ class Run {
    private:
     Run& run_;
   };
+  void check_interval(double interval) const;
   void start();
   void advance_to(double limit);  // one committed step towards the limit
   void watch_strain();            // of the committed state: the farthest beyond what was tested, said once

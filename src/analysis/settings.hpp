@@ -1,6 +1,9 @@
 // The settings that may change while a run is under way: those that static runs and runs in motion share.
 #pragma once
+#include "analysis/number.hpp"
+#include "analysis/run.hpp"
 #include "base/archive.hpp"
+#include "base/error.hpp"
 
 namespace fabricsh::analysis {
 
@@ -24,6 +27,14 @@ void keep_settings(Archive& archive, const Options& given, Options& now) {
   keep_setting(archive, given.max_iterations, now.max_iterations);
   keep_setting(archive, given.max_cuts, now.max_cuts);
   keep_setting(archive, given.step, now.step);
+}
+
+// Error: a step with which the run would not end.
+inline void check_step(const char* call, double step, double duration) {
+  if (!(duration / step <= most_steps))
+    throw Error(std::string(call) + ": field 'step': expected at least " + number(duration / most_steps) +
+                " s (" + number(most_steps) + " steps to the duration of " + number(duration) + " s), got " +
+                number(step) + " s");
 }
 
 // The options with what is wanted otherwise.

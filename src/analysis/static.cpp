@@ -17,6 +17,7 @@ namespace {
 void check_options(const StaticOptions& o) {
   if (o.step && !(*o.step > 0))
     throw Error("static: field 'step': expected a positive time in s, got " + number(*o.step));
+  if (o.step) check_step("static", *o.step, o.duration);
   if (!(o.tolerance > 0) || !(o.tolerance < 1))
     throw Error("static: field 'tolerance': expected a number between 0 and 1, got " + number(o.tolerance));
   if (o.max_iterations < 1) throw Error("static: field 'max_iterations': expected 1 or more");

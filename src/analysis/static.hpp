@@ -58,6 +58,7 @@ class Static final : public Run {
   void begin() override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
+  double largest_step() const override { return options_.step.value_or(options_.duration / 20); }
   double no_size() const override;
   double tried_size(double size) const override;
   void commit(StepReport& report) override;

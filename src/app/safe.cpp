@@ -1,7 +1,9 @@
 #include "app/safe.hpp"
 
+#include <pwd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -19,11 +21,30 @@ namespace {
 // Holds this process' number once its wall stands; a program that is started anew keeps its number.
 constexpr const char* mark = "FABRICSH_WALL";
 
-// The home folder or the root of the disk, which hold everything.
+// HOME, and what the system has as the home folder, whatever HOME says.
+std::vector<fs::path> homes() {
+  std::vector<fs::path> folders;
+  const auto add = [&folders](const char* path) {
+    if (path != nullptr && *path == '/') folders.push_back(fs::weakly_canonical(path));
+  };
+  add(std::getenv("HOME"));
+  const passwd* user = getpwuid(getuid());
+  if (user != nullptr) add(user->pw_dir);
+  return folders;
+}
+
+// Is `inner` the folder or below it? Both are canonical.
+bool holds(const fs::path& folder, const fs::path& inner) {
+  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), inner.begin(), inner.end());
+  return end == folder.end();
+}
+
+// The home folder, one that it lies in, or the root of the disk. A home that is the root of the disk or a
+// place where nothing is (of an account of a service) holds nothing of anybody's.
 bool holds_everything(const fs::path& folder) {
-  const char* home = std::getenv("HOME");
-  return folder == folder.root_path() ||
-         (home != nullptr && *home != '\0' && folder == fs::weakly_canonical(home));
+  if (folder == folder.root_path()) return true;
+  const auto all = homes();
+  return std::any_of(all.begin(), all.end(), [&](const fs::path& home) { return holds(folder, home); });
 }
 
 // The deck's own folder.

@@ -50,6 +50,11 @@ void push_numbers(lua_State* L, const std::vector<double>& values);
 void push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
 void set_number(lua_State* L, const char* name, double value);
 void set_text(lua_State* L, const char* name, const std::string& value);
+// Gives the result table on top of the stack a closed metatable with a __tostring; one per name. The deck may
+// change the table, so the function trusts none of its entries.
+void set_text_of(lua_State* L, const char* name, lua_CFunction text);
+// The entry `name` of the table at index if that is a text, else empty; no metamethod is called.
+std::string raw_text(lua_State* L, int index, const char* name);
 // Sets a metamethod of a class; f runs unprotected and must not throw.
 void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f);
 

@@ -47,6 +47,7 @@ int stop(Call& call) {
 // --- hooks ---
 
 void run_hook(const Hook& hook) {
+  const Free free = hook.free();
   lua_State* L = hook.push();
   lua_call(L, 1, 0);
 }
@@ -63,6 +64,7 @@ int every(Call& call) {
 }
 
 double event_value(const Hook& hook) {
+  const Still still = hook.still();
   lua_State* L = hook.push();
   lua_call(L, 1, 1);
   if (lua_type(L, -1) != LUA_TNUMBER)
@@ -317,7 +319,9 @@ std::vector<Entry> reading() {
       {"analysis:reaction",
        Style::positional,
        {value_("set", text, "name of a node set")},
-       "Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global.",
+       "Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global; "
+       "zero "
+       "before the first step.",
        run + "local x, y = a:solve():reaction 'top'\nassert(y > 0)",
        reaction},
       {"analysis:node",

@@ -9,6 +9,7 @@ namespace fabricsh::script {
 namespace {
 
 int report_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
   lua_getfield(L, 1, "text");
   return 1;
 }
@@ -66,11 +67,7 @@ int check(Call& call) {
   lua_setfield(L, -2, "items");
   push_criterion(L, *call.self<card::Card>(), report.ok());
   lua_setfield(L, -2, "criterion");
-  if (luaL_newmetatable(L, "fabricsh.check") != 0) {
-    lua_pushcfunction(L, report_text);
-    lua_setfield(L, -2, "__tostring");
-  }
-  lua_setmetatable(L, -2);
+  set_text_of(L, "fabricsh.check", report_text);
   return 1;
 }
 

@@ -32,6 +32,25 @@ void set_text(lua_State* L, const char* name, const std::string& value) {
   lua_setfield(L, -2, name);
 }
 
+void set_text_of(lua_State* L, const char* name, lua_CFunction text) {
+  if (luaL_newmetatable(L, name) != 0) {
+    lua_pushcfunction(L, text);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+  }
+  lua_setmetatable(L, -2);
+}
+
+std::string raw_text(lua_State* L, int index, const char* name) {
+  index = lua_absindex(L, index);
+  lua_pushstring(L, name);
+  std::string words;
+  if (lua_rawget(L, index) == LUA_TSTRING) words = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  return words;
+}
+
 void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f) {
   lua_State* L = session.lua();
   push_class(L, cls, nullptr);
@@ -88,7 +107,9 @@ void spill(lua_State* L) {
 int globals(Call& call) {
   lua_State* L = call.L();
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
-  lua_getfield(L, -1, "units");
+  lua_pushliteral(L, "units");
+  lua_rawget(L, -2);
+  want_table(L, -1, "fabric.units");
   lua_insert(L, -2);
   spill(L);
   spill(L);

@@ -8,6 +8,8 @@
 // default, optional, choices, rows. define.fail(message) raises an error at the deck's line; define.registry
 // holds rows, name_of, class_of, nearest and show of bind_registry.cpp. run gets one table with every default
 // filled in; with positional=true, the values in order.
+#include <cmath>
+
 #include "script/bind.hpp"
 #include "script/show.hpp"
 #include "script/words.hpp"
@@ -17,6 +19,8 @@ namespace fabricsh::script {
 namespace {
 
 constexpr const char* functions_key = "fabricsh.defined";
+
+constexpr int deepest_rows = 8;  // rows in rows
 
 std::string get_text(lua_State* L, int index, const char* name) {
   const bool is_text = lua_getfield(L, index, name) == LUA_TSTRING;
@@ -69,10 +73,11 @@ void read_default(lua_State* L, Argument& row) {
   lua_pop(L, 2);
 }
 
-std::vector<Argument> read_rows(lua_State* L, int index);
+std::vector<Argument> read_rows(lua_State* L, int index, int depth);
 
-// The argument row in the table on top of the stack.
-Argument read_row(lua_State* L) {
+// The argument row on top of the stack.
+Argument read_row(lua_State* L, int depth) {
+  want_table(L, -1, "a row of arguments");
   Argument row;
   row.name = get_text(L, -1, "name");
   row.sentence = get_text(L, -1, "sentence");
@@ -82,6 +87,7 @@ Argument read_row(lua_State* L) {
   row.kinds = kinds.empty() ? 0u : read_kinds(kinds);
   if (!row.of.empty()) row.kinds |= object;
   if (row.kinds == 0) row.kinds = any;
+  if (row.name.empty()) throw Error("a row of arguments: field 'name': expected a name, got none");
   read_range(L, row);
   read_default(L, row);
   if (lua_getfield(L, -1, "choices") == LUA_TTABLE)
@@ -90,25 +96,29 @@ Argument read_row(lua_State* L) {
       lua_pop(L, 1);
     }
   lua_pop(L, 1);
-  if (lua_getfield(L, -1, "rows") == LUA_TTABLE) row.rows = read_rows(L, -1);
+  if (lua_getfield(L, -1, "rows") == LUA_TTABLE) row.rows = read_rows(L, -1, depth + 1);
   lua_pop(L, 1);
   return row;
 }
 
-std::vector<Argument> read_rows(lua_State* L, int index) {
+std::vector<Argument> read_rows(lua_State* L, int index, int depth) {
+  if (depth > deepest_rows)
+    throw Error("rows of arguments lie more than " + std::to_string(deepest_rows) + " deep in one another");
+  luaL_checkstack(L, 10, "define");
   std::vector<Argument> rows;
   index = lua_absindex(L, index);
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
   for (lua_Integer i = 1; i <= n; ++i) {
     lua_rawgeti(L, index, i);
-    rows.push_back(read_row(L));
+    rows.push_back(read_row(L, depth));
     lua_pop(L, 1);
   }
   return rows;
 }
 
 void push_default(lua_State* L, const Argument& row) {
-  if (const double* x = std::get_if<double>(&row.fallback); x && (row.kinds & integer) != 0)
+  if (const double* x = std::get_if<double>(&row.fallback);
+      x && (row.kinds & integer) != 0 && std::abs(*x) < 0x1p63)
     lua_pushinteger(L, static_cast<lua_Integer>(*x));
   else if (x)
     lua_pushnumber(L, *x);
@@ -132,6 +142,7 @@ int run_defined(Call& call) {
   const Entry& entry = call.entry();
   lua_getfield(L, LUA_REGISTRYINDEX, functions_key);
   const int base = lua_gettop(L);
+  luaL_checkstack(L, static_cast<int>(entry.arguments.size()) + 20, "too many arguments");
   lua_rawgetp(L, base, &entry);
   if (entry.style == Style::fields) lua_newtable(L);
   for (const Argument& row : entry.arguments) {
@@ -142,6 +153,20 @@ int run_defined(Call& call) {
   const int results = lua_gettop(L) - base;
   if (results == 1 && lua_istable(L, -1)) name_result(L, entry.name);
   return results;
+}
+
+// "fabric.lab.uniaxial" or "card:fit": names with a full stop or one colon between them, of which the first
+// is fabric or a class.
+void check_name(const std::string& name) {
+  const std::size_t colon = std::min(name.find(':'), name.size());
+  const bool method = colon < name.size();
+  bool good = method ? is_name(name.substr(0, colon)) : name.starts_with("fabric.");
+  for (std::size_t from = method ? colon + 1 : 7; good && from <= name.size();) {
+    const std::size_t dot = method ? name.size() : std::min(name.find('.', from), name.size());
+    good = is_name(name.substr(from, dot - from));
+    from = dot + 1;
+  }
+  if (!good) throw Error("field 'name': expected one like fabric.lab.uniaxial, got '" + name + "'");
 }
 
 void remember(lua_State* L, const Entry& entry) {
@@ -164,9 +189,13 @@ int define(lua_State* L) {
     Session& session = Session::of(L);
     Entry entry;
     entry.name = get_text(L, 1, "name");
+    check_name(entry.name);
+    lua_getfield(L, 1, "run");
+    if (!lua_isfunction(L, -1)) throw Error("field 'run': expected a function, got " + describe(L, -1));
+    lua_pop(L, 1);
     lua_getfield(L, 1, "positional");
     entry.style = lua_toboolean(L, -1) ? Style::positional : Style::fields;
-    if (lua_getfield(L, 1, "arguments") == LUA_TTABLE) entry.arguments = read_rows(L, -1);
+    if (lua_getfield(L, 1, "arguments") == LUA_TTABLE) entry.arguments = read_rows(L, -1, 1);
     lua_pop(L, 2);
     entry.sentence = get_text(L, 1, "sentence");
     entry.example = get_text(L, 1, "example");
@@ -195,6 +224,7 @@ int fail(lua_State* L) {
 }
 
 int call_define(lua_State* L) {
+  luaL_checkany(L, 1);
   lua_remove(L, 1);
   return define(L);
 }
@@ -210,6 +240,8 @@ int open_define(lua_State* L) {
   lua_newtable(L);
   lua_pushcfunction(L, call_define);
   lua_setfield(L, -2, "__call");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);
   return 1;
 }

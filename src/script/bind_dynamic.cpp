@@ -33,11 +33,13 @@ int make(Call& call) {
     for (const char* field : {"tolerance", "max_iterations", "max_cuts"})
       if (call.has(field)) call.refuse(field, "unknown for scheme=\"explicit\", which does not iterate");
   options.tolerance = call.number("tolerance");
-  options.max_iterations = static_cast<int>(call.integer("max_iterations"));
-  options.max_cuts = static_cast<int>(call.integer("max_cuts"));
+  options.max_iterations = call.count("max_iterations");
+  options.max_cuts = call.count("max_cuts");
   Session& session = call.session();
   const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
-  auto run = analysis::make_dynamic(call.object<model::Model>("model"), options, notices);
+  const auto model = call.object<model::Model>("model");
+  const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
+  auto run = analysis::make_dynamic(model, options, notices);
   push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
   return 1;
 }

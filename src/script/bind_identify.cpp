@@ -97,7 +97,7 @@ int parallel(Call& call) {
   Session& session = call.session();
   Progress progress(session, call.text("progress"), count);
   lab::Processes how;
-  how.at_a_time = call.has("processes") ? static_cast<int>(call.integer("processes")) : omp_get_max_threads();
+  how.at_a_time = call.has("processes") ? call.count("processes") : omp_get_max_threads();
   how.always = call.flag("isolated");
   if (session.limits() != nullptr) bound_processes(session, how);
   how.stop = [&session] { return session.interrupted(); };
@@ -138,16 +138,20 @@ void push_points(lua_State* L, const lab::Points& points) {
   }
 }
 
-lab::Points evaluated(const Function& evaluate, const lab::Points& points) {
+// expected: residuals at every point; 0: as many as the first one has.
+lab::Points evaluated(const Function& evaluate, const lab::Points& points, std::size_t& expected) {
   lua_State* L = evaluate.push();
   push_points(L, points);
   call_one(L);
+  want_table(L, -1, "evaluate");
   lab::Points out;
   for (std::size_t i = 0; i < points.size(); ++i) {
     lua_rawgeti(L, -1, static_cast<lua_Integer>(i + 1));
     out.push_back(pop_numbers(L, "evaluate"));
-    if (out.back().size() != out.front().size())
-      throw Error("evaluate: expected as many residuals at every point");
+    if (expected == 0) expected = out.back().size();
+    if (out.back().size() != expected)
+      throw Error("evaluate: expected as many residuals at every point (" + std::to_string(expected) +
+                  "), got " + std::to_string(out.back().size()));
   }
   lua_pop(L, 1);
   return out;
@@ -166,13 +170,14 @@ int least_squares(Call& call) {
   std::vector<lab::Bounds> bounds;
   for (std::size_t i = 0; i < low.size(); ++i) bounds.push_back({low[i], high[i]});
   const Function evaluate = call.function("evaluate");
+  std::size_t count = 0;
   const std::function<lab::Points(const lab::Points&)> residuals = [&](const lab::Points& points) {
-    return evaluated(evaluate, points);
+    return evaluated(evaluate, points, count);
   };
-  const auto found = lab::settle(lab::least_squares(start, bounds, residuals,
-                                                    {static_cast<int>(call.integer("iterations")),
-                                                     call.number("tolerance"), call.number("difference")}),
-                                 bounds, residuals, static_cast<int>(call.integer("settle")));
+  const auto found = lab::settle(
+      lab::least_squares(start, bounds, residuals,
+                         {call.count("iterations"), call.number("tolerance"), call.number("difference")}),
+      bounds, residuals, call.count("settle"));
   lua_newtable(L);
   set_list(L, "x", found.x);
   set_list(L, "residuals", found.residuals);
@@ -205,7 +210,7 @@ std::vector<Entry> rows() {
   return {
       {"fabric.lab.parallel",
        Style::fields,
-       {integer_("count", from_one, "of items"),
+       {integer_("count", Range{1, 1e7}, "of items"),
         value_("work", function, "work(i) returns a list of numbers"),
         integer_("processes", {1, 4096},
                  "at a time, each a copy of this one with one thread; default: the threads "

@@ -63,8 +63,8 @@ int set(Call& call) {
   analysis::Run::Settings settings;
   if (call.has("tolerance")) settings.tolerance = call.number("tolerance");
   if (call.has("step")) settings.step = call.number("step");
-  if (call.has("max_iterations")) settings.max_iterations = static_cast<int>(call.integer("max_iterations"));
-  if (call.has("max_cuts")) settings.max_cuts = static_cast<int>(call.integer("max_cuts"));
+  if (call.has("max_iterations")) settings.max_iterations = call.count("max_iterations");
+  if (call.has("max_cuts")) settings.max_cuts = call.count("max_cuts");
   call.self<Run>()->analysis->set(settings);
   return chain(call);
 }

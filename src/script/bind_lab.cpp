@@ -30,7 +30,7 @@ int reduce(Call& call) {
   same_length(call, "displacement", "force");
   const auto force = call.numbers("force");
   const lab::Specimen specimen{call.number("gauge_length"), call.number("width"), call.number("thickness"),
-                               static_cast<int>(call.integer("plies"))};
+                               call.count("plies")};
   const auto u = lab::end_displacement(call.numbers("displacement"), force,
                                        {call.number("compliance"), call.number("slip"), 0});
   double slack = call.number("slack");
@@ -146,7 +146,11 @@ void push_candidate(lua_State* L, const lab::Candidate& c) {
 std::vector<int> degrees(const Call& call) {
   if (!call.has("degrees")) return {2, 4};
   std::vector<int> out;
-  for (const double d : call.numbers("degrees")) out.push_back(static_cast<int>(d));
+  for (const double d : call.numbers("degrees")) {
+    if (!(d >= 1 && d <= 20) || d != std::floor(d))
+      call.refuse("degrees", "expected whole numbers from 1 to 20, got " + number_text(d));
+    out.push_back(static_cast<int>(d));
+  }
   return out;
 }
 
@@ -170,7 +174,7 @@ int monotone(Call& call) {
   lua_State* L = call.L();
   lua_newtable(L);
   lua_Integer place = 0;
-  for (const auto& [E, S] : lab::monotone_points(tensions(call), static_cast<int>(call.integer("bins")))) {
+  for (const auto& [E, S] : lab::monotone_points(tensions(call), call.count("bins"))) {
     push_numbers(L, {E, S});
     lua_rawseti(L, -2, ++place);
   }
@@ -209,7 +213,7 @@ int band(Call& call) {
   lua_State* L = call.L();
   const auto estimate =
       lab::band_of(number_lists(call, "specimens"),
-                   {call.number("level"), static_cast<int>(call.integer("draws")),
+                   {call.number("level"), call.count("draws"),
                     static_cast<std::uint64_t>(call.integer("seed")), call.numbers("common")});
   lua_newtable(L);
   set_numbers(L, "value", estimate.value);
@@ -231,6 +235,8 @@ std::vector<Argument> track_rows() {
 lab::Tracks read_tracks(const Call& call) {
   lab::Tracks t{static_cast<std::size_t>(call.integer("rows")),
                 static_cast<std::size_t>(call.integer("columns")), 0, call.numbers("x"), call.numbers("y")};
+  if (t.rows > (std::size_t{1} << 40) / t.columns)
+    call.refuse("x", "expected at least two frames of as many markers as rows times columns");
   t.frames = t.x.size() / t.markers();
   if (t.frames < 2 || t.frames * t.markers() != t.x.size() || t.y.size() != t.x.size())
     call.refuse("x", "expected at least two frames of " + std::to_string(t.markers()) +

@@ -1,6 +1,8 @@
 // fabric.mesh.rectangle; sets, and nodes and elements to read.
 #include "script/bind_mesh.hpp"
 
+#include <cmath>
+
 #include "script/show.hpp"
 #include "script/words.hpp"
 
@@ -70,11 +72,10 @@ void define_inside(Mesh& mesh, const std::string& name, const Function& inside) 
 void define_listed(Mesh& mesh, const std::string& name, const std::vector<double>& numbers) {
   mesh::NodeSet ids;
   for (const double number : numbers) {
-    const auto id = static_cast<Index>(number);
-    if (static_cast<double>(id) != number || id < 1 || id > static_cast<Index>(mesh.nodes.size()))
+    if (!(number >= 1 && number <= static_cast<double>(mesh.nodes.size())) || number != std::floor(number))
       throw Error("argument 'nodes': expected node numbers from 1 to " + std::to_string(mesh.nodes.size()) +
                   ", got " + number_text(number));
-    ids.push_back(id - 1);
+    ids.push_back(static_cast<Index>(number) - 1);
   }
   mesh.define(name, std::move(ids));
 }
@@ -86,6 +87,7 @@ int set(Call& call) {
     push_ids(call.L(), mesh->set(name));
     return 1;
   }
+  const Still still(call.session(), mesh.get());
   if (const Function inside = call.function("nodes"))
     define_inside(*mesh, name, inside);
   else
@@ -113,6 +115,7 @@ int elements_in(Call& call) {
 
 int map(Call& call) {
   const Function f = call.function("f");
+  const Still still(call.session(), call.self<Mesh>().get());
   call.self<Mesh>()->map([&f](const Vec3& x) {
     lua_State* L = call_with(f, x, 3);
     Vec3 y;

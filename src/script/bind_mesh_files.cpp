@@ -35,6 +35,7 @@ int write(Call& call) {
 }
 
 int report_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
   lua_getfield(L, 1, "text");
   return 1;
 }
@@ -80,11 +81,7 @@ int check(Call& call) {
     lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
   }
   lua_setfield(L, -2, "items");
-  if (luaL_newmetatable(L, "fabricsh.mesh_check") != 0) {
-    lua_pushcfunction(L, report_text);
-    lua_setfield(L, -2, "__tostring");
-  }
-  lua_setmetatable(L, -2);
+  set_text_of(L, "fabricsh.mesh_check", report_text);
   return 1;
 }
 

@@ -154,10 +154,12 @@ int make(Call& call) {
   const card::Card card =
       options.plies.empty() ? *call.object<card::Card>("card") : options.plies.front().card;
   if (call.has("thickness")) options.thickness = call.number("thickness");
-  options.points = static_cast<int>(call.integer("points"));
+  options.points = call.count("points");
   options.offset = call.number("offset");
   read_warp(call, options);
-  auto model = std::make_shared<Model>(call.object<mesh::Mesh>("mesh"), card, std::move(options));
+  const auto mesh = call.object<mesh::Mesh>("mesh");
+  const Still still(call.session(), mesh.get());
+  auto model = std::make_shared<Model>(mesh, card, std::move(options));
   for (const auto& ply : model->options().plies) check_card(call, ply.card);
   if (model->options().plies.empty()) check_card(call, card);
   push_object(call.L(), std::move(model));

@@ -114,6 +114,7 @@ class Record final : public output::Series {
   }
 
   static double value(const Column& column) {
+    const Still still = column.value.still();
     lua_State* L = column.value.push();
     lua_call(L, 1, 1);
     if (lua_type(L, -1) != LUA_TNUMBER)

@@ -73,7 +73,9 @@ double unit_size(const Call& call, const std::string& field) {
   if (name == "%") return 0.01;
   lua_State* L = call.L();
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
-  lua_getfield(L, -1, "units");
+  lua_pushliteral(L, "units");
+  lua_rawget(L, -2);
+  want_table(L, -1, "fabric.units");
   std::vector<std::string> known{"%"};
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
     if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
@@ -124,8 +126,7 @@ int plot(Call& call) {
     files::draw(call.text("file"), figure);
     return 0;
   }
-  const std::string letters = files::drawn_in_letters(figure, static_cast<int>(call.integer("columns")),
-                                                      static_cast<int>(call.integer("lines")));
+  const std::string letters = files::drawn_in_letters(figure, call.count("columns"), call.count("lines"));
   lua_pushlstring(call.L(), letters.data(), letters.size());
   return 1;
 }

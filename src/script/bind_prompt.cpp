@@ -90,17 +90,10 @@ std::vector<Held> held_by_globals(lua_State* L) {
 }
 
 int who_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
   std::vector<std::vector<std::string>> rows;
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, 1));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    lua_rawgeti(L, 1, i);
-    rows.emplace_back();
-    for (const char* field : {"name", "class", "text"}) {
-      lua_getfield(L, -1, field);
-      const char* word = lua_tostring(L, -1);
-      rows.back().emplace_back(word == nullptr ? "" : word);
-      lua_pop(L, 1);
-    }
+  for (lua_Integer i = 1; lua_rawgeti(L, 1, i) == LUA_TTABLE; ++i) {
+    rows.push_back({raw_text(L, -1, "name"), raw_text(L, -1, "class"), raw_text(L, -1, "text")});
     lua_pop(L, 1);
   }
   std::string words = rows.empty() ? "nothing yet\n" : columns_text(rows);
@@ -120,11 +113,7 @@ int who(Call& call) {
     set_text(L, "text", held.words);
     lua_rawseti(L, -2, ++place);
   }
-  if (luaL_newmetatable(L, "fabricsh.who") != 0) {
-    lua_pushcfunction(L, who_text);
-    lua_setfield(L, -2, "__tostring");
-  }
-  lua_setmetatable(L, -2);
+  set_text_of(L, "fabricsh.who", who_text);
   return 1;
 }
 

@@ -92,6 +92,7 @@ int registry_rows(lua_State* L) {
 
 // name_of(f): the row's name of a registered function, or nil.
 int name_of(lua_State* L) {
+  luaL_checkany(L, 1);
   const Entry* entry = entry_of(L, 1);
   if (entry == nullptr) return 0;
   lua_pushstring(L, entry->name.c_str());
@@ -106,20 +107,23 @@ int class_of(lua_State* L) {
 
 // nearest(word, names): the name nearest to a misspelt one, or nil.
 int nearest_name(lua_State* L) {
+  const char* word = luaL_checkstring(L, 1);
+  luaL_checktype(L, 2, LUA_TTABLE);
   std::vector<std::string> names;
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, 2));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    lua_rawgeti(L, 2, i);
+  for (lua_Integer i = 1; lua_rawgeti(L, 2, i) != LUA_TNIL; ++i) {
+    if (lua_type(L, -1) != LUA_TSTRING)
+      return luaL_error(L, "nearest: expected a list of names, got %s at place %I", luaL_typename(L, -1), i);
     names.emplace_back(lua_tostring(L, -1));
     lua_pop(L, 1);
   }
-  const std::string found = nearest(luaL_checkstring(L, 1), names);
+  const std::string found = nearest(word, names);
   if (found.empty()) return 0;
   lua_pushstring(L, found.c_str());
   return 1;
 }
 
 int show_value(lua_State* L) {
+  luaL_checkany(L, 1);
   const std::string words = show(L, 1);
   lua_pushlstring(L, words.data(), words.size());
   return 1;

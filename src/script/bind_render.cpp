@@ -88,9 +88,9 @@ files::Picture read_picture(const Call& call) {
   if (call.has("bar")) p.bar = call.text("bar");
   read_range(call, p);
   read_view(call, p);
-  if (call.has("columns")) p.columns = static_cast<int>(call.integer("columns"));
-  p.width = static_cast<int>(call.integer("width"));
-  p.height = static_cast<int>(call.integer("height"));
+  if (call.has("columns")) p.columns = call.count("columns");
+  p.width = call.count("width");
+  p.height = call.count("height");
   p.edges = call.flag("edges"), p.axes = call.flag("axes");
   return p;
 }

@@ -121,6 +121,9 @@ class Hook {
   Hook(const Fields& fields, std::string_view name, Run* run);
   // Pushes the function and the analysis object; returns the state to call on.
   lua_State* push() const;
+  // While one of these lives, the function is asked for a value, or may change its analysis.
+  Still still() const { return {run_->session, run_}; }
+  Free free() const { return {run_->session, run_}; }
 
  private:
   Run* run_;

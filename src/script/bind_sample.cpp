@@ -1,4 +1,6 @@
 // card:sample.
+#include <algorithm>
+
 #include "fabric/check.hpp"
 #include "lab/statistics.hpp"
 #include "script/bind.hpp"
@@ -55,8 +57,8 @@ int sample(Call& call) {
   const auto* law = std::get_if<Woven>(&card->law);
   if (law == nullptr || !law->bands) throw Error("sample: expected a woven card with bands, got one without");
   std::mt19937_64 random(static_cast<std::uint64_t>(call.integer("seed")));
-  const std::int64_t n = call.integer("n");
-  lua_createtable(L, static_cast<int>(n), 0);
+  const int n = call.count("n");
+  lua_createtable(L, std::min(n, 1000), 0);
   for (lua_Integer i = 1; i <= n; ++i) {
     push_object(L, drawn_card(*card, random));
     lua_rawseti(L, -2, i);

@@ -35,13 +35,15 @@ int make(Call& call) {
   options.duration = call.number("duration");
   if (call.has("step")) options.step = call.number("step");
   options.tolerance = call.number("tolerance");
-  options.max_iterations = static_cast<int>(call.integer("max_iterations"));
-  options.max_cuts = static_cast<int>(call.integer("max_cuts"));
+  options.max_iterations = call.count("max_iterations");
+  options.max_cuts = call.count("max_cuts");
   options.line_search = call.flag("line_search");
   read_scheme(call, options);
   Session& session = call.session();
   const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
-  auto run = std::make_shared<Static>(call.object<model::Model>("model"), options, notices);
+  const auto model = call.object<model::Model>("model");
+  const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
+  auto run = std::make_shared<Static>(model, options, notices);
   push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
   return 1;
 }

@@ -16,21 +16,20 @@ char separator_of(const std::string& word) {
 
 // A line per column: its name, unit, and range.
 int table_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
   std::vector<std::vector<std::string>> rows;
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, 1));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    lua_rawgeti(L, 1, i);
+  for (lua_Integer i = 1; lua_rawgeti(L, 1, i) == LUA_TTABLE; ++i) {
     rows.emplace_back();
     for (const char* name : {"name", "unit", "values"}) {
-      lua_getfield(L, -1, name);
+      lua_pushstring(L, name);
+      lua_rawget(L, -2);
       rows.back().push_back(show(L, -1));
       lua_pop(L, 1);
     }
     lua_pop(L, 1);
   }
-  lua_getfield(L, 1, "file");
-  const char* file = lua_tostring(L, -1);
-  const std::string words = "<table " + std::string(file == nullptr ? "" : file) + ", " + std::to_string(n) +
+  lua_pop(L, 1);
+  const std::string words = "<table " + raw_text(L, 1, "file") + ", " + std::to_string(rows.size()) +
                             " columns>\n" + columns_text(rows);
   lua_pushlstring(L, words.data(), words.size() - 1);
   return 1;
@@ -63,11 +62,7 @@ int table_of(Call& call) {
     lua_rawseti(L, -2, ++place);
   }
   lua_setfield(L, -2, "preamble");
-  if (luaL_newmetatable(L, "fabricsh.table") != 0) {
-    lua_pushcfunction(L, table_text);
-    lua_setfield(L, -2, "__tostring");
-  }
-  lua_setmetatable(L, -2);
+  set_text_of(L, "fabricsh.table", table_text);
   return 1;
 }
 

@@ -95,8 +95,8 @@ int photograph(Call& call) {
   lab::Scene s;
   s.rows = static_cast<std::size_t>(call.integer("rows"));
   s.columns = static_cast<std::size_t>(call.integer("columns"));
-  s.width = static_cast<int>(call.integer("width"));
-  s.height = static_cast<int>(call.integer("height"));
+  s.width = call.count("width");
+  s.height = call.count("height");
   s.pitch = call.number("pitch");
   s.radius = call.number("radius");
   if (2 * s.radius >= s.pitch) call.refuse("radius", "expected less than half of the pitch");
@@ -117,8 +117,8 @@ int photograph(Call& call) {
 }
 
 std::vector<Entry> rows() {
-  const auto rows_row = integer_("rows", Range{2}, "of dots, following each other along the pull (y)");
-  const auto columns_row = integer_("columns", Range{2}, "of dots, across");
+  const auto rows_row = integer_("rows", Range{2, 10000}, "of dots, following each other along the pull (y)");
+  const auto columns_row = integer_("columns", Range{2, 10000}, "of dots, across");
   const std::string name =
       "local name = os.tmpname()\nlocal lab = require 'fabric'.lab\nfor i = 1, 2 do\n"
       "  lab.photograph{ file=name..i..'.png', rows=3, columns=2, pitch=40, radius=6, width=160, "
@@ -150,8 +150,8 @@ std::vector<Entry> rows() {
        {value_("file", text, "ends in .png"), rows_row, columns_row,
         number_("pitch", "pixels", positive, "of the undeformed grid"),
         number_("radius", "pixels", positive, "of an undeformed dot"),
-        integer_("width", from_one, "of the picture, pixels"),
-        integer_("height", from_one, "of the picture, pixels"),
+        integer_("width", Range{1, 30000}, "of the picture, pixels"),
+        integer_("height", Range{1, 30000}, "of the picture, pixels"),
         Argument{"F", numbers, "", everything,
                  "{F11, F12, F21, F22}: the map of the cloth, y upwards; default: none"}
             .optional(),

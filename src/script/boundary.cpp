@@ -1,10 +1,12 @@
 // Where C++ meets Lua: every binding is entered through enter(), which turns C++ exceptions into Lua errors.
 // Lua's own errors are C++ exceptions too, of a type that Lua keeps to itself: they pass through and run
 // destructors on their way.
+#include <algorithm>
 #include <cstring>
 
 #include "base/error.hpp"
 #include "base/paths.hpp"
+#include "script/bind_run.hpp"
 #include "script/call.hpp"
 #include "script/words.hpp"
 
@@ -40,9 +42,9 @@ std::string position(lua_State* L) {
 namespace {
 
 int failure_text(lua_State* L) {
-  lua_getfield(L, 1, "where");
-  lua_getfield(L, 1, "message");
-  lua_concat(L, 2);
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const std::string words = raw_text(L, 1, "where") + raw_text(L, 1, "message");
+  lua_pushlstring(L, words.data(), words.size());
   return 1;
 }
 
@@ -75,6 +77,8 @@ void push_failure(lua_State* L, const std::string& call, const NumericalFailure&
     lua_setfield(L, -2, "__tostring");
     lua_pushstring(L, "numerical failure");
     lua_setfield(L, -2, "__name");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
   }
   lua_setmetatable(L, -2);
 }
@@ -84,13 +88,45 @@ void push_error(lua_State* L, const std::string& call, const std::string& messag
   lua_pushstring(L, (position(L) + (named ? "" : call + ": ") + message).c_str());
 }
 
+// Methods that change their object. A mesh's set may be asked for besides, with one argument.
+bool changes(const Entry& entry, int given) {
+  constexpr const char* names[] = {
+      "mesh:map",         "mesh:orient",      "analysis:solve",    "analysis:advance", "analysis:step",
+      "analysis:every",   "analysis:event",   "analysis:record",   "analysis:vtk",     "analysis:checkpoint",
+      "analysis:restart", "analysis:restore", "analysis:snapshot", "analysis:set"};
+  if (entry.name == "mesh:set") return given > 2;
+  return entry.name.starts_with("model:") ||
+         std::any_of(std::begin(names), std::end(names),
+                     [&](const char* name) { return entry.name == name; });
+}
+
+const void* changed_object(lua_State* L) {
+  if (const auto mesh = to_object<mesh::Mesh>(L, 1)) return mesh.get();
+  if (const auto model = to_object<model::Model>(L, 1)) return model.get();
+  return to_object<Run>(L, 1).get();
+}
+
+void refuse_within(lua_State* L, const Entry& entry) {
+  if (!entry.method() || !changes(entry, lua_gettop(L) - 1))
+    return;  // less the table of the gathered arguments
+  if (!Session::of(L).is_still(changed_object(L))) return;
+  throw Error(
+      "this " + entry.owner() +
+      " may not change while it asks a function for a value (a history, a direction, a column, an event's "
+      "value, a function of mesh:set or mesh:map)" +
+      (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
+}
+
 int enter(lua_State* L) {
   const Entry& entry = *static_cast<const Entry*>(lua_touserdata(L, lua_upvalueindex(1)));
   const std::string call = last_word(entry.name);
   try {
     const ActiveState active(Session::of(L), L);
     Call arguments(L, entry);
+    refuse_within(L, entry);
     return entry.run(arguments);
+  } catch (const Raised& raised) {
+    raised.push(L);
   } catch (const NumericalFailure& failure) {
     push_failure(L, call, failure);
   } catch (const Error& error) {
@@ -146,7 +182,8 @@ int refuse_assignment(lua_State* L) {
 // module.x where x is unknown: an error with the nearest name. Upvalue: the module's name.
 int index_module(lua_State* L) {
   std::string message = position(L) + lua_tostring(L, lua_upvalueindex(1)) + ": ";
-  message += unknown("field", luaL_tolstring(L, 2, nullptr), keys_of(L, 1));
+  message += unknown("field", luaL_tolstring(L, 2, nullptr),
+                     lua_istable(L, 1) ? keys_of(L, 1) : std::vector<std::string>{});
   lua_pushstring(L, message.c_str());
   return lua_error(L);
 }
@@ -158,6 +195,8 @@ void watch_module(lua_State* L, const std::string& name) {
   lua_pushstring(L, name.c_str());
   lua_pushcclosure(L, index_module, 1);
   lua_setfield(L, -2, "__index");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);
 }
 

@@ -1,6 +1,7 @@
 #include "script/call.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "base/suggest.hpp"
 #include "script/words.hpp"
@@ -190,8 +191,34 @@ void check_value(lua_State* L, int index, const Argument& row, const std::string
     Fields(L, index, row.rows, path + row.name + ".");
 }
 
+namespace {
+
+// Puts a table without a metatable in the place of the one at index: its own entries, and for the rows what
+// its metatable gives.
+void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
+  if (lua_getmetatable(L, index) == 0) return;
+  lua_pop(L, 1);
+  luaL_checkstack(L, 6, "fields");
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+  for (const Argument& row : rows) {
+    lua_pushstring(L, row.name.c_str());
+    lua_getfield(L, index, row.name.c_str());
+    lua_rawset(L, -3);
+  }
+  lua_replace(L, index);
+}
+
+}  // namespace
+
 Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::string path, bool positional)
     : L_(L), index_(lua_absindex(L, index)), rows_(&rows), path_(std::move(path)), positional_(positional) {
+  luaL_checkstack(L, 10, "fields");
+  make_plain(L, index_, rows);
   lua_pushnil(L);
   while (lua_next(L, index_) != 0) {
     lua_pop(L, 1);
@@ -223,7 +250,10 @@ const Argument& Fields::row(std::string_view name) const {
   throw std::logic_error("no argument row '" + std::string(name) + "'");
 }
 
-int Fields::push(std::string_view name) const { return lua_getfield(L_, index_, std::string(name).c_str()); }
+int Fields::push(std::string_view name) const {
+  luaL_checkstack(L_, 10, "fields");
+  return lua_getfield(L_, index_, std::string(name).c_str());
+}
 
 bool Fields::is(std::string_view name, int lua_type) const {
   const bool same = push(name) == lua_type;
@@ -240,7 +270,19 @@ double Fields::number(std::string_view name) const {
   return given ? value : std::get<double>(row(name).fallback);
 }
 
-std::int64_t Fields::integer(std::string_view name) const { return static_cast<std::int64_t>(number(name)); }
+std::int64_t Fields::integer(std::string_view name) const {
+  const double value = number(name);
+  if (!(std::abs(value) < 0x1p63)) refuse(name, "expected a smaller integer, got " + number_text(value));
+  return static_cast<std::int64_t>(value);
+}
+
+int Fields::count(std::string_view name) const {
+  const std::int64_t value = integer(name);
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (value > most || value < -most)
+    refuse(name, "expected an integer of at most " + std::to_string(most) + ", got " + std::to_string(value));
+  return static_cast<int>(value);
+}
 
 std::string Fields::text(std::string_view name) const {
   const bool given = push(name) != LUA_TNIL;
@@ -261,6 +303,10 @@ bool Fields::flag(std::string_view name) const {
   return fallback != nullptr && *fallback;
 }
 
+void want_table(lua_State* L, int index, const std::string& what) {
+  if (!lua_istable(L, index)) throw Error(what + ": expected a table, got " + describe(L, index));
+}
+
 std::vector<double> read_numbers(lua_State* L, int index) {
   index = lua_absindex(L, index);
   std::vector<double> values(lua_rawlen(L, index));
@@ -274,7 +320,12 @@ std::vector<double> read_numbers(lua_State* L, int index) {
 
 std::vector<double> Fields::numbers(std::string_view name) const {
   std::vector<double> values;
-  if (push(name) == LUA_TTABLE) values = read_numbers(L_, -1);
+  if (push(name) == LUA_TTABLE) {
+    const Argument& known = row(name);
+    // A function of the deck's may have changed the list since it was checked.
+    if ((known.kinds & (Kind::table | Kind::fields)) == 0) check_value(L_, -1, known, path_, positional_);
+    values = read_numbers(L_, -1);
+  }
   lua_pop(L_, 1);
   return values;
 }

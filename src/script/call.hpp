@@ -18,6 +18,8 @@ namespace fabricsh::script {
 class Fields {
  public:
   // path: what stands before a field's name in messages, "warp." inside the table warp.
+  // A table with a metatable is replaced on the stack by a plain copy of what it has for the rows: what is
+  // read later is what was checked here, whatever its __index says next time.
   Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::string path = {},
          bool positional = false);
 
@@ -27,6 +29,7 @@ class Fields {
   int push(std::string_view name) const;
   double number(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
+  int count(std::string_view name) const;  // the same; Error: more than an int holds
   std::string text(std::string_view name) const;
   bool flag(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
@@ -71,7 +74,10 @@ class Call : public Fields {
 // Throws Error unless the value at index is what the row says; warns on an unusual number.
 void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional);
 
-// Numbers of the table at index; checked before.
+// Numbers of the table at index, which was checked before.
 std::vector<double> read_numbers(lua_State* L, int index);
+
+// Error unless the value at index is a table: "what: expected a table, got 5".
+void want_table(lua_State* L, int index, const std::string& what);
 
 }  // namespace fabricsh::script

@@ -185,6 +185,8 @@ void take_up(Run& run) {
 }
 
 void restart(Run& run, std::shared_ptr<const Checkpoint> checkpoint) {
+  if (run.clock_runs) throw Error("not from a hook of the same run");
+  const Still still(run.session, &run);
   if (!run.outputs.empty() || !run.checkpoints.empty())
     throw Error(
         "expected to be called before 'record', 'vtk' and 'checkpoint', which then go on with their files");

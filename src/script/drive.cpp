@@ -64,11 +64,12 @@ class Watch {
 // Runs all of them, whatever the others do; the first trouble is thrown at the end.
 class All {
  public:
+  explicit All(Session& session) : session_(session) {}
   template <class Work>
   void run(const Work& work) {
     try {
-      work();
-    } catch (...) {
+      in_protected_call(session_, work);
+    } catch (const std::exception&) {
       if (!first_) first_ = std::current_exception();
     }
   }
@@ -77,6 +78,7 @@ class All {
   }
 
  private:
+  Session& session_;
   std::exception_ptr first_;
 };
 
@@ -86,7 +88,7 @@ void leave(Run& run, const std::string& status, bool ended, bool broken) {
   a.poll({});
   run.seconds += run.clock.seconds();
   run.clock_runs = false;
-  All all;
+  All all(run.session);
   if (ended) {
     for (const auto& output : run.outputs)
       all.run([&a, broken, s = output->series.get()] { broken ? s->extra_frame(a) : s->frame(a); });
@@ -152,6 +154,11 @@ bool passes_over(Run& run) {
   return true;
 }
 
+// A hook of the run may read it and stop it, not drive it.
+void refuse_in_hook(const Run& run) {
+  if (run.clock_runs) throw Error("not from a hook of the same run");
+}
+
 // Begins from the checkpoint, where there is one; counts the call.
 void begin_call(Run& run) {
   if (run.from && !run.taken_up) {
@@ -178,6 +185,8 @@ void work(Run& run) {
 
 void drive(Run& run, Drive call) {
   if (run.session.options().check) return;
+  refuse_in_hook(run);
+  const Still still(run.session, &run);
   begin_call(run);
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
@@ -222,6 +231,8 @@ void drive(Run& run, Drive call) {
 }
 
 void go_back(Run& run, const std::shared_ptr<const analysis::Run::Snapshot>& snapshot) {
+  refuse_in_hook(run);
+  const Still still(run.session, &run);
   begin_call(run);
   if (passes_over(run) || (run.passing > 0 && run.calls == run.passing)) return;
   const auto& gone = run.passed_snapshots;

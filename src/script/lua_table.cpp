@@ -13,12 +13,10 @@ namespace {
 enum class Tag : std::uint8_t { number, integer, text, truth, table, known };
 constexpr int kDeepest = 150;  // tables in tables
 
+// Calls no __tostring: a function of the deck's could change what is being walked through.
 std::string name_of_entry(lua_State* L, int key) {
   if (lua_type(L, key) == LUA_TSTRING) return "." + std::string(lua_tostring(L, key));
-  lua_pushvalue(L, key);
-  const std::string text = luaL_tolstring(L, -1, nullptr);
-  lua_pop(L, 2);
-  return "[" + text + "]";
+  return "[" + describe(L, key) + "]";
 }
 
 class Packer {

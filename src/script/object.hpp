@@ -18,9 +18,13 @@ inline std::string class_key(const std::string& name) { return "fabricsh." + nam
 // Creates the class if it is new and pushes its metatable.
 void push_class(lua_State* L, const std::string& name, lua_CFunction gc);
 
+// A finaliser of the deck's may still hold an object that has been collected: it is of no class any more, so
+// that no call takes it for one.
 template <class T>
 int collect(lua_State* L) {
   static_cast<std::shared_ptr<T>*>(lua_touserdata(L, 1))->~shared_ptr();
+  lua_pushnil(L);
+  lua_setmetatable(L, 1);
   return 0;
 }
 

@@ -38,6 +38,11 @@ void push_self(lua_State* L, const Run* run) {
   lua_remove(L, -2);
 }
 
+// In a finaliser of the deck's the weak table of runs has forgotten one that goes away with it.
+void want_alive(lua_State* L) {
+  if (lua_type(L, -1) != LUA_TUSERDATA) throw Error("this analysis is being collected");
+}
+
 std::string hash_text(const std::string& bytes) {
   char text[32];
   std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(hash(bytes)));
@@ -119,6 +124,7 @@ void push_run(lua_State* L, std::shared_ptr<Run> run) {
 Hook::Hook(const Fields& fields, std::string_view name, Run* run) : run_(run) {
   lua_State* L = fields.L();
   push_self(L, run);
+  want_alive(L);
   lua_getiuservalue(L, -1, 1);
   slot_ = static_cast<int>(lua_rawlen(L, -1)) + 1;
   fields.push(name);
@@ -131,6 +137,7 @@ lua_State* Hook::push() const {
   lua_State* L = run_->session.active();
   luaL_checkstack(L, 8, "too many nested callbacks");
   push_self(L, run_);
+  want_alive(L);
   lua_getiuservalue(L, -1, 1);
   lua_rawgeti(L, -1, slot_);
   lua_replace(L, -2);

@@ -85,14 +85,52 @@ void Session::open_libraries() {
   lua_settop(L, 0);
 }
 
+namespace {
+
+// Keeps the value on top of the stack, which is popped. Lives no longer than the state: every holder is an
+// object of that state.
+std::shared_ptr<const int> reference_to_top(Session& session, lua_State* L) {
+  const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
+  return {new int(reference), [owner = &session](const int* r) {
+            luaL_unref(owner->active(), LUA_REGISTRYINDEX, *r);
+            delete r;
+          }};
+}
+
+struct Work {
+  const std::function<void()>& run;
+  std::exception_ptr trouble = nullptr;
+};
+
+int run_work(lua_State* L) {
+  auto& work = *static_cast<Work*>(lua_touserdata(L, 1));
+  try {
+    work.run();
+  } catch (const std::exception&) {  // not Lua's own, which is no std::exception
+    work.trouble = std::current_exception();
+  }
+  return 0;
+}
+
+}  // namespace
+
+Raised::Raised(Session& session, lua_State* L) : reference_(reference_to_top(session, L)) {}
+
+void Raised::push(lua_State* L) const { lua_rawgeti(L, LUA_REGISTRYINDEX, *reference_); }
+
+void in_protected_call(Session& session, const std::function<void()>& run) {
+  lua_State* L = session.active();
+  luaL_checkstack(L, 8, "too many nested callbacks");
+  Work work{run};
+  lua_pushcfunction(L, run_work);
+  lua_pushlightuserdata(L, &work);
+  if (lua_pcall(L, 1, 0, 0) != LUA_OK) throw Raised(session, L);
+  if (work.trouble) std::rethrow_exception(work.trouble);
+}
+
 Function::Function(Session& session, lua_State* L, int index) : session_(&session) {
   lua_pushvalue(L, index);
-  const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
-  // Lives no longer than the state: every holder is an object of that state.
-  handle_ = std::shared_ptr<const int>(new int(reference), [owner = &session](const int* r) {
-    luaL_unref(owner->active(), LUA_REGISTRYINDEX, *r);
-    delete r;
-  });
+  handle_ = reference_to_top(session, L);
 }
 
 lua_State* Function::push() const {

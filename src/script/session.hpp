@@ -4,9 +4,11 @@
 #include <atomic>
 #include <functional>
 #include <lua.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/notice.hpp"
@@ -86,9 +88,16 @@ class Session {
   const std::shared_ptr<const Checkpoint>& restart() const { return restart_; }
   std::int64_t analyses() const { return analyses_; }
   RunRecords& run_records() { return *run_records_; }
+  // May the object (a mesh, model or run of the core) not change now? See Still.
+  bool is_still(const void* object) const {
+    const auto found = still_.find(object);
+    return found != still_.end() && found->second > 0;
+  }
 
  private:
   friend class ActiveState;
+  friend class Still;
+  friend class Free;
   void open_libraries();
   const int process_;
   Options options_;
@@ -104,6 +113,41 @@ class Session {
   std::int64_t analyses_ = 0;
   std::shared_ptr<const Checkpoint> restart_;
   std::shared_ptr<RunRecords> run_records_;
+  std::map<const void*, int> still_;
+};
+
+// As long as it lives, calls that change the object are refused: it is being walked through, and functions of
+// the deck's are asked for values meanwhile.
+class Still {
+ public:
+  Still(Session& session, const void* object) : session_(session), object_(object) {
+    ++session_.still_[object_];
+  }
+  ~Still() {
+    if (--session_.still_[object_] == 0) session_.still_.erase(object_);
+  }
+  Still(const Still&) = delete;
+  Still& operator=(const Still&) = delete;
+
+ private:
+  Session& session_;
+  const void* object_;
+};
+
+// As long as it lives, the object may change again: a hook of its runs, at a moment that is fit for it.
+class Free {
+ public:
+  Free(Session& session, const void* object) : session_(session), object_(object) {
+    std::swap(before_, session_.still_[object_]);
+  }
+  ~Free() { session_.still_[object_] = before_; }
+  Free(const Free&) = delete;
+  Free& operator=(const Free&) = delete;
+
+ private:
+  Session& session_;
+  const void* object_;
+  int before_ = 0;
 };
 
 // Marks L as the state whose binding runs, as long as it lives.
@@ -131,6 +175,22 @@ inline constexpr const char* why_key = "fabricsh.why";
 void push_function(lua_State* L, const Entry& entry);
 // The row of the function at index; null when it is none of the registry's.
 const Entry* entry_of(lua_State* L, int index);
+// Does the work in a protected call of the active state. An error of Lua's becomes a Raised, which enter()
+// raises again; caught without that, it would leave Lua's stack where it was raised.
+void in_protected_call(Session& session, const std::function<void()>& work);
+
+// An error of Lua's on its way through C++.
+class Raised : public std::exception {
+ public:
+  // Of the value on top of the stack, which is popped.
+  Raised(Session& session, lua_State* L);
+  void push(lua_State* L) const;
+  const char* what() const noexcept override { return "an error in a hook"; }
+
+ private:
+  std::shared_ptr<const int> reference_;
+};
+
 // Puts the function of such a row where its name says.
 void place(lua_State* L, const Entry& entry);
 

@@ -203,8 +203,10 @@ std::string value_text(lua_State* L, int index, int depth) {
 constexpr const char* result_name = "__result";
 
 int result_text(lua_State* L) {
-  luaL_getmetafield(L, 1, result_name);
-  const std::string words = "<" + std::string(lua_tostring(L, -1)) + "> " + table_text(L, 1, 0);
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const bool named = luaL_getmetafield(L, 1, result_name) == LUA_TSTRING;
+  const std::string words =
+      "<" + std::string(named ? lua_tostring(L, -1) : "table") + "> " + table_text(L, 1, 0);
   lua_pushlstring(L, words.data(), words.size());
   return 1;
 }
@@ -260,6 +262,8 @@ void name_result(lua_State* L, const std::string& name) {
     lua_setfield(L, -2, result_name);
     lua_pushcfunction(L, result_text);
     lua_setfield(L, -2, "__tostring");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
     lua_pushvalue(L, -1);
     lua_setfield(L, -3, name.c_str());
   }

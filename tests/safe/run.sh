@@ -22,7 +22,7 @@ before=$(secret_sum)
 expect() {
   code=$1 words=$2
   shift 2
-  said=$(SECRET_KEY=1 SLURM_ARRAY_TASK_ID=7 timeout 120 "$program" --quiet --safe "$@" 2>&1 </dev/null)
+  said=$(SECRET_KEY=1 SLURM_ARRAY_TASK_ID=7 timeout 120 $program --quiet --safe "$@" 2>&1 </dev/null)
   got=$?
   case $said in *"$words"*) [ $got -eq "$code" ] && return ;; esac
   echo "FAILED: $*: expected code $code and '$words', got $got:" && echo "$said" | tail -n 5
@@ -98,7 +98,18 @@ wait $swapper 2>/dev/null
 
 mkdir home && cp deck/race.lua home/deck.lua
 HOME=$root/home expect 1 'all of which it could read' "$root/home/deck.lua"
+mkdir -p home/people/me && cp deck/race.lua home/people/deck.lua
+HOME=$root/home/people/me expect 1 'all of which it could read' "$root/home/people/deck.lua"
+HOME=$root/home/people/me/ expect 1 'all of which it could read' "$root/home/people/../people/deck.lua"
+HOME=$root/home/people/me expect 1 'all of which the deck could change' --output "$root/home" -e 'x = 1'
 expect 1 'all of which the deck could change' --output / -e 'x = 1'
+# Without HOME the system's own record of it counts.
+own=$(getent passwd "$(id -u)" | cut -d: -f6)
+if [ -d "$own" ]; then
+  program="env -u HOME $program"
+  expect 1 'all of which the deck could change' --output "$own" -e 'x = 1'
+  program=${program#env -u HOME }
+fi
 HOME=$root/home expect 1 'all of which the deck could change' --output "$root/home" -e 'x = 1'
 expect 2 'a number from 1 to 1e+09' --limit-memory 1e18 -e 'x = 1'
 expect 2 "unknown option '--safe=no'" --safe=no

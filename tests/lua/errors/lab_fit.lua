@@ -137,11 +137,11 @@ wrong("fabric.lab.monotone", "fabric.lab.monotone{ curves={}, bins=1 }",
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ coutn=2 }",
   "deck.lua:1: parallel: unknown field 'coutn', did you mean 'count'?")
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=count_ }",
-  "deck.lua:1: parallel: field 'count': expected an integer of at least 1, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: parallel: field 'count': expected an integer from 1 to 1e+07, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2.5 }",
-  "deck.lua:1: parallel: field 'count': expected an integer of at least 1, got 2.5")
+  "deck.lua:1: parallel: field 'count': expected an integer from 1 to 1e+07, got 2.5")
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=0 }",
-  "deck.lua:1: parallel: field 'count': expected an integer of at least 1, got 0")
+  "deck.lua:1: parallel: field 'count': expected an integer from 1 to 1e+07, got 0")
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2, work='f' }",
   "deck.lua:1: parallel: field 'work': expected a function, got 'f'")
 wrong("fabric.lab.parallel", "fabric.lab.parallel{ count=2, work=print, processes=0 }",

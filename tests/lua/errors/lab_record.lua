@@ -45,9 +45,9 @@ wrong("fabric.lab.photograph", "fabric.lab.photograph{ file=file_ }",
 wrong("fabric.lab.photograph", "fabric.lab.photograph{ file=7 }",
   "deck.lua:1: photograph: field 'file': expected a string, got 7")
 wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x', rows=2.5 }",
-  "deck.lua:1: photograph: field 'rows': expected an integer of at least 2, got 2.5")
+  "deck.lua:1: photograph: field 'rows': expected an integer from 2 to 10000, got 2.5")
 wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x', rows=1 }",
-  "deck.lua:1: photograph: field 'rows': expected an integer of at least 2, got 1")
+  "deck.lua:1: photograph: field 'rows': expected an integer from 2 to 10000, got 1")
 wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x', rows=2, columns=2, pitch='1' }",
   "deck.lua:1: photograph: field 'pitch': expected a positive number in pixels, got '1'")
 wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x', rows=2, columns=2, pitch=0.01, radius=0.01, width=2, height=2, F={1, 'two'} }",
@@ -167,9 +167,9 @@ wrong("fabric.lab.track", "fabric.lab.track{ files=files_ }",
 wrong("fabric.lab.track", "fabric.lab.track{ files=5 }",
   "deck.lua:1: track: field 'files': expected a table, got 5")
 wrong("fabric.lab.track", "fabric.lab.track{ files={}, rows=2.5 }",
-  "deck.lua:1: track: field 'rows': expected an integer of at least 2, got 2.5")
+  "deck.lua:1: track: field 'rows': expected an integer from 2 to 10000, got 2.5")
 wrong("fabric.lab.track", "fabric.lab.track{ files={}, rows=1 }",
-  "deck.lua:1: track: field 'rows': expected an integer of at least 2, got 1")
+  "deck.lua:1: track: field 'rows': expected an integer from 2 to 10000, got 1")
 wrong("fabric.lab.track", "fabric.lab.track{ files={}, rows=2, columns=2, scale='1' }",
   "deck.lua:1: track: field 'scale': expected a positive number in m, got '1'")
 wrong("fabric.lab.track", "fabric.lab.track{ files={}, rows=2, columns=2, known=5 }",
