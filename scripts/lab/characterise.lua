@@ -4,6 +4,9 @@
 --
 -- The folder (default: the synthetic sample data) holds laboratory.lua and the files that lua/fabric/lab/folder.lua describes.
 -- Writes into out (default out/characterise): card.lua, warp.svg, weft.svg, shear.svg, their -residual.svg, report.html.
+--
+-- Some elements go beyond the tested strain, as the warning says:
+-- warns: the card was tested to
 local fabric = require "fabric"
 local folder, report = require "fabric.lab.folder", require "fabric.lab.report"
 

@@ -2,6 +2,9 @@
 -- as in the thesis, and clamped as in a laboratory.
 --
 --   fabricsh scripts/thesis/fig_7_19_bias_snapshots.lua
+--
+-- Some elements go beyond the tested strain, as the warning says:
+-- warns: the card was tested to
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"

@@ -1,6 +1,9 @@
 -- Fig. 7-23 of [williams2010]: bias test at 45 degrees to 20 mm, muslin, ends free and clamped, and what the text's numbers imply.
 --
 --   fabricsh scripts/thesis/fig_7_23_bias_muslin.lua
+--
+-- Some elements go beyond the tested strain, as the warning says:
+-- warns: the card was tested to
 local here = arg[0]:gsub("[^/]*$", "")
 dofile(here .. "chapter.lua")
 return dofile(here .. "bias.lua")("7-23", "muslin", "fig_7_23")

@@ -5,6 +5,9 @@
 --
 -- Ends free to contract: sliding ends can't hold back the shear that the slanted yarns cause, so the strip leans and the field
 -- is not uniform, though nothing is clamped. Whether a field is a checkerboard is measured: its part along (-1)^(i+j).
+--
+-- Some elements go beyond the tested strain, as the warning says:
+-- warns: the card was tested to
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"

@@ -6,6 +6,9 @@
 -- Both ratios of a fabric are scaled together, from nothing to the measured ones. The default law stays near P(E) all the way,
 -- for its coupling never exceeds what the ratios and the softer initial modulus allow; the thesis' coupling C12 ~ nu21 D1 grows with the
 -- stiffening yarn, and what clamped ends hold back comes out as stress along the pull.
+--
+-- Some elements go beyond the tested strain, as the warning says:
+-- warns: the card was tested to
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"
