@@ -1,4 +1,6 @@
 // Ties: what follows what, what is refused, and what a deck would see.
+#include <numbers>
+
 #include "assembly/assembly.hpp"
 #include "base/error.hpp"
 #include "catch.hpp"
@@ -97,4 +99,37 @@ TEST_CASE("followers are where their leads put them; a rigid edge keeps its shap
   for (int n = 20; n < 25; ++n)
     CHECK((Eigen::Map<const Vec3>(std::as_const(a).state().d().data() + 3 * n) - R * Vec3::UnitZ()).norm() <
           1e-15);
+}
+
+TEST_CASE("the directors of a periodic seam are the mean of its two sides'") {
+  // One wave of corrugated cloth, its seam on a crest, where two waves have the same director inside; and off
+  // the crest, where the two sides lean by different angles.
+  for (const double shift : {0.0, 0.3}) {
+    const double wave = 0.1;
+    const auto corrugated = [&](int waves) {
+      auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(waves * wave, 0.02, 6 * waves, 2));
+      mesh->map([&](const Vec3& X) {
+        return Vec3(X.x(), X.y(), 0.02 * std::cos(2 * std::numbers::pi * (X.x() / wave + shift)));
+      });
+      return mesh;
+    };
+    model::Options options;
+    options.warp = [](const Vec3&) { return model::Direction(Vec3(0, 1, 0)); };
+    model::Model tied(corrugated(1), test::blend(), options), apart(corrugated(1), test::blend(), options),
+        two(corrugated(2), test::blend(), options);
+    tied.tie({TieKind::periodic, "left", "right", words("x y z rotation")});
+    for (const auto* m : {&tied, &apart, &two}) m->validate();
+    const assembly::Assembly seam(tied), open(apart), whole(two);
+    const auto director = [](const assembly::Assembly& a, int n) {
+      return Vec3(Eigen::Map<const Vec3>(a.state().d().data() + 3 * n));
+    };
+    for (int row = 0; row < 3; ++row) {
+      const int left = 7 * row, right = left + 6;
+      const Vec3 mean = (director(open, left) + director(open, right)).normalized();
+      CHECK((director(open, left) - mean).norm() > 0.05);
+      CHECK((director(seam, left) - mean).norm() < 1e-15);
+      CHECK((director(seam, right) - mean).norm() < 1e-15);
+      if (shift == 0) CHECK((director(whole, 13 * row + 6) - mean).norm() < 1e-14);
+    }
+  }
 }
