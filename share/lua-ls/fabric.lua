@@ -40,7 +40,7 @@ local history = {}
 ---@class analysis
 ---@field beyond any How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the one tested, and when the run first went beyond.
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; error: what the balance misses over the largest external work.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; scaled: of the kinetic, in rotary inertia that is scaled up; error: what the balance misses over the largest external work.
 ---@field stable_step number The largest stable step of central differences in the reference configuration, s.
 ---@field step_size number The step that a run in motion goes by, landings apart, s.
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
@@ -239,7 +239,7 @@ function fabric.checking() end
 ---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
 ---@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies (default 0)
 ---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
----@field inertia? "scaled"|"true" of directors: true, or scaled so that it does not limit the explicit step
+---@field inertia? "scaled"|"true" rotary, of the cloth: true, or scaled up where it would limit the explicit step
 ---@field force? boolean take the step even above the stable one (default false)
 ---@field ledger_limit? number energy made, over the external work, at which the run stops (default 0.05)
 ---@field tolerance? number implicit: residual over the largest nodal force (default 1e-08)
@@ -424,6 +424,7 @@ function fabric.lab.density(fields) end
 ---@field duration? number s: of the run (default 0.5)
 ---@field step? number s: as for fabric.dynamic; default: "auto"
 ---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
+---@field inertia? "scaled"|"true" as for fabric.dynamic
 ---@field points? integer through the thickness, where the card has no bending of its own (default 3)
 ---@field gravity? number m/s^2: along -z (default 9.81)
 ---@field damping? number 1/s: of the masses (default 0)
@@ -732,6 +733,7 @@ function fabric.lab.poisson(fields) end
 ---@field duration? number s: of the run (default 0.5)
 ---@field step? number s: as for fabric.dynamic; default: "auto"
 ---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
+---@field inertia? "scaled"|"true" as for fabric.dynamic
 ---@field points? integer through the thickness, where the card has no bending of its own (default 3)
 ---@field gravity? number m/s^2: along -z (default 9.81)
 ---@field damping? number 1/s: of the masses (default 0)

@@ -19,7 +19,7 @@ struct DynamicOptions {
   double hht = 0;                   // Hilbert, Hughes and Taylor's alpha, -1/3 to 0 (implicit)
   double mass_damping = 0;          // a of a M + b K_M, 1/s
   double stiffness_damping = 0;     // b, s
-  std::optional<bool> scaled = {};  // rotary inertia scaled [hughes1978]; default: explicit yes, implicit no
+  std::optional<bool> scaled = {};  // rotary inertia scaled up; default: explicit yes, implicit no
   bool force = false;               // take the step even above the stable one
   double ledger_limit = 0.05;       // energy made, over the external work, at which the run stops
   double tolerance = 1e-8;          // implicit, from here on as in StaticOptions
@@ -36,6 +36,7 @@ class Dynamic : public Run {
   std::string method() const override;
   void set(const Settings& settings) override;
   void keep_settings(Archive& archive) override;
+  double scaled_share() const override { return now_.scaled; }
   double stable_step() const { return stable_; }  // s, of the reference configuration (PHYSICS section 7)
   double step_size() const { return now_.step; }  // s, that the run goes by, landings apart
   virtual const assembly::NodalRates& rates() const = 0;  // of the committed state
@@ -46,6 +47,7 @@ class Dynamic : public Run {
   void begin() override;
   void check() override;
   double no_size() const override { return committed_time(); }
+  double scaled_kinetic() const override;
   double damping_work() const override { return now_.damping_work; }
   double driven_work() const override;
   Vec3 inertia(mesh::Index node) const override;
@@ -78,16 +80,18 @@ class Dynamic : public Run {
   struct Now {
     double step = 0, damping_work = 0, driven_kinetic_at_0 = 0, next_check = 0;
     std::int64_t steps = 0;
-    bool told_error = false, told_split = false, told_jump = false, was_over = false;
-    mesh::Index began = -1;  // element where energy was made when the first warning came
+    bool told_error = false, told_split = false, told_jump = false, told_scaled = false, was_over = false;
+    double kinetic = 0, scaled = 0;  // J, the largest so far; share of that in inertia that is scaled up
+    mesh::Index began = -1;          // element where energy was made when the first warning came
     void keep(Archive& archive) {
       archive(step, damping_work, driven_kinetic_at_0, next_check, steps, told_error, told_split, told_jump,
-              was_over, began);
+              told_scaled, was_over, kinetic, scaled, began);
     }
   } now_;
 
  private:
   mesh::Index suspect() const;
+  void weigh_inertia(const Energy& energies);  // what scaled rotary inertia is worth
 };
 
 // Errors: options out of range; a step above the stable one without `force`; ties that have no lumped mass

@@ -168,6 +168,7 @@ Energy Run::energy() const {
   sum.stored += assembly_->spring_energy();
   sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending;
   sum.kinetic = kinetic();
+  sum.scaled = scaled_kinetic();
   sum.damping = damping_work();
   sum.external = work_.total() + driven_work();
   sum.initial = initial_energy_;

@@ -92,6 +92,8 @@ class Run {
   virtual void keep_settings(Archive& archive) = 0;
   virtual bool moves() const { return false; }    // are there velocities
   virtual double tolerance() const { return 0; }  // of a step's residual; 0: steps have none
+  // The largest share so far of the kinetic energy in rotary inertia that is scaled up.
+  virtual double scaled_share() const { return 0; }
 
   // A copy of the whole state; restore goes back to it and continues bit for bit. Errors: a snapshot of
   // another analysis; restore from a hook.
@@ -122,10 +124,11 @@ class Run {
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
   // Throws it, with the report for why().
   [[noreturn]] void fail(NumericalFailure failure, const std::string& why);
-  virtual double kinetic() const { return 0; }       // J
-  virtual double damping_work() const { return 0; }  // J
-  virtual double driven_work() const { return 0; }   // J, external work beyond work_
-  virtual void check() {}                            // after a step and its hooks; may throw
+  virtual double kinetic() const { return 0; }         // J
+  virtual double scaled_kinetic() const { return 0; }  // J, of kinetic(), in rotary inertia that is scaled up
+  virtual double damping_work() const { return 0; }    // J
+  virtual double driven_work() const { return 0; }     // J, external work beyond work_
+  virtual void check() {}                              // after a step and its hooks; may throw
   virtual Vec3 inertia(mesh::Index) const {
     return Vec3::Zero();
   }  // N, that a driven node's support overcomes

@@ -65,6 +65,7 @@ class Static final : public Run {
   [[noreturn]] void give_up(const StepReport& report) override;
   double damping_work() const override { return now_.damping_work; }
   void memory(Archive& archive) override;
+  void check() override;
 
   double plan(double limit);                        // size of the next step
   void calibrate(double size, StepReport& report);  // the damping of the first step
@@ -89,10 +90,12 @@ class Static final : public Run {
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     double damping_work = 0;
-    bool told_pivots = false, told_damping = false, told_inverted = false;
+    bool told_pivots = false, told_damping = false, told_inverted = false, told_error = false;
+    bool jumps = false;  // are there loads, or motions, at time 0 already
+    double jumped = 0;   // J, that loads which begin with a jump gave in the first step, and no state holds
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, damping_work, told_pivots,
-              told_damping, told_inverted);
+              told_damping, told_inverted, told_error, jumps, jumped);
     }
   } now_;
 };

@@ -27,6 +27,7 @@ struct NodeValues {
 struct Energy {  // J
   double kinetic = 0, stored = 0, dissipated = 0, external = 0;
   double damping = 0;  // lost to viscous forces, and to the integrator where it damps (gamma > 1/2, hht < 0)
+  double scaled = 0;   // of the kinetic, in rotary inertia beyond what the thickness has
   double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
   double internal() const { return stored + dissipated; }
   double initial = 0;  // kinetic, stored and dissipated when the run began

@@ -133,8 +133,9 @@ class Assembly {
 
   // --- motion (motion.cpp)
   // kg per unknown displacement, kg m^2 per unknown rotation, lumped. Rotary inertia of an element per mass:
-  // what its thickness has, t^2/12 + t^2 zeta_bar^2/4, and if scaled at least A_e/8 [hughes1978]. Error: ties
-  // whose lumped mass is not positive.
+  // what its thickness has, t^2/12 + t^2 zeta_bar^2/4, and if scaled at least what takes the step that waves in
+  // the plane of the cloth allow, after the idea of [hughes1978]. Error: ties whose lumped mass is not
+  // positive.
   std::vector<double> lumped_mass(bool scaled) const;
   const std::vector<double>& rotary_inertia(bool scaled) const { return rotary_[scaled]; }  // kg m^2 per node
   // Rates of the unknowns (and of the driven freedoms) to velocities of the nodes, at the trial
@@ -143,7 +144,8 @@ class Assembly {
   // The other way: what the nodes' velocities give the unknowns. Tied nodes follow what they are tied to.
   std::vector<double> collect_rates(const NodalRates& nodal) const;
   // The largest stable step of central differences, s, for the reference configuration: h / c for every
-  // element, c^2 the stiffest tangent over the density, and what the rotary inertia allows.
+  // element, c^2 the stiffest tangent over the density, and what the thickness' own rotary inertia allows
+  // where it isn't scaled.
   double stable_step(bool scaled) const;
   double smallest_size() const;    // m, h of the smallest element
   double largest_stretch() const;  // of edges and diagonals, current over reference

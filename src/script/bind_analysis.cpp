@@ -128,6 +128,7 @@ int field(Call& call) {
 int energy(Call& call) {
   const analysis::Energy e = call.self<Run>()->analysis->energy();
   const std::pair<const char*, double> values[] = {{"kinetic", e.kinetic},
+                                                   {"scaled", e.scaled},
                                                    {"stored", e.stored},
                                                    {"dissipated", e.dissipated},
                                                    {"damping", e.damping},
@@ -359,7 +360,8 @@ std::vector<Entry> reading() {
        {},
        "Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, "
        "external, "
-       "internal, initial, created; error: what the balance misses over the largest external work.",
+       "internal, initial, created; scaled: of the kinetic, in rotary inertia that is scaled up; error: what "
+       "the balance misses over the largest external work.",
        run + "a:solve()\nassert(a.energy.error < 1)",
        energy},
       {"analysis.beyond",

@@ -153,7 +153,9 @@ void RunRecord::write(const analysis::Run& run, const std::string& status, doubl
   mine.set("card_hash", hash_text(card_text(model.card()))).set("model", model.describe());
   mine.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
   mine.set("steps", steps_json(run)).set("energy_error", run.energy().error);
-  mine.set("beyond", beyond_json(run)).set("outputs", outputs_);
+  mine.set("beyond", beyond_json(run));
+  if (run.moves()) mine.set("scaled_inertia", run.scaled_share());
+  mine.set("outputs", outputs_);
   std::set<std::string> folders;
   for (const std::string& output : outputs_)
     folders.insert(std::filesystem::path(output).parent_path().string());

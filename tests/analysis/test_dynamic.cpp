@@ -154,7 +154,8 @@ TEST_CASE("a taut strip's first frequency; second order in the step, explicit an
   const double width = 0.002, h = 1.0 / cells, speed = std::sqrt(kModulus * kGreen / kDensity);
   const double chain = 2 / h * speed * std::sin(std::numbers::pi * h / 2);
   const auto period = [&](Scheme scheme, double step) {
-    const double k = std::numbers::pi, I = scheme == Scheme::explicit_steps ? h * width / 8 : 1e-8 / 12;
+    const double k = std::numbers::pi,
+                 I = scheme == Scheme::explicit_steps ? 5.0 / 12 * width * width / 4 : 1e-8 / 12;
     const double omega = chain / std::sqrt(1 + I * k * k);
     const auto a = make_dynamic(
         make_string(cells, width),
@@ -447,6 +448,21 @@ TEST_CASE("the support of accelerated nodes overcomes their inertia and weight")
   }
 }
 
+TEST_CASE("the support of driven nodes overcomes the damping of their mass too") {
+  const double damping = 30, speed = 2;
+  for (const auto scheme : {Scheme::explicit_steps, Scheme::implicit_steps}) {
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.4, 0.1, 4, 1));
+    auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+    model::Components up;
+    up[2] = history::History::callback([=](double t) { return speed * t; });
+    m->move("all", up);
+    const auto a = make_dynamic(m, {.duration = 0.01, .scheme = scheme, .mass_damping = damping}, quiet());
+    a->advance(0.005);
+    const double mass = 0.04 * 590 * 0.38e-3;
+    CHECK(std::abs(a->reaction("all").z() / (mass * damping * speed) - 1) < 1e-5);  // differenced twice
+  }
+}
+
 TEST_CASE("a rigid sheet falls freely: tied nodes accelerate from the start") {
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.4, 0.1, 4, 1));
   auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
@@ -480,6 +496,121 @@ TEST_CASE("a motion with kinks leaves no ringing behind") {
   CHECK(std::abs(a->node(0).v.z() + 0.1) < 1e-9);
   a->solve();
   CHECK(std::abs(a->node(0).v.z()) < 1e-9);
+}
+
+TEST_CASE(
+    "scaled rotary inertia is what the membrane's step takes, and no more; a run says what it is worth") {
+  // Where the thickness has enough of its own there is nothing to scale.
+  for (const auto& [side, thickness] : {std::pair{0.4, 1e-4}, std::pair{0.4, 1e-3}, std::pair{0.004, 1e-3}}) {
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(side, side, 4, 4));
+    auto card = isotropic(kModulus, 0.3, thickness);
+    const model::Model m(mesh, card, model::Options{});
+    m.validate();
+    const assembly::Assembly a(m);
+    const double h = side / 4, E = kModulus / (1 - 0.3), G = 5.0 / 6 * kModulus / 2.6;  // largest eigenvalue
+    const double step = h / std::sqrt(E / card.density), needed = G / card.density * step * step / 4;
+    const double own = thickness * thickness / 12;
+    for (std::size_t n = 0; n < mesh->nodes.size(); ++n) {
+      CHECK(std::abs(a.rotary_inertia(false)[n] / a.nodal_mass()[n] / own - 1) < 1e-12);
+      CHECK(std::abs(a.rotary_inertia(true)[n] / a.nodal_mass()[n] / std::max(own, needed) - 1) < 1e-12);
+    }
+    CHECK(std::abs(a.stable_step(true) / step - 1) < 1e-12);
+    CHECK((a.stable_step(false) < step) == (needed > own));
+  }
+  // A sheet of the comparison law that spins about an axis in its plane, as a whole: what its directors have
+  // is known.
+  for (const bool scaled : {true, false}) {
+    std::vector<std::string> said;
+    auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.4, 0.4, 2, 2));
+    auto m = std::make_shared<model::Model>(mesh, isotropic(kModulus, 0.3, 1e-3), model::Options{});
+    m->velocity({"all", Vec3::Zero(), Vec3(0.1, 0, 0), Vec3(0.2, 0.2, 0)});
+    const auto a = make_dynamic(m, {.duration = 0.01, .scaled = scaled}, notices);
+    a->solve();
+    const auto& more = a->assembly().rotary_inertia(true);
+    const auto& own = a->assembly().rotary_inertia(false);
+    double worth = 0;
+    for (std::size_t n = 0; n < own.size(); ++n) worth += (more[n] - own[n]) * 0.1 * 0.1 / 2;
+    const auto e = a->energy();
+    CHECK(std::abs(e.scaled - (scaled ? worth : 0)) < 1e-3 * worth);
+    CHECK(std::abs(a->scaled_share() - (scaled ? worth / e.kinetic : 0)) < 1e-3 * worth / e.kinetic);
+    REQUIRE(said.size() == (scaled ? 1 : 0));
+    if (scaled)
+      CHECK(said[0].find("% of the kinetic energy is in rotary inertia that is scaled up") !=
+            std::string::npos);
+  }
+}
+
+// The largest frequency of a mesh in its reference configuration, 1/s, by the power method.
+double highest_frequency(assembly::Assembly& a, bool scaled) {
+  const auto mass = a.lumped_mass(scaled);
+  auto K = a.pattern();
+  a.begin_iterate();
+  REQUIRE(a.tangent(fabric::AtSwitch::loading, K, {}, {}));
+  std::vector<double> v(mass.size());
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = std::sin(1.0 + 7.0 * static_cast<double>(i));
+  double squared = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::vector<double> Kv(v.size(), 0);
+    for (assembly::Index c = 0; c < K.size; ++c)
+      for (auto e = K.column[c]; e < K.column[c + 1]; ++e) Kv[K.row[e]] += K.value[e] * v[c];
+    double above = 0, below = 0, length = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      above += v[i] * Kv[i];
+      below += v[i] * mass[i] * v[i];
+      v[i] = Kv[i] / mass[i];
+      length = std::max(length, std::abs(v[i]));
+    }
+    for (double& x : v) x /= length;
+    squared = above / below;
+  }
+  return std::sqrt(squared);
+}
+
+TEST_CASE("the usual step is stable for every mode of a sheet with scaled inertia, thin to thick, skew too") {
+  for (const double thickness : {1e-4, 1e-3, 1e-2, 0.05, 0.1})
+    for (const double skew : {0.0, 0.5})
+      for (const bool scaled : {true, false}) {
+        auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.5, 0.4, 5, 4));
+        mesh->map([&](const Vec3& X) { return Vec3(X.x() + skew * X.y(), X.y(), 0); });
+        model::Options along;
+        along.warp = [](const Vec3&) { return model::Direction(Vec3::UnitX()); };
+        const model::Model m(mesh, isotropic(kModulus, 0.3, thickness), along);
+        m.validate();
+        assembly::Assembly a(m);
+        CAPTURE(thickness, skew, scaled);
+        CHECK(0.7 * a.stable_step(scaled) * highest_frequency(a, scaled) < 2);
+      }
+}
+
+TEST_CASE("an implicit run that makes energy is stopped by the second step that does, however early") {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.2, 0.1, 4, 2));
+  auto m = std::make_shared<model::Model>(mesh, blend(), model::Options{});
+  m->fix("left", model::parse_freedoms("x y z"));
+  m->gravity(model::steady({0, 0, -9.81}));
+  m->velocity({"right", Vec3(0, 0, -20), Vec3::Zero(), Vec3::Zero()});
+  std::vector<std::string> said;
+  auto notices = std::make_shared<Notices>([&](const std::string& text) { said.push_back(text); });
+  // Steps of fifty times what the wave takes through an element.
+  const auto a =
+      make_dynamic(m, {.duration = 0.031, .step = 1e-3, .scheme = Scheme::implicit_steps}, notices);
+  int beyond = 0;
+  a->every_step([&](Run& r) {
+    const auto e = r.energy();
+    if (std::abs(e.surplus()) > 0.05 * std::max({e.initial, std::abs(e.external), e.kinetic + e.internal()}))
+      ++beyond;
+  });
+  std::string why;
+  try {
+    a->solve();
+  } catch (const NumericalFailure& failure) {
+    why = failure.what();
+  }
+  CHECK(why.find("the ledger's error is") != std::string::npos);
+  CHECK(beyond == 2);
+  CHECK(a->steps().size() < 31);
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].find("dynamic: the ledger's error is") == 0);
 }
 
 TEST_CASE("options of a run in motion that cannot be") {

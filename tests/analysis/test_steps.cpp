@@ -171,3 +171,35 @@ TEST_CASE("a part that can move freely: the failure names the cause in two lines
     says(message, "\nTry: supports that leave no part free");
   }
 }
+
+TEST_CASE("a static run whose steps are too large for its ledger says so at its end") {
+  const auto said_of = [](double step, bool pulled) {
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.0254, 0.0762, 1, 3));
+    auto m = std::make_shared<model::Model>(mesh, test::blend(), model::Options{});
+    m->fix("all", model::parse_freedoms("z rotation"));
+    m->fix("bottom", model::parse_freedoms("x y"));
+    model::Components pull;
+    pull[1] = history::History::ramp(100, 1);
+    if (pulled)
+      m->force("top", pull);
+    else
+      m->gravity(model::steady({0, -1e5, 0}));
+    std::string said;
+    auto notices = std::make_shared<Notices>([&](const std::string& text) { said += text + "\n"; });
+    analysis::StaticOptions options;
+    options.duration = 1;
+    options.step = step;
+    analysis::Static a(m, options, notices);
+    a.solve();
+    const auto e = a.energy();
+    INFO(said << e.error);
+    if (pulled) CHECK((e.error > 0.05) == (said.find("the ledger's error is ") != std::string::npos));
+    return said;
+  };
+  const std::string coarse = said_of(0.5, true);
+  CHECK(coarse.find("static: the ledger's error is ") == 0);
+  CHECK(coarse.find(" % of the external work at time 1 s, after 2 steps") != std::string::npos);
+  CHECK(said_of(0.02, true).empty());
+  // A weight that is there from the first gives more than the cloth takes up: that is not the steps' fault.
+  CHECK(said_of(0.02, false).find("ledger") == std::string::npos);
+}

@@ -16,7 +16,7 @@ function motion.square(t)
 end
 
 function motion.analysis(t, model)
-  return fabric.dynamic { model = model, duration = t.duration, step = t.step or "auto", scheme = t.scheme, force = t.force,
+  return fabric.dynamic { model = model, duration = t.duration, step = t.step or "auto", scheme = t.scheme, force = t.force, inertia = t.inertia,
                           ledger_limit = t.ledger_limit, damping = t.damping > 0 and { mass = t.damping } or nil }
 end
 
@@ -53,6 +53,7 @@ motion.arguments = {
   { name = "duration", kind = "number", unit = "s", above = 0, default = 0.5, sentence = "of the run" },
   { name = "step", kind = "number", unit = "s", above = 0, optional = true, sentence = "as for fabric.dynamic; default: \"auto\"" },
   { name = "scheme", kind = "text", choices = { "explicit", "implicit" }, default = "explicit", sentence = "as for fabric.dynamic" },
+  { name = "inertia", kind = "text", choices = { "scaled", "true" }, optional = true, sentence = "as for fabric.dynamic" },
   { name = "points", kind = "integer", low = 1, default = 3, sentence = "through the thickness, where the card has no bending of its own" },
   { name = "gravity", kind = "number", unit = "m/s^2", default = 9.81, sentence = "along -z" },
   { name = "damping", kind = "number", unit = "1/s", low = 0, default = 0, sentence = "of the masses" },
