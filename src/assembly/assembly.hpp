@@ -133,8 +133,8 @@ class Assembly {
 
   // --- motion (motion.cpp)
   // kg per unknown displacement, kg m^2 per unknown rotation, lumped. Rotary inertia of an element per mass:
-  // what its thickness has, t^2/12 + t^2 zeta_bar^2/4, and if scaled at least what takes the step that waves in
-  // the plane of the cloth allow, after the idea of [hughes1978]. Error: ties whose lumped mass is not
+  // what its thickness has, t^2/12 + t^2 zeta_bar^2/4, and if scaled at least what takes the step that waves
+  // in the plane of the cloth allow, after the idea of [hughes1978]. Error: ties whose lumped mass is not
   // positive.
   std::vector<double> lumped_mass(bool scaled) const;
   const std::vector<double>& rotary_inertia(bool scaled) const { return rotary_[scaled]; }  // kg m^2 per node

@@ -94,7 +94,8 @@ std::vector<Argument> arguments() {
                number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},
               "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
           .optional(),
-      value_("inertia", text, "rotary, of the cloth: true, or scaled up where it would limit the explicit step")
+      value_("inertia", text,
+             "rotary, of the cloth: true, or scaled up where it would limit the explicit step")
           .optional()
           .one_of({"scaled", "true"}),
       value_("force", boolean, "take the step even above the stable one").or_else(false),

@@ -1,6 +1,7 @@
 // Motion against closed forms: free flight, frequencies, orders, agreement of the schemes, the ledger.
 #include <omp.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "analysis/dynamic.hpp"
@@ -609,8 +610,9 @@ TEST_CASE("an implicit run that makes energy is stopped by the second step that 
   CHECK(why.find("the ledger's error is") != std::string::npos);
   CHECK(beyond == 2);
   CHECK(a->steps().size() < 31);
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].find("dynamic: the ledger's error is") == 0);
+  CHECK(std::count_if(said.begin(), said.end(), [](const std::string& text) {
+          return text.find("dynamic: the ledger's error is") == 0;
+        }) == 1);
 }
 
 TEST_CASE("options of a run in motion that cannot be") {

@@ -197,9 +197,9 @@ TEST_CASE("a static run whose steps are too large for its ledger says so at its 
     return said;
   };
   const std::string coarse = said_of(0.5, true);
-  CHECK(coarse.find("static: the ledger's error is ") == 0);
+  CHECK(coarse.find("static: the ledger's error is ") != std::string::npos);
   CHECK(coarse.find(" % of the external work at time 1 s, after 2 steps") != std::string::npos);
-  CHECK(said_of(0.02, true).empty());
+  CHECK(said_of(0.02, true).find("ledger") == std::string::npos);
   // A weight that is there from the first gives more than the cloth takes up: that is not the steps' fault.
   CHECK(said_of(0.02, false).find("ledger") == std::string::npos);
 }
