@@ -14,7 +14,7 @@ local returns = {
   ["fabric.lab.fast_card"] = "card", ["fabric.point"] = "point", ["point:reset"] = "nil", ["fabric.model"] = "model", ["fabric.poly"] = "number[]",
   ["fabric.history"] = "history", ["fabric.ramp"] = "history", ["history:value"] = "number", ["fabric.static"] = "analysis",
   ["fabric.dynamic"] = "analysis", ["fabric.checking"] = "boolean", ["fabric.warn"] = "nil", ["fabric.globals"] = "nil",
-  ["fabric.expect"] = "nil", ["fabric.help"] = "nil", ["fabric.plot"] = "string?", ["fabric.render"] = "nil", ["fabric.folder"] = "string[]",
+  ["fabric.expect"] = "nil", ["fabric.help"] = "nil", ["fabric.plot"] = "string|boolean|nil", ["fabric.render"] = "boolean", ["fabric.folder"] = "string[]",
   ["analysis:stop"] = "nil", ["analysis:snapshot"] = "snapshot", ["analysis:reaction"] = "number x, number y, number z",
   ["analysis:mean"] = "number", ["analysis:field"] = "number[]", ["mesh:elements"] = "integer[]", ["mesh:orient"] = "integer",
   ["analysis.time"] = "number", ["analysis.duration"] = "number", ["analysis.stable_step"] = "number", ["analysis.step_size"] = "number",

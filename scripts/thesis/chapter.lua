@@ -102,12 +102,10 @@ function chapter.line(f, last, label, factor)
   return out
 end
 
--- Draws curves; says what is to be seen. Without gnuplot a warning.
+-- Draws curves; says what is to be seen. Without gnuplot there is a warning in its place.
 function chapter.plot(name, sentence, fields)
   fields.file = ("%s/%s.svg"):format(chapter.folder, name)
-  local ok, trouble = pcall(fabric.plot, fields)
-  if not ok then return fabric.warn("no figure: " .. tostring(trouble)) end
-  chapter.keep(fields.file, sentence)
+  if fabric.plot(fields) then chapter.keep(fields.file, sentence) end
 end
 
 -- File of the frame of a row of a test's curve (nil: the last); stem: folder and name of its series. A frame a row.
@@ -157,12 +155,12 @@ end
 -- Draws a sheet; without a display a warning.
 function chapter.render(name, sentence, fields)
   fields.file = ("%s/%s.png"):format(chapter.folder, name)
-  local ok, trouble = pcall(fabric.render, fields)
+  local ok, drawn = pcall(fabric.render, fields)
   if not ok then
-    assert(tostring(trouble):find("no display", 1, true), trouble)
-    return fabric.warn("no picture: " .. tostring(trouble))
+    assert(tostring(drawn):find("no display", 1, true), drawn)
+    return fabric.warn("no picture: " .. tostring(drawn))
   end
-  chapter.keep(fields.file, sentence)
+  if drawn then chapter.keep(fields.file, sentence) end
 end
 
 function chapter.keep(file, sentence)

@@ -1,6 +1,8 @@
 -- Fig. 7-18 of [williams2010]: the blend's warp pulled to 75 % of 18 mm, let back to 70 %, pulled to 100 %, let go.
 --
 --   fabricsh scripts/thesis/fig_7_18_reload.lua
+-- warns: tangent NOT positive definite
+-- warns: breaks the printed law
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"

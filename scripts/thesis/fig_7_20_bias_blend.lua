@@ -4,6 +4,9 @@
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to
+-- warns: tangent NOT positive definite
+-- warns: breaks the printed law
+-- warns: INSIDE the tested range
 local here = arg[0]:gsub("[^/]*$", "")
 dofile(here .. "chapter.lua")
 return dofile(here .. "bias.lua")("7-20", "blend", "fig_7_20")

@@ -4,6 +4,7 @@
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to
+-- warns: INSIDE the tested range
 local here = arg[0]:gsub("[^/]*$", "")
 dofile(here .. "chapter.lua")
 return dofile(here .. "bias.lua")("7-21", "denim", "fig_7_21")

@@ -4,6 +4,8 @@
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to
+-- warns: tangent NOT positive definite
+-- warns: breaks the printed law
 local here = arg[0]:gsub("[^/]*$", "")
 dofile(here .. "chapter.lua")
 return dofile(here .. "bias.lua")("7-22", "duck", "fig_7_22")

@@ -4,6 +4,7 @@
 --
 -- gamma = 2 E12 goes to 0.4, -0.4 and 0.5. First leg: Pg(gamma). On each way back the Gu line down to zero stress; from there
 -- a virgin branch the other way in the relative strain. Weft and warp are not stretched by the same: E22 = gamma^2 / 2.
+-- warns: INSIDE the tested range
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"

@@ -9,6 +9,8 @@
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to
+-- warns: tangent NOT positive definite
+-- warns: breaks the printed law
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"

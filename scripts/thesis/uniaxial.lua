@@ -75,7 +75,7 @@ for i, row in ipairs(curve) do
   figure.E[i], figure.S[i] = row.E, row.S / MPa
   figure.backbone[i] = row.time <= 1 and P(row.E) / MPa or 0 / 0
 end
-local drawn, trouble = pcall(fabric.plot, {
+local drawn = fabric.plot {
   file = folder .. "/curve.svg",
   title = ("%s, %s, ends %s"):format(card.name, direction, grips),
   xlabel = "Green-Lagrange strain E",
@@ -84,10 +84,9 @@ local drawn, trouble = pcall(fabric.plot, {
     { x = figure.E, y = figure.S, label = "computed" },
     { x = figure.E, y = figure.backbone, label = "P(E) of the card", style = "dashed" },
   },
-})
-if not drawn then fabric.warn("no figure: " .. tostring(trouble)) end
+}
 print(("\ncurve   %s/curve.csv\nfigure  %s\nseries  %s/strip.pvd (ParaView)\n"):format(
-  folder, drawn and folder .. "/curve.svg" or "none", folder))
+  folder, drawn and folder .. "/curve.svg" or "none: gnuplot is not installed", folder))
 
 -- What must come out. Every wanted value is a closed form of the card.
 local peak, last, before = nil, curve[#curve], curve[#curve - 1]

@@ -7,6 +7,8 @@
 -- and sheared in its plane: its force over that of the finest mesh.
 --
 --   fabricsh scripts/verify/membrane.lua
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 
 local function plate(young, nu, thickness)

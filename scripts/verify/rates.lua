@@ -7,6 +7,7 @@
 -- over that of the solution.
 --
 --   fabricsh scripts/verify/rates.lua
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local young, nu, thickness = 1e9, 0.3, 0.02
 

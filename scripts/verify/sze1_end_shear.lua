@@ -2,6 +2,8 @@
 -- nu = 0, P = 4. Published values: 16 x 1 elements (S4R).
 --
 --   fabricsh scripts/verify/sze1_end_shear.lua
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 
@@ -24,9 +26,9 @@ end
 local a, read = make(16, 0.05)
 print "Cantilever, end shear: -U and W of the tip, 16 x 1 elements"
 local worst = problem.follow(a, read, published, { "-U", "W" })
-print "\nRefinement, steps chosen by the solver; 3.286, 6.698 [sze2004]"
+print "\nRefinement, steps chosen by the solver, half the load at most; 3.286, 6.698 [sze2004]"
 local final
-for _, n in ipairs { 8, 16, 32, 64 } do final = problem.solve(n .. " x 1", make, { 3.286, 6.698 }, n, 1) end
+for _, n in ipairs { 8, 16, 32, 64 } do final = problem.solve(n .. " x 1", make, { 3.286, 6.698 }, n, 0.5) end
 fabric.expect {
   -- A straight-sided element of angle a bends by sin(a) / a of its curvature: 0.2 % on 16 elements.
   { "largest difference in the table, of the final value", worst, 0, absolute = 0.01 },

@@ -3,6 +3,8 @@
 -- its end turned by 360 degrees in place of the moment.
 --
 --   fabricsh scripts/verify/sze2_end_moment.lua
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 local L, M = 12, 50 * math.pi / 3

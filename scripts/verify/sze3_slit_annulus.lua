@@ -3,6 +3,8 @@
 -- A and B are the ends of the lifted lip on the inner and the outer circle.
 --
 --   fabricsh scripts/verify/sze3_slit_annulus.lua [k ...]      4 k x 30 k elements, usually k = 1; the table on the last
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

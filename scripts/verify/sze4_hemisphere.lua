@@ -3,6 +3,8 @@
 -- 200. Published values: 16 x 16 elements (S4R), -U of the point pushed inwards, V of the one pulled out.
 --
 --   fabricsh scripts/verify/sze4_hemisphere.lua [n ...]      n x n elements in the quarter, usually 8 16; the table on the last
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

@@ -3,6 +3,8 @@
 -- values: 24 x 36 elements of the eighth (S4R); A: under the force, B: at 90 degrees to it, C: above B on the free edge.
 --
 --   fabricsh scripts/verify/sze5_pull_out.lua [k ...]      8 k x 12 k elements of the eighth, usually 1 2; the table on the last
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

@@ -3,6 +3,8 @@
 -- the rotation about the edge are held, as a plane of symmetry does; one half with a symmetry plane, so 1000. Published: deflection under the force.
 --
 --   fabricsh scripts/verify/sze7_semicylinder.lua [n ...]      n x n elements in the half, usually 16; the table on the last
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

@@ -5,6 +5,8 @@
 -- followed along the arc, and the published points are looked up on the path by their distance to it.
 --
 --   fabricsh scripts/verify/sze8_roof.lua [n ...]      n x n elements in the quarter, usually 8 16
+-- warns: is far from what cloth is
+-- warns: is far outside cloth
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

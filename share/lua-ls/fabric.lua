@@ -1060,7 +1060,7 @@ function fabric.mesh.rectangle(fields) end
 function fabric.model(fields) end
 
 ---@class fabric_plot_fields
----@field curves table { {x=, y=, label=, style=}, ... }: lists of numbers, or {rows=, x="E", y="S"} by the fields of a list of tables; style: line, dashed, points, line_points
+---@field curves table { {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x="E", y="S"} by the fields of a list of tables; style: line, dashed, points, line_points
 ---@field file? string ends in .svg, .png or .pdf; none: drawn in letters
 ---@field title? string above the curves (default "")
 ---@field xlabel? string what x is (default "")
@@ -1073,9 +1073,9 @@ function fabric.model(fields) end
 ---@field columns? integer width of a drawing in letters (default 79)
 ---@field lines? integer height of a drawing in letters (default 24)
 
----Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows.
+---Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
 ---@param fields fabric_plot_fields
----@return string?
+---@return string|boolean|nil
 function fabric.plot(fields) end
 
 ---One material point of virgin cloth, to be driven by strains.
@@ -1112,8 +1112,9 @@ function fabric.ramp(value, duration) end
 ---@field edges? boolean of the elements (default true)
 ---@field axes? boolean with a scale, in mm (m from 1.5 m on) (default true)
 
----Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual display Xvfb, or where that is not installed on the display of DISPLAY.
+---Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual display Xvfb, or where that is not installed on the display of DISPLAY. Returns whether it was drawn: false, with a warning, under --safe.
 ---@param fields fabric_render_fields
+---@return boolean
 function fabric.render(fields) end
 
 ---@class fabric_static_fields

@@ -1,12 +1,14 @@
 // fabricsh-render: reads what is to be drawn from its input, writes a PNG. Started by fabric.render.
 #include <iostream>
 
+#include "render/complaints.hpp"
 #include "render/display.hpp"
 #include "render/draw.hpp"
 
 int main() {
   using namespace fabricsh;
   try {
+    render::collect_complaints();
     const files::Picture picture = files::read_picture(std::cin);
     const render::Display display;
     render::draw(picture);

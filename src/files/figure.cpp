@@ -1,9 +1,8 @@
 #include "files/figure.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <sstream>
 
@@ -28,23 +27,43 @@ std::string terminal(const std::string& path) {
   throw Error("figure: expected a file name that ends in .svg, .png or .pdf, got '" + path + "'");
 }
 
-// Letters, digits, blanks and what is not ASCII as they are, all else by its octal number: nothing is left
-// that gnuplot could take for the end of the text, a command in backquotes or a macro. Control characters are
-// blanks.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    char code[8];
-    std::snprintf(code, sizeof code, "\\%03o", byte);
-    if (byte < 32 || byte == 127)
-      out += ' ';
-    else if (byte >= 128 || byte == ' ' || std::isalnum(byte) != 0)
-      out += c;
-    else
-      out += code;
+// Bytes of the UTF-8 character that begins at `at`; 0: none begins there, or XML has no such character.
+std::size_t character(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return static_cast<unsigned char>(i < text.size() ? text[i] : '\0');
+  };
+  const unsigned first = byte(at);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  unsigned code = first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(at + i) & 0x3fU);
   }
-  return out + "\"";
+  const bool too_long = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  const bool no_character = (code >= 0xd800 && code < 0xe000) || code > 0x10ffff || (code & 0xfffe) == 0xfffe;
+  return too_long || no_character ? 0 : length;
+}
+
+// Between single quotes gnuplot takes every character for itself: no backslash, no command in backquotes, no
+// macro, no format. A single quote, doubled, would be the one exception, but some releases stumble over it at
+// the beginning; so that it is joined on between double quotes. What no reader of an SVG would take is
+// replaced: control characters by blanks, bytes that are not UTF-8 by the replacement character.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character(text, at);
+    const auto byte = static_cast<unsigned char>(text[at]);
+    if (length == 0)
+      out += "\xef\xbf\xbd";
+    else if (byte < 32 || byte == 127)
+      out += ' ';
+    else
+      out += byte == '\'' ? R"('."'".')" : text.substr(at, length);
+    at += std::max<std::size_t>(length, 1);
+  }
+  return out + "'";
 }
 
 std::string with(CurveStyle style, bool letters) {
@@ -92,12 +111,48 @@ std::string trimmed(const std::string& text) {
   return out;
 }
 
-void check(const std::vector<Curve>& curves) {
-  if (curves.empty()) throw Error("figure: expected at least one curve");
-  for (const Curve& curve : curves)
-    if (curve.x.size() != curve.y.size())
-      throw Error("figure: curve '" + curve.label + "': expected as many y as x, got " +
-                  std::to_string(curve.y.size()) + " and " + std::to_string(curve.x.size()));
+bool shows(const Axis& axis, double value) {
+  return std::isfinite(value) && (value > 0 || !axis.logarithmic);
+}
+
+bool in_range(const Axis& axis, double value) {
+  return value >= axis.low.value_or(value) && value <= axis.high.value_or(value);
+}
+
+void check_axis(const std::string& name, const Axis& axis) {
+  if (axis.logarithmic && (axis.low.value_or(1) <= 0 || axis.high.value_or(1) <= 0))
+    throw Error("figure: a logarithmic axis has no room for zero and below, got a range of " + name +
+                " from " + number(axis.low.value_or(1)) + " to " + number(axis.high.value_or(1)));
+}
+
+void check_curve(const Figure& f, const Curve& curve) {
+  const std::string who = "figure: curve '" + curve.label + "': ";
+  if (curve.x.size() != curve.y.size())
+    throw Error(who + "expected as many y as x, got " + std::to_string(curve.y.size()) + " and " +
+                std::to_string(curve.x.size()));
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    if (shows(f.x, curve.x[i]) && shows(f.y, curve.y[i])) return;
+  const bool logarithmic = f.x.logarithmic || f.y.logarithmic;
+  throw Error(who + "nothing to draw: none of its " + std::to_string(curve.x.size()) + " points is finite" +
+              (logarithmic ? " and positive on the logarithmic axis" : ""));
+}
+
+// An axis without a range takes its own from the points inside the other's.
+void check_ranges(const Figure& f) {
+  for (const Curve& curve : f.curves)
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      if (shows(f.x, curve.x[i]) && shows(f.y, curve.y[i]) && in_range(f.x, curve.x[i]) &&
+          in_range(f.y, curve.y[i]))
+        return;
+  throw Error("figure: no point of any curve lies inside the range asked for");
+}
+
+void check(const Figure& f) {
+  if (f.curves.empty()) throw Error("figure: expected at least one curve");
+  check_axis("x", f.x);
+  check_axis("y", f.y);
+  for (const Curve& curve : f.curves) check_curve(f, curve);
+  check_ranges(f);
 }
 
 std::string axis(const std::string& name, const Axis& a) {
@@ -110,9 +165,10 @@ std::string axis(const std::string& name, const Axis& a) {
 
 // All but the terminal and where it writes. In letters lines are told apart by their own marks.
 std::string script_of(const Figure& f, bool letters) {
-  check(f.curves);
-  std::string script = "set title " + quoted(f.title) + "\n" + axis("x", f.x) + axis("y", f.y) +
-                       "set key below Left reverse\nset tics nomirror\nset border 3\n";
+  check(f);
+  std::string script = "set encoding utf8\nset title " + quoted(f.title) + "\n" + axis("x", f.x) +
+                       axis("y", f.y) + "set key below Left reverse" +
+                       (letters ? "" : " spacing 1.3 height 0.5") + "\nset tics nomirror\nset border 3\n";
   if (!letters) script += "set grid linecolor rgb '#dddddd'\nset xlabel offset 0,0.4\n";
   std::string plot = "plot ";
   for (std::size_t i = 0; i < f.curves.size(); ++i) {
@@ -122,11 +178,19 @@ std::string script_of(const Figure& f, bool letters) {
   return script + plot + "\n";
 }
 
+// XML wants the three characters that end a CDATA section escaped in any text; gnuplot, which makes no such
+// sections, leaves them as they are.
+void escape_ends(std::string& svg) {
+  for (std::size_t at = 0; (at = svg.find("]]>", at)) != std::string::npos;) svg.replace(at + 2, 1, "&gt;");
+}
+
 }  // namespace
 
 void draw(const std::string& path, const Figure& figure) {
   const std::string start = "set terminal " + terminal(path) + "\n";
-  write_file(path, run_gnuplot(start + script_of(figure, false) + "unset output\n"), Sync::no);
+  std::string drawn = run_gnuplot(start + script_of(figure, false) + "unset output\n");
+  if (path.ends_with(".svg")) escape_ends(drawn);
+  write_file(path, drawn, Sync::no);
 }
 
 // The label of y, which letters can't turn, stands above the axis.

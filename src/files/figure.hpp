@@ -27,8 +27,8 @@ struct Figure {
 };
 
 // Replaces the file; the ending of its name says the format. Text is taken as it is, no mark-up.
-// Error: another ending, no curve, x and y of different length, nothing to see, gnuplot missing or failing
-// (with its words).
+// Error: another ending, no curve, x and y of different length, a curve without a point that can be drawn, no
+// point inside the range, gnuplot failing; NoGnuplot: it is not installed.
 void draw(const std::string& path, const Figure& figure);
 
 // The same in letters, for a terminal; columns x lines characters.

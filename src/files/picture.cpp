@@ -88,9 +88,10 @@ void render(const Picture& picture, const std::string& program) {
   if (!result.found)
     throw Error("render: the program that draws is not there: '" + program +
                 "' (build the target fabricsh-render)");
+  if (!result.good && result.said.starts_with("render: ")) throw Error(result.said);
   if (!result.good)
-    throw Error(result.said.rfind("render: ", 0) == 0 ? result.said
-                                                      : "render: drawing failed: " + result.said);
+    throw Error("render: the program that draws ended before the picture was whole: '" + program + "'" +
+                (result.said.empty() ? "" : ", saying: " + result.said.substr(0, result.said.find('\n'))));
   file.commit(Sync::no);
 }
 

@@ -323,14 +323,37 @@ Vec3 Model::warp_at(const Vec3& X, const Vec3& n) const {
   return wanted;
 }
 
+namespace {
+
+// "1 support", "2 supports".
+std::string counted(std::size_t count, const char* noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string loads_of(const Model& m) {
+  std::string words;
+  const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : ", ") + more; };
+  for (const auto& [count, noun] : {std::pair{m.forces().size(), "force"},
+                                    {m.moments().size(), "moment"},
+                                    {m.tractions().size(), "traction"},
+                                    {m.pressures().size(), "pressure"},
+                                    {m.springs().size(), "spring"}})
+    if (count > 0) add(counted(count, noun));
+  if (std::any_of(m.gravity().begin(), m.gravity().end(), [](const auto& part) { return part.has_value(); }))
+    add("gravity");
+  return words.empty() ? "no loads" : words;
+}
+
+}  // namespace
+
 std::string Model::describe() const {
   std::ostringstream text;
   text << "model: " << mesh_->origin << ", " << mesh_->nodes.size() << " nodes, " << mesh_->elements.size()
        << " elements; card " << card_.name << ", " << section_.thickness * 1e3 << " mm, "
        << section_.areal_mass * 1e3 << " g/m2; warp "
        << (options_.warp ? options_.warp_text : "0 degrees from +x (default)") << "; "
-       << section_.points.size() << " thickness point" << (section_.points.size() == 1 ? "" : "s") << "; "
-       << supports_.size() << " supports, " << motions_.size() << " motions, " << forces_.size() << " forces";
+       << counted(section_.points.size(), "thickness point") << "; " << counted(supports_.size(), "support")
+       << ", " << counted(motions_.size(), "motion") << ", " << loads_of(*this);
   return text.str();
 }
 

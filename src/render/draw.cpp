@@ -2,26 +2,21 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCubeAxesActor.h>
 #include <vtkDataSetMapper.h>
-#include <vtkMatrix4x4.h>
 #include <vtkPNGWriter.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkStringArray.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <map>
 
 #include "base/error.hpp"
 #include "render/colours.hpp"
+#include "render/layout.hpp"
+#include "render/plane.hpp"
 #include "render/sheet.hpp"
 
 namespace fabricsh::render {
@@ -31,7 +26,6 @@ namespace {
 template <class T>
 using Ref = vtkSmartPointer<T>;
 using files::Picture;
-using Bounds = std::array<double, 6>;  // x, x, y, y, z, z
 
 constexpr double kTitlePart = 0.07;  // of the picture, on top
 
@@ -47,35 +41,12 @@ int font_size(const Picture& p) {
   return std::max(10, static_cast<int>(std::sqrt(double(p.width) * p.height) / 52));
 }
 
-// Part of the width that the colour bar takes: ten letters at least.
-double bar_part(const Picture& p) { return std::max(0.13, 8.0 * font_size(p) / p.width); }
-
-void style(vtkTextProperty* text, int size) {
-  text->SetColor(0, 0, 0);
-  text->SetFontFamilyToArial();
-  text->SetFontSize(size);
-  text->BoldOff();
-  text->ItalicOff();
-  text->ShadowOff();
-}
-
 Ref<vtkRenderer> viewport(Scene& scene, double x0, double y0, double x1, double y1) {
   const auto renderer = Ref<vtkRenderer>::New();
   renderer->SetViewport(x0, y0, x1, y1);
   renderer->SetBackground(1, 1, 1);
   scene.window->AddRenderer(renderer);
   return renderer;
-}
-
-void write_text(vtkRenderer* renderer, const std::string& words, int size, double x, double y) {
-  const auto text = Ref<vtkTextActor>::New();
-  text->SetInput(words.c_str());
-  style(text->GetTextProperty(), size);
-  text->GetTextProperty()->SetJustificationToCentered();
-  text->GetTextProperty()->SetVerticalJustificationToCentered();
-  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  text->SetPosition(x, y);
-  renderer->AddActor2D(text);
 }
 
 // Common bounds, so that panels can be compared.
@@ -119,117 +90,97 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet) {
   return result;
 }
 
-void aim(vtkRenderer* renderer, const Picture& p, const Bounds& bounds) {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double a = p.azimuth * M_PI / 180, e = p.elevation * M_PI / 180;
-  const double centre[3] = {(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
-                            (bounds[4] + bounds[5]) / 2};
-  camera->ParallelProjectionOn();
-  camera->SetFocalPoint(centre);
-  camera->SetPosition(centre[0] + std::sin(a) * std::cos(e), centre[1] - std::cos(a) * std::cos(e),
-                      centre[2] + std::sin(e));
-  camera->SetViewUp(from_above(p) ? -std::sin(a) : 0, from_above(p) ? std::cos(a) : 0, from_above(p) ? 0 : 1);
-  renderer->ResetCamera(bounds.data());
-}
-
-// The largest magnification at which the corners of the bounds, and room for the axes, stay in the viewport.
-void fit(vtkRenderer* renderer, const Scene& scene, const Bounds& bounds) {
-  double half_x = 0, half_y = 0;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  vtkMatrix4x4* m = camera->GetViewTransformMatrix();
-  for (int corner = 0; corner < 8; ++corner) {
-    const double p[4] = {bounds[corner & 1 ? 1 : 0], bounds[corner & 2 ? 3 : 2], bounds[corner & 4 ? 5 : 4],
-                         1};
-    double q[4];
-    m->MultiplyPoint(p, q);
-    half_x = std::max(half_x, std::abs(q[0]));
-    half_y = std::max(half_y, std::abs(q[1]));
+// Parallel projection in which the bounds stand as the layout says, seen from outside of them.
+void aim(vtkRenderer* renderer, const Bounds& bounds, const View& view, const Layout& l, const Point& size) {
+  double focus[3], eye[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const double to_right = (size[0] / 2 - l.centre[0]) / l.scale,
+                 to_top = (size[1] / 2 - l.centre[1]) / l.scale;
+    focus[k] = (bounds[2 * k] + bounds[2 * k + 1]) / 2 + to_right * view.right[k] + to_top * view.up[k];
+    eye[k] = focus[k] + 10 * extent(bounds) * (view.right[i] * view.up[j] - view.right[j] * view.up[i]);
   }
-  double box[4];
-  renderer->GetViewport(box);
-  const double shape = (box[2] - box[0]) * scene.picture.width / ((box[3] - box[1]) * scene.picture.height);
-  const double room = scene.picture.axes ? 1.32 : 1.08;
-  camera->SetParallelScale(room * std::max({half_y, half_x / shape, 1e-12}));
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(focus);
+  camera->SetPosition(eye);
+  camera->SetViewUp(view.up.data());
+  camera->SetParallelScale(size[1] / 2 / l.scale);
   renderer->ResetCameraClippingRange();
 }
 
-// The two ends alone, for an axis too short for more labels.
-Ref<vtkStringArray> ends(double low, double high) {
-  const auto labels = Ref<vtkStringArray>::New();
-  for (const double v : {low, high}) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", v);
-    labels->InsertNextValue(text);
-  }
-  return labels;
+std::vector<std::string> bar_labels(const Scene& scene) {
+  const double* range = scene.table->GetTableRange();
+  return even_labels(range[0], range[1], 6);
 }
 
-void add_axes(vtkRenderer* renderer, const Scene& scene, Bounds bounds) {
-  const auto axes = Ref<vtkCubeAxesActor>::New();
-  axes->SetBounds(bounds.data());
-  axes->SetCamera(renderer->GetActiveCamera());
-  const char* const names[] = {"x", "y", "z"};
-  axes->SetXTitle(names[0]), axes->SetYTitle(names[1]), axes->SetZTitle(names[2]);
-  axes->SetXUnits(scene.unit.c_str()), axes->SetYUnits(scene.unit.c_str()),
-      axes->SetZUnits(scene.unit.c_str());
-  axes->SetXLabelFormat("%-.4g"), axes->SetYLabelFormat("%-.4g"), axes->SetZLabelFormat("%-.4g");
-  for (int i = 0; i < 3; ++i) {
-    style(axes->GetTitleTextProperty(i), font_size(scene.picture));
-    style(axes->GetLabelTextProperty(i), font_size(scene.picture));
-  }
-  for (vtkProperty* line :
-       {axes->GetXAxesLinesProperty(), axes->GetYAxesLinesProperty(), axes->GetZAxesLinesProperty()})
-    line->SetColor(0.3, 0.3, 0.3);
-  const bool flat = bounds[5] - bounds[4] < 0.02 * extent(bounds) || from_above(scene.picture);
-  axes->SetZAxisVisibility(!flat);
-  axes->SetXAxisMinorTickVisibility(false), axes->SetYAxisMinorTickVisibility(false),
-      axes->SetZAxisMinorTickVisibility(false);
-  if (bounds[5] - bounds[4] < 0.4 * extent(bounds)) axes->SetAxisLabels(2, ends(bounds[4], bounds[5]));
-  axes->SetTickLocationToOutside();
-  flat ? axes->SetFlyModeToStaticTriad() : axes->SetFlyModeToOuterEdges();
-  axes->SetScreenSize(font_size(scene.picture) * 0.5);
-  axes->SetLabelOffset(font_size(scene.picture) * 0.6);
-  axes->SetTitleOffset(font_size(scene.picture) * 0.8);
-  renderer->AddActor(axes);
-}
-
-// Digits enough to tell the labels of a narrow range apart.
-std::string label_format(double low, double high) {
-  const double largest = std::max(std::abs(low), std::abs(high));
-  const int more = static_cast<int>(std::floor(std::log10(largest / (high - low))));
-  return "%-." + std::to_string(3 + std::clamp(more, 0, 4)) + "g";
+// The column of the colour bar: as wide as the bar and its widest label, or as its title, within limits.
+double bar_width(const Scene& scene) {
+  if (!scene.table) return 0;
+  const int letter = font_size(scene.picture);
+  double labels = 0;
+  for (const std::string& label : bar_labels(scene)) labels = std::max(labels, text_size(label, letter)[0]);
+  const double title = text_size(scene.picture.bar, letter)[0];
+  return std::min(0.4 * scene.picture.width, std::max(4.5 * letter + labels, 2 * letter + title));
 }
 
 void add_bar(Scene& scene) {
-  const auto renderer = viewport(scene, 1 - bar_part(scene.picture), 0, 1, 1 - kTitlePart);
-  const auto bar = Ref<vtkScalarBarActor>::New();
-  bar->SetLookupTable(scene.table);
-  bar->SetTitle("");
-  bar->SetNumberOfLabels(6);
-  bar->SetMaximumNumberOfColors(256);
-  bar->SetLabelFormat(label_format(*scene.table->GetTableRange(), scene.table->GetTableRange()[1]).c_str());
-  bar->UnconstrainedFontSizeOn();
-  style(bar->GetLabelTextProperty(), font_size(scene.picture));
-  bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition(0.12, 0.12);
-  bar->SetWidth(0.75);
-  bar->SetHeight(0.72);
-  bar->SetBarRatio(0.3);
-  renderer->AddActor2D(bar);
-  write_text(renderer, scene.picture.bar, font_size(scene.picture), 0.5, 0.92);
+  const int letter = font_size(scene.picture);
+  const double width = bar_width(scene), top = (1 - kTitlePart) * scene.picture.height;
+  const double low = 0.12 * top, high = 0.84 * top;
+  const auto renderer = viewport(scene, 1 - width / scene.picture.width, 0, 1, 1 - kTitlePart);
+  add_colours(renderer, scene.table, {1.0 * letter, low}, {2.5 * letter, high});
+  const auto labels = bar_labels(scene);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(labels.size() - 1);
+    write(renderer, labels[i], letter,
+          {3 * letter + text_size(labels[i], letter)[0] / 2, low + part * (high - low)});
+  }
+  write_fitted(renderer, scene.picture.bar, letter, {width / 2, 0.92 * top}, width - letter);
 }
 
+struct Place {
+  double x0, y0, x1, y1;  // parts of the picture
+};
+
 // Where panel i of the grid of panels stands.
-Ref<vtkRenderer> panel_viewport(Scene& scene, int i) {
+Place panel_place(const Scene& scene, int i) {
   const int n = static_cast<int>(scene.sheets.size());
   const int columns = scene.picture.columns > 0 ? std::min(scene.picture.columns, n)
                       : n <= 3                  ? n
                                                 : (n + 1) / 2;
   const int rows = (n + columns - 1) / columns, row = i / columns, column = i % columns;
-  const double right = scene.table ? 1 - bar_part(scene.picture) : 1,
+  const double right = 1 - bar_width(scene) / scene.picture.width,
                top = scene.picture.title.empty() ? 1 : 1 - kTitlePart;
-  return viewport(scene, right * column / columns, top * (rows - 1 - row) / rows,
-                  right * (column + 1) / columns, top * (rows - row) / rows);
+  return {right * column / columns, top * (rows - 1 - row) / rows, right * (column + 1) / columns,
+          top * (rows - row) / rows};
+}
+
+void add_panel(Scene& scene, int i, const Bounds& bounds) {
+  const Picture& p = scene.picture;
+  const int letter = font_size(p);
+  const Place place = panel_place(scene, i);
+  const auto renderer = viewport(scene, place.x0, place.y0, place.x1, place.y1);
+  const Point size{(place.x1 - place.x0) * p.width, (place.y1 - place.y0) * p.height};
+  const std::string& label = p.panels[static_cast<std::size_t>(i)].label;
+  const bool labelled = std::any_of(p.panels.begin(), p.panels.end(),
+                                    [](const files::Panel& panel) { return !panel.label.empty(); });
+  const double above = labelled ? 2 * letter : 0;  // room of the labels, the same in all panels
+  std::map<std::string, Point> known;
+  const auto measure = [&](const std::string& text) {
+    const auto [found, fresh] = known.try_emplace(text);
+    if (fresh) found->second = text_size(text, letter);
+    return found->second;
+  };
+  const View view = view_from(p.azimuth, p.elevation);
+  const Layout l =
+      layout(bounds, view, p.axes ? scene.unit : "", {size[0], size[1] - above, double(letter), measure});
+  renderer->AddActor(actor(scene, scene.sheets[static_cast<std::size_t>(i)]));
+  aim(renderer, bounds, view, l, size);
+  for (const Line& line : l.lines) add_line(renderer, line.from, line.to);
+  for (const Word& word : l.words) write(renderer, word.text, letter, word.centre);
+  if (!label.empty())
+    write_fitted(renderer, label, letter, {size[0] / 2, size[1] - above / 2}, size[0] - letter);
 }
 
 void add_panels(Scene& scene) {
@@ -239,15 +190,7 @@ void add_panels(Scene& scene) {
   if (!metres)
     for (const Sheet& sheet : scene.sheets) scale(sheet, 1000);
   bounds = common(scene.sheets);
-  for (std::size_t i = 0; i < scene.sheets.size(); ++i) {
-    const auto renderer = panel_viewport(scene, static_cast<int>(i));
-    renderer->AddActor(actor(scene, scene.sheets[i]));
-    aim(renderer, scene.picture, bounds);
-    fit(renderer, scene, bounds);
-    if (scene.picture.axes) add_axes(renderer, scene, bounds);
-    const std::string& label = scene.picture.panels[i].label;
-    if (!label.empty()) write_text(renderer, label, font_size(scene.picture), 0.5, 0.97);
-  }
+  for (std::size_t i = 0; i < scene.sheets.size(); ++i) add_panel(scene, static_cast<int>(i), bounds);
 }
 
 void make_table(Scene& scene) {
@@ -259,9 +202,11 @@ void make_table(Scene& scene) {
   }
   if (!(low <= high)) throw Error("render: the field '" + scene.picture.array + "' holds no finite value");
   if (std::abs(low) < 1e-9 * high) low = 0;  // rounding beside the rest
-  // A field that is the same everywhere gets one colour, not the noise of its last digits.
-  const double least = 1e-6 * std::max({std::abs(low), std::abs(high), 1e-30});
-  if (high - low < least) low -= least, high += least;
+  // A field that is the same everywhere gets one colour and a bar around it, not the noise of its last
+  // digits.
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (largest == 0) low = -1, high = 1;
+  if (high - low < 1e-6 * largest) low -= 0.05 * largest, high += 0.05 * largest;
   scene.table = colours(low, high);
 }
 
@@ -290,10 +235,9 @@ void draw(const Picture& picture) {
   viewport(scene, 0, 0, 1, 1);  // white behind everything
   add_panels(scene);
   if (scene.table) add_bar(scene);
-  if (!picture.title.empty()) {
-    const auto renderer = viewport(scene, 0, 1 - kTitlePart, 1, 1);
-    write_text(renderer, picture.title, font_size(picture) * 5 / 4, 0.5, 0.5);
-  }
+  if (!picture.title.empty())
+    write_fitted(viewport(scene, 0, 1 - kTitlePart, 1, 1), picture.title, font_size(picture) * 5 / 4,
+                 {picture.width / 2.0, kTitlePart * picture.height / 2}, picture.width - font_size(picture));
   scene.window->Render();
   save(scene);
 }

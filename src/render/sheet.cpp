@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "render/complaints.hpp"
 
 namespace fabricsh::render {
 
@@ -70,7 +71,10 @@ Sheet read_sheet(const std::string& path, const files::Picture& picture) {
   if (!std::filesystem::is_regular_file(path, trouble)) throw Error("render: no file '" + path + "'");
   const auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
   reader->SetFileName(path.c_str());
+  take_complaint();
   reader->Update();
+  if (const std::string why = take_complaint(); !why.empty())
+    throw Error("render: '" + path + "' is not whole, or no .vtu file: " + why);
   Sheet sheet;
   sheet.grid = reader->GetOutput();
   if (sheet.grid == nullptr || sheet.grid->GetNumberOfCells() == 0)

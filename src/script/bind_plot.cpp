@@ -3,6 +3,7 @@
 
 #include "files/atomic.hpp"
 #include "files/figure.hpp"
+#include "files/gnuplot.hpp"
 #include "script/bind.hpp"
 #include "script/words.hpp"
 
@@ -12,8 +13,8 @@ namespace {
 
 const std::vector<Argument>& curve_rows() {
   static const std::vector<Argument> rows = {
-      value_("x", numbers | text, "abscissas; with rows: the name of their field"),
-      value_("y", numbers | text, "ordinates; with rows: the name of their field"),
+      value_("x", table | text, "abscissas; with rows: the name of their field"),
+      value_("y", table | text, "ordinates; a nan interrupts the curve; with rows: the name of their field"),
       value_("rows", table, "a list of tables, such as the curve of a virtual test").optional(),
       value_("label", text, "in the key").or_else(""),
       value_("style", text, "how it is drawn; points for what was measured")
@@ -45,8 +46,25 @@ std::vector<double> column(lua_State* L, const std::string& path, const std::str
   return out;
 }
 
+// Any numbers: one that is not finite is a gap.
+std::vector<double> listed(const Fields& f, const char* name) {
+  lua_State* L = f.L();
+  f.push(name);
+  std::vector<double> out(lua_rawlen(L, -1));
+  if (out.empty()) f.refuse(name, "expected a list of numbers, got an empty table");
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (lua_rawgeti(L, -1, static_cast<lua_Integer>(i + 1)) != LUA_TNUMBER)
+      f.refuse(name,
+               "expected a list of numbers, got " + describe(L, -1) + " at place " + std::to_string(i + 1));
+    out[i] = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  return out;
+}
+
 std::vector<double> ordinates(const Fields& f, const std::string& path, const char* name) {
-  if (!f.is(name, LUA_TSTRING)) return f.numbers(name);
+  if (!f.is(name, LUA_TSTRING)) return listed(f, name);
   if (!f.has("rows")) f.refuse(name, "expected a list of numbers; a name goes with rows");
   f.push("rows");
   auto out = column(f.L(), path, f.text(name));
@@ -118,13 +136,26 @@ files::Figure read_figure(const Call& call) {
   return figure;
 }
 
+// Without gnuplot what was computed is not lost: the figure is missing with a warning, and the deck goes on.
+bool drawn(const Call& call, const files::Figure& figure) {
+  const std::string path = call.text("file");
+  files::make_folder_for(path);
+  try {
+    files::draw(path, figure);
+    return true;
+  } catch (const files::NoGnuplot& missing) {
+    const std::string words = "plot: no figure '" + path + "': " + missing.what();
+    call.session().notices().once(words, "warning: " + words);
+    return false;
+  }
+}
+
 int plot(Call& call) {
   const files::Figure figure = read_figure(call);
   if (call.session().options().check) return 0;
   if (call.has("file")) {
-    files::make_folder_for(call.text("file"));
-    files::draw(call.text("file"), figure);
-    return 0;
+    lua_pushboolean(call.L(), drawn(call, figure));
+    return 1;
   }
   const std::string letters = files::drawn_in_letters(figure, call.count("columns"), call.count("lines"));
   lua_pushlstring(call.L(), letters.data(), letters.size());
@@ -140,9 +171,8 @@ std::vector<Entry> rows() {
       {"fabric.plot",
        Style::fields,
        {value_("curves", table,
-               "{ {x=, y=, label=, style=}, ... }: lists of numbers, or {rows=, x=\"E\", y=\"S\"} by the "
-               "fields of a "
-               "list of tables; style: line, dashed, points, line_points"),
+               "{ {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x=\"E\", "
+               "y=\"S\"} by the fields of a list of tables; style: line, dashed, points, line_points"),
         value_("file", text, "ends in .svg, .png or .pdf; none: drawn in letters").optional(),
         value_("title", text, "above the curves").or_else(""),
         value_("xlabel", text, "what x is").or_else(""), value_("ylabel", text, "what y is").or_else(""),
@@ -151,7 +181,9 @@ std::vector<Entry> rows() {
         value_("log", text, "logarithmic axes").one_of({"", "x", "y", "xy"}).or_else(""),
         integer_("columns", letters, "width of a drawing in letters").or_else(79.0),
         integer_("lines", letters, "height of a drawing in letters").or_else(24.0)},
-       "Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows.",
+       "Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. "
+       "With a "
+       "file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.",
        "local fabric = require 'fabric'\nlocal ok, text = pcall(fabric.plot, { xlabel='time', xunit='ms', "
        "curves={ {x={0, 1}, y={0, 2}, label='a line'},\n  {rows={ {t=0, v=1}, {t=1, v=2} }, x='t', y='v', "
        "style='points'} } })\nassert((ok and text:find 'time, ms') or text:find 'gnuplot')",

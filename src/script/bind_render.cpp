@@ -1,7 +1,8 @@
 // fabric.render: pictures of sheets, from .vtu files or from a run as it stands.
-#include <unistd.h>
-
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include "base/paths.hpp"
 #include "files/atomic.hpp"
@@ -95,12 +96,38 @@ files::Picture read_picture(const Call& call) {
   return p;
 }
 
+// A file in a folder that nobody else may enter and whose name nobody could know beforehand, gone with the
+// object: other users write into the folder of temporary files too, and a link planted there would be written
+// through.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::error_code trouble;
+    path_ = (std::filesystem::temp_directory_path(trouble) / "fabricsh-XXXXXX").string();
+    if (!trouble && mkdtemp(path_.data()) == nullptr) trouble = {errno, std::generic_category()};
+    if (trouble)
+      throw Error("render: no folder for a temporary file (TMPDIR, or /tmp): " + trouble.message());
+  }
+  ~PrivateFolder() {
+    const files::Gate& gate = files::Gate::of_process();
+    gate.discard(file());
+    try {
+      gate.remove(path_);
+    } catch (const std::exception&) {  // it stays, empty
+    }
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  std::string file() const { return path_ + "/frame.vtu"; }
+
+ private:
+  std::string path_;
+};
+
 // The state of a run as a file, gone with the object.
 class Frame {
  public:
-  Frame(const Run& run, const files::Picture& picture, const std::string& field)
-      : path_(std::filesystem::temp_directory_path() /
-              ("fabricsh-" + std::to_string(getpid()) + "-frame.vtu")) {
+  Frame(const Run& run, const files::Picture& picture, const std::string& field) {
     const auto& a = *run.analysis;
     const auto& mesh = a.model().mesh();
     std::vector<Vec3> points;
@@ -114,15 +141,12 @@ class Frame {
     grid.point_data.push_back(std::move(displacement));
     if (!picture.array.empty() && picture.array != "displacement")
       grid.cell_data.push_back({picture.array, 1, a.field(field), {picture.component}});
-    files::write_vtu(path_.string(), grid, files::Sync::no);
+    files::write_vtu(path(), grid, files::Sync::no);
   }
-  ~Frame() { files::Gate::of_process().discard(path_.string()); }
-  Frame(const Frame&) = delete;
-  Frame& operator=(const Frame&) = delete;
-  std::string path() const { return path_.string(); }
+  std::string path() const { return folder_.file(); }
 
  private:
-  std::filesystem::path path_;
+  PrivateFolder folder_;
 };
 
 void add_panels(const Call& call, files::Picture& picture) {
@@ -138,7 +162,8 @@ int no_picture(Call& call) {
   const std::string words = "render: no picture '" + call.text("file") +
                             "': not available under --safe; draw from the .vtu files afterwards";
   call.session().notices().once(words, "warning: " + words);
-  return 0;
+  lua_pushboolean(call.L(), 0);
+  return 1;
 }
 
 int render(Call& call) {
@@ -156,7 +181,8 @@ int render(Call& call) {
   }
   files::make_folder_for(picture.png);
   files::render(picture, (std::filesystem::path(program_path()).parent_path() / "fabricsh-render").string());
-  return 0;
+  lua_pushboolean(call.L(), 1);
+  return 1;
 }
 
 Argument many(std::string name, unsigned kinds, std::string sentence) {
@@ -197,7 +223,9 @@ void bind_render(Session& session) {
       {{"fabric.render", Style::fields, arguments(),
         "Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual "
         "display Xvfb, or where "
-        "that is not installed on the display of DISPLAY.",
+        "that is not installed on the display of DISPLAY. Returns whether it was drawn: false, with a "
+        "warning, "
+        "under --safe.",
         "local fabric = require 'fabric'\nlocal name = os.tmpname()\n"
         "local test = fabric.lab.bias{ card=fabric.card 'blend', grips='clamped', unload=false, steps=4 }\n"
         "pcall(fabric.render, { file=name..'.png', run=test.analysis, field='E12', title='bias, 20 mm' })\n"

@@ -7,13 +7,14 @@
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
 #include "script/call.hpp"
+#include "script/said_once.hpp"
 #include "script/sandbox.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
 
 Session::Session(Options options)
-    : process_(getpid()), options_(std::move(options)), notices_(options_.notice) {
+    : process_(getpid()), options_(std::move(options)), notices_(said_once_by_copies(options_.notice)) {
   main_ = luaL_newstate();
   if (main_ == nullptr) throw std::bad_alloc();
   active_ = main_;

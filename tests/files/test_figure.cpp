@@ -59,7 +59,27 @@ TEST_CASE("a figure that cannot be says why and leaves the old one", "[files]") 
        "ends in .svg, .png or .pdf");
   says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {}}); }), "at least one curve");
   says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {{"k", {1, 2}, {1}}}}); }), "curve 'k'");
-  says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {{"k", {}, {}}}}); }), "gnuplot failed: ");
+  says(message_of([&] {
+         draw(folder / "a.svg", {"", {""}, {""}, {{"k", {}, {}}}});
+       }),
+       "figure: curve 'k': nothing to draw: none of its 0 points is finite");
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  says(message_of([&] {
+         draw(folder / "a.svg", {"", {""}, {""}, {{"k", {1, 2}, {gap, gap}}}});
+       }),
+       "curve 'k': nothing to draw: none of its 2 points is finite");
+  says(message_of([&] {
+         draw(folder / "a.svg", {"", {""}, {"", {}, {}, true}, {{"k", {1, 2}, {0, -1}}}});
+       }),
+       "none of its 2 points is finite and positive on the logarithmic axis");
+  says(message_of([&] {
+         draw(folder / "a.svg", {"", {"", 0, 2, true}, {""}, two_curves});
+       }),
+       "a logarithmic axis has no room for zero and below, got a range of x from 0 to 2");
+  says(message_of([&] {
+         draw(folder / "a.svg", {"", {"", 5, 6}, {""}, two_curves});
+       }),
+       "no point of any curve lies inside the range asked for");
   says(message_of([&] { draw(folder / "a.svg/b.svg", {"", {""}, {""}, two_curves}); }), "Not a directory");
   CHECK(content_of(folder / "a.svg") == "old");
   CHECK(folder.listing() == Names{"a.svg"});
@@ -95,6 +115,8 @@ TEST_CASE("without gnuplot the figure says what to install", "[files]") {
   CHECK(folder.listing().empty());
 }
 
-TEST_CASE("gnuplot's own complaint comes through", "[files]") {
-  says(message_of([] { run_gnuplot("plot no_such_function(x)\n"); }), "no_such_function");
+TEST_CASE("gnuplot's reason comes through, without its script and the place in it", "[files]") {
+  CHECK(message_of([] { run_gnuplot("plot no_such_function(x)\n"); }) ==
+        "figure: gnuplot failed: undefined function: no_such_function");
+  CHECK(message_of([] { run_gnuplot("set output\n"); }) == "figure: gnuplot drew nothing: it gave no reason");
 }

@@ -83,5 +83,11 @@ good_tree
 : >src/LAYERS
 refuses "names no room"
 
+# Without its formatter the check of the form fails; it is not left out in silence.
+if said=$(PATH=/nonexistent /bin/sh "$here/format.sh" . 2>&1) || [ "${said#*clang-format 14 is not installed}" = "$said" ]; then
+  echo "FAILED: without clang-format the check of the form says: $said"
+  failures=$((failures + 1))
+fi
+
 [ "$failures" -eq 0 ] || exit 1
 echo "the lint refuses what it should"

@@ -45,7 +45,9 @@ local cases = {
   { "strip = mesh.rectangle{ width=25.4*mm, height=76.2*mm, nx=1, ny=3 }" },
   { "m = model{ mesh=strip, card=card 'blend':with{ bending={warp=1e-5, weft=1e-5, twist=5e-6} }, warp=90 }" },
   { "m", "<model: rectangle 1x3, 8 nodes, 3 elements; card blend, 0.38 mm, 224.2 g/m2; warp 90 degrees; 1 thickness point; "
-    .. "0 supports, 0 motions, 0 forces>" },
+    .. "0 supports, 0 motions, no loads>" },
+  { "model{ mesh=strip, card=card 'blend':with{ bending={warp=1e-5, weft=1e-5, twist=5e-6} }, warp=90 }:gravity{0, 0, -9.81}:pressure(5):fix('bottom', 'x y z')", "<model: rectangle 1x3, 8 nodes, 3 elements; card blend, 0.38 mm, 224.2 g/m2; warp 90 degrees; 1 thickness point; "
+    .. "1 support, 0 motions, 1 pressure, gravity>" },
   { "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=ramp(18*mm, 1) }) a = static{ model=m, duration=1, step=0.25 }" },
   { "a", "<static run, t = 0 of 1 s, 0 steps, ready>" },
   { "a:advance(0.5)", "<static run, t = 0.5 of 1 s, 2 steps, under way>" },

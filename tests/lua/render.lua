@@ -42,6 +42,13 @@ fabric.mesh.rectangle({ width = 0.1, height = 0.1, nx = 2, ny = 2 }):write(folde
 refused({ file = folder .. "/none.png", vtu = folder .. "/bare.vtu", field = "S11" }, "has no field 'S' S11")
 assert(not io.open(folder .. "/none.png"))
 
+-- Of a file that is cut off the library's words alone are told, not where in its sources they were said.
+local whole = assert(io.open(frames[2], "rb")):read "a"
+fabric.write(folder .. "/cut.vtu", whole:sub(1, #whole // 2))
+local ok, message = pcall(fabric.render, { file = folder .. "/none.png", vtu = folder .. "/cut.vtu", field = "S11" })
+assert(not ok and tostring(message):find("render: 'out/cut.vtu' is not whole, or no .vtu file: ", 1, true), message)
+assert(not tostring(message):find "0x" and not tostring(message):find "%.cxx" and not tostring(message):find "\n", message)
+
 -- The picture shows the sheet: with another field on the same sheet other bytes, with the same field the same ones.
 local function bytes(field, name)
   fabric.render { file = folder .. name, vtu = frames[3], field = field, width = 300, height = 300 }

@@ -69,4 +69,20 @@ done
 mkdir deck && cp "$deck" deck/
 SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=1 "$program" --quiet --safe deck/thickness.lua >said 2>/dev/null || fail "--safe"
 grep -q '4 of 6 cases are still missing' said || fail "--safe says $(cat said)"
+
+# Each case is a process of its own; a warning that all of them have is said once, and not again by what follows.
+cat >warns.lua <<'EOF'
+local fabric = require "fabric"
+local function same() fabric.warn "the same in all cases" end
+fabric.study { parameters = { n = { 1, 2, 3, 4, 5, 6 } }, folder = "warns", workers = 3, run = function(p)
+  same()
+  fabric.warn("of case " .. p.n)
+  return { n = p.n }
+end }
+same()
+fabric.warn "of the deck"
+EOF
+"$program" --quiet warns.lua >said 2>&1 || fail "a study with warnings"
+[ "$(grep -c 'the same in all cases' said)" -eq 1 ] || fail "the warning of all cases: $(cat said)"
+[ "$(grep -c 'of case' said)" -eq 6 ] && [ "$(grep -c 'of the deck' said)" -eq 1 ] || fail "warnings that differ: $(cat said)"
 echo "all kept"

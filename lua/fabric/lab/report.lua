@@ -155,14 +155,16 @@ local function overlay(result, name, out)
     local points = marked(part, mark)
     if #points.x > 0 then curves[#curves + 1] = points end
   end
-  local file = out .. "/" .. name .. ".svg"
-  fabric.plot { file = file, title = result.about.name .. ", " .. name, curves = curves,
+  local files = {}  -- without gnuplot there are none
+  local function plot(fields)
+    if fabric.plot(fields) then files[#files + 1] = fields.file end
+  end
+  plot { file = out .. "/" .. name .. ".svg", title = result.about.name .. ", " .. name, curves = curves,
     xlabel = name == "shear" and "E12" or "Green-Lagrange strain E", ylabel = "second Piola-Kirchhoff stress, MPa" }
   local rest, differences = residual(part, E, S)
-  local below = out .. "/" .. name .. "-residual.svg"
-  fabric.plot { file = below, title = "measured less simulated", curves = differences, xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
+  plot { file = out .. "/" .. name .. "-residual.svg", title = "measured less simulated", curves = differences, xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
     ylabel = "per cent of the peak" }
-  return { files = { file, below }, residual = rest }
+  return { files = files, residual = rest }
 end
 
 local function parameters(result)
@@ -195,7 +197,9 @@ end
 local function html(result, figures, rows, out)
   local parts = {
     "<!doctype html><meta charset=\"utf-8\"><title>" .. escaped(result.about.name) .. "</title>",
-    "<style>body{font-family:sans-serif;max-width:60em;margin:2em auto}td,th{padding:.1em .8em;text-align:left}</style>",
+    "<meta name=\"viewport\" content=\"width=device-width\">",
+    "<style>body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;overflow-wrap:anywhere}td,th{padding:.1em .8em;text-align:left}"
+      .. "pre{white-space:pre-wrap}svg{max-width:100%;height:auto}</style>",
     "<h1>" .. escaped(result.about.name) .. "</h1><p>" .. escaped(result.card.source) .. "</p>",
     "<table><tr><th>parameter<th>value<th>95 % band<th>unit</tr>",
   }

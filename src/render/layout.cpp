@@ -1,0 +1,245 @@
+#include "render/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+namespace fabricsh::render {
+
+namespace {
+
+Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1]}; }
+Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1]}; }
+Point operator*(double s, const Point& a) { return {s * a[0], s * a[1]}; }
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
+double length(const Point& a) { return std::hypot(a[0], a[1]); }
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Half of what a text takes along a direction.
+double reach(const Point& size, const Point& along) {
+  return (std::abs(along[0]) * size[0] + std::abs(along[1]) * size[1]) / 2;
+}
+
+bool overlap(const Word& a, const Word& b, double gap) {
+  return std::abs(a.centre[0] - b.centre[0]) < (a.size[0] + b.size[0]) / 2 + gap &&
+         std::abs(a.centre[1] - b.centre[1]) < (a.size[1] + b.size[1]) / 2 + gap;
+}
+
+std::string text_of(double value, double step) {
+  char text[32];
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  std::snprintf(text, sizeof text, "%.*f", decimals, value == 0 ? 0.0 : value);
+  return text;
+}
+
+// Round numbers in a range.
+struct Ticks {
+  double first, step;
+  int count;
+  double value(int i) const { return step * std::round(first / step + i); }
+};
+
+Ticks ticks(double low, double high, double step) {
+  const double slack = 1e-9 * (high - low), first = step * std::ceil((low - slack) / step);
+  const double count = std::floor((high + slack - first) / step) + 1;
+  return {first, step, std::max(0, static_cast<int>(count))};
+}
+
+class Draft {
+ public:
+  Draft(const Bounds& bounds, const View& view, const std::string& unit, const Space& space, double scale)
+      : bounds_(bounds), view_(view), unit_(unit), space_(space), scale_(scale) {}
+
+  // With the centre of the bounds at {0, 0}.
+  Layout made() {
+    if (!unit_.empty()) {
+      for (int k = 0; k < 3; ++k) axis(k);
+      for (const auto& [k, start, end, out] : axes_) labels(k, start, end, out);
+    }
+    return {scale_, {}, words_, lines_};
+  }
+
+ private:
+  struct Axis {
+    int k;
+    Point start, end, out;
+  };
+
+  Point at(const Vector& p) const {
+    Vector from_centre{};
+    for (std::size_t k = 0; k < 3; ++k) from_centre[k] = p[k] - (bounds_[2 * k] + bounds_[2 * k + 1]) / 2;
+    return {scale_ * dot(from_centre, view_.right), scale_ * dot(from_centre, view_.up)};
+  }
+
+  // x and y run along the lowest of their four edges, z along the leftmost one; of equals the leftmost and
+  // lowest.
+  void axis(int k) {
+    const auto n = static_cast<std::size_t>(k), i = (n + 1) % 3, j = (n + 2) % 3;
+    Axis best{k, {}, {}, {}};
+    double least = std::numeric_limits<double>::infinity();
+    for (int edge = 0; edge < 4; ++edge) {
+      Vector p{};
+      p[i] = bounds_[2 * i + static_cast<std::size_t>(edge & 1)];
+      p[j] = bounds_[2 * j + static_cast<std::size_t>(edge >> 1)];
+      p[n] = bounds_[2 * n];
+      const Point start = at(p);
+      p[n] = bounds_[2 * n + 1];
+      const Point end = at(p), middle = 0.5 * (start + end);
+      const double rank = k == 2 ? middle[0] + 1e-3 * middle[1] : middle[1] + 1e-3 * middle[0];
+      if (rank < least) least = rank, best.start = start, best.end = end;
+    }
+    const Point along = best.end - best.start;
+    if (length(along) < space_.letter) return;
+    best.out = (1 / length(along)) * Point{along[1], -along[0]};
+    const double side = dot(best.out, 0.5 * (best.start + best.end));
+    if (side < -1e-6 || (side < 1e-6 && best.out[1] > 0)) best.out = -1.0 * best.out;
+    axes_.push_back(best);
+    lines_.push_back({best.start, best.end});
+  }
+
+  double widest(const Ticks& t, const Point& along) const {
+    double all = 0;
+    for (int i = 0; i < t.count; ++i)
+      all = std::max(all, 2 * reach(space_.measure(text_of(t.value(i), t.step)), along));
+    return all;
+  }
+
+  // The closest round numbers whose texts keep a distance.
+  Ticks chosen(int k, const Point& along, double pixels) const {
+    const double low = bounds_[static_cast<std::size_t>(2 * k)],
+                 high = bounds_[static_cast<std::size_t>(2 * k + 1)];
+    const double decade = std::pow(10, std::floor(std::log10(high - low)) - 1);
+    for (const double part : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
+      const Ticks t = ticks(low, high, part * decade);
+      const double distance = pixels * t.step / (high - low);
+      if (distance > 2 * space_.letter && distance > widest(t, along) + space_.letter) return t;
+    }
+    return ticks(low, high, 1000 * decade);
+  }
+
+  bool free(const Word& word) const {
+    return std::none_of(words_.begin(), words_.end(),
+                        [&](const Word& other) { return overlap(word, other, 0.15 * space_.letter); });
+  }
+
+  void labels(int k, const Point& start, const Point& end, const Point& out) {
+    const double pixels = length(end - start), tick = 0.4 * space_.letter;
+    const Point along = (1 / pixels) * (end - start);
+    const double low = bounds_[static_cast<std::size_t>(2 * k)],
+                 high = bounds_[static_cast<std::size_t>(2 * k + 1)];
+    const Ticks t = chosen(k, along, pixels);
+    double farthest = tick;
+    for (int i = 0; i < t.count; ++i) {
+      const Point foot = start + (pixels * (t.value(i) - low) / (high - low)) * along;
+      lines_.push_back({foot, foot + tick * out});
+      Word word{text_of(t.value(i), t.step), {}, {}};
+      word.size = space_.measure(word.text);
+      word.centre = foot + (1.6 * tick + reach(word.size, out)) * out;
+      farthest = std::max(farthest, 1.6 * tick + 2 * reach(word.size, out));
+      if (free(word)) words_.push_back(word);
+    }
+    title(k, start, end, out, farthest);
+  }
+
+  // Beside the middle of the axis, and farther out as long as another word is there; above an upright one.
+  void title(int k, const Point& start, const Point& end, const Point& out, double farthest) {
+    Word word{std::string(1, "xyz"[k]) + ", " + unit_, {}, {}};
+    word.size = space_.measure(word.text);
+    const Point top = start[1] > end[1] ? start : end;
+    const bool upright = std::abs(out[1]) < 0.2;
+    const Point from = upright ? top : 0.5 * (start + end), way = upright ? Point{0, 1} : out;
+    double distance = (upright ? space_.letter : farthest + 0.4 * space_.letter) + reach(word.size, way);
+    do {
+      word.centre = from + distance * way;
+      distance += 0.5 * space_.letter;
+    } while (!free(word));
+    words_.push_back(word);
+  }
+
+  const Bounds& bounds_;
+  const View& view_;
+  const std::string& unit_;
+  const Space& space_;
+  double scale_;
+  std::vector<Axis> axes_;
+  std::vector<Word> words_;
+  std::vector<Line> lines_;
+};
+
+struct Frame {
+  Point low{0, 0}, high{0, 0};
+  void add(const Point& p) {
+    for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+};
+
+// What the sheet, its axes and their words take.
+Frame taken(const Layout& l, const Bounds& b, const View& view) {
+  Frame frame;
+  for (int corner = 0; corner < 8; ++corner) {
+    Point p{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double half = (corner >> k & 1 ? 0.5 : -0.5) * (b[2 * k + 1] - b[2 * k]) * l.scale;
+      p = p + half * Point{view.right[k], view.up[k]};
+    }
+    frame.add(p);
+  }
+  for (const Word& word : l.words)
+    frame.add(word.centre - 0.5 * word.size), frame.add(word.centre + 0.5 * word.size);
+  for (const Line& line : l.lines) frame.add(line.from), frame.add(line.to);
+  return frame;
+}
+
+}  // namespace
+
+View view_from(double azimuth, double elevation) {
+  const double a = azimuth * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
+  return {{std::cos(a), std::sin(a), 0},
+          {-std::sin(a) * std::sin(e), std::cos(a) * std::sin(e), std::cos(e)}};
+}
+
+Layout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space) {
+  const double margin = 0.5 * space.letter, width = space.width - 2 * margin,
+               height = space.height - 2 * margin;
+  const auto fits = [&](const Layout& l) {
+    const Frame f = taken(l, bounds, view);
+    return f.high[0] - f.low[0] <= width && f.high[1] - f.low[1] <= height;
+  };
+  // Without words the bounds alone would fill the space at the higher scale.
+  const Frame bare = taken(Draft(bounds, view, "", space, 1).made(), bounds, view);
+  double low = 0, high = std::min(width / std::max(bare.high[0] - bare.low[0], 1e-300),
+                                  height / std::max(bare.high[1] - bare.low[1], 1e-300));
+  Layout best = Draft(bounds, view, "", space, unit.empty() ? high : 1e-3 * high).made();
+  for (int i = 0; i < 24; ++i) {
+    const double middle = (low + high) / 2;
+    const Layout l = Draft(bounds, view, unit, space, middle).made();
+    if (fits(l))
+      low = middle, best = l;
+    else
+      high = middle;
+  }
+  const Frame f = taken(best, bounds, view);
+  best.centre = Point{space.width / 2, space.height / 2} - 0.5 * (f.low + f.high);
+  for (Word& word : best.words) word.centre = word.centre + best.centre;
+  for (Line& line : best.lines) line.from = line.from + best.centre, line.to = line.to + best.centre;
+  return best;
+}
+
+std::vector<std::string> even_labels(double low, double high, int count) {
+  const double step = (high - low) / (count - 1), largest = std::max(std::abs(low), std::abs(high));
+  const int digits = std::clamp(1 + static_cast<int>(std::ceil(std::log10(largest / step))), 3, 17);
+  std::vector<std::string> labels;
+  for (int i = 0; i < count; ++i) {
+    char text[40];
+    double value = i == count - 1 ? high : low + i * step;
+    if (std::abs(value) < 1e-9 * largest) value = 0;  // rounding beside the rest
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    labels.emplace_back(text);
+  }
+  return labels;
+}
+
+}  // namespace fabricsh::render

@@ -1,0 +1,24 @@
+// Words, lines and colours flat on a part of a picture: places in pixels from its lower left corner.
+#pragma once
+#include <vtkLookupTable.h>
+#include <vtkRenderer.h>
+
+#include <string>
+
+#include "render/layout.hpp"
+
+namespace fabricsh::render {
+
+// Width and height of a text in letters of a size.
+Point text_size(const std::string& text, int size);
+
+void write(vtkRenderer* renderer, const std::string& text, int size, const Point& centre);
+// In smaller letters where the room is narrower than the text; what is too long even in the smallest ends in
+// three points.
+void write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre, double room);
+
+void add_line(vtkRenderer* renderer, const Point& from, const Point& to);
+// The table's colours from the lower end up, in the rectangle with these corners.
+void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low, const Point& high);
+
+}  // namespace fabricsh::render
