@@ -49,7 +49,8 @@ std::vector<double> column(lua_State* L, const std::string& path, const std::str
 // Any numbers: one that is not finite is a gap.
 std::vector<double> listed(const Fields& f, const char* name) {
   lua_State* L = f.L();
-  f.push(name);
+  // Asked a second time, a metamethod may answer with another value than the one that was checked.
+  if (f.push(name) != LUA_TTABLE) f.refuse(name, "expected a list of numbers, got " + describe(L, -1));
   std::vector<double> out(lua_rawlen(L, -1));
   if (out.empty()) f.refuse(name, "expected a list of numbers, got an empty table");
   for (std::size_t i = 0; i < out.size(); ++i) {

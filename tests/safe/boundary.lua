@@ -243,6 +243,10 @@ end)
 attack("curves of lies", nil, function()
   fabric.plot { curves = { liar({ x = { 1, 2, 3 }, y = { 1, 2, 3 } }, { x = 5, y = {} }) } }
 end)
+attack("curves that turn into texts and files", nil, function()
+  pcall(fabric.plot, { curves = { liar({ x = { 1, 2 }, y = { 1, 2 } }, { x = io.stdout, y = 7 }) } })
+  fabric.plot { curves = { liar({ x = { 1, 2 }, y = { 1, 2 } }, { x = "abcdef", y = "abcdef" }) } }
+end)
 attack("rows of a curve that change", nil, function()
   local rows = {}
   rows[1] = setmetatable({}, { __index = function() rows[1], rows[2] = 5, 6 return 1 end })
