@@ -33,32 +33,85 @@ missing_packages() {
   for wanted in "${packages[@]}"; do
     for name in ${wanted//|/ }; do
       installed "$name" && continue 2
+      [ "$name" = libvtk9-dev ] && vtk_unpacked && continue 2
     done
     printf '%s\n' "${wanted%%|*}"
   done
 }
+
+# Can apt install these and remove nothing?
+installable() { LC_ALL=C apt-get --simulate --no-remove --no-install-recommends install "$@" >/dev/null 2>&1; }
+
+# Debian's ParaView and the Python part of VTK, on which libvtk9-dev insists, exclude each other. Beside ParaView the
+# files of libvtk9-dev and of what is excluded lie below build/vtk, where CMake finds them, and are not installed.
+vtk=$build/vtk
+vtk_unpacked() {
+  [ -f "$vtk/version" ] && [ "$(cat "$vtk/version")" = "$(dpkg-query -W -f='${Version}' 'libvtk9.[0-9]' 2>/dev/null)" ]
+}
+
+# vtk_needs <file>: what libvtk9-dev stands on, as far as it can be installed; the others go to the file.
+vtk_needs() {
+  local name needs=()
+  : >"$1"
+  for name in $(apt-cache show libvtk9-dev | sed -n '/^Depends: /{s///;s/([^)]*)//g;s/|[^,]*//g;s/,/ /g;p;q}'); do
+    case $name in
+      *vtk9*) installable "$name" || { echo "$name" >>"$1"; continue; } ;;
+    esac
+    installed "$name" || needs+=("$name")
+  done
+  [ ${#needs[@]} -eq 0 ] || printf '%s\n' "${needs[@]}"
+}
+
+# unpack_vtk <package...>: libvtk9-dev and these. What its CMake files name and a package has installed is linked to.
+unpack_vtk() (
+  say "unpacking libvtk9-dev $* in $vtk: as packages they would remove ParaView"
+  rm -rf "$vtk"
+  mkdir -p "$vtk/packages"
+  cd "$vtk/packages"
+  run_logged "$build/apt.log" apt-get download libvtk9-dev "$@"
+  local package file
+  for package in *.deb; do dpkg-deb -x "$package" "$vtk"; done
+  rm -r "$vtk/packages"
+  cat "$vtk"/usr/lib/*/cmake/vtk-*/VTK*-targets-*.cmake | grep -oE '_IMPORT_PREFIX}/[^" ]+' | sort -u |
+    while IFS= read -r file; do
+      file=/usr/${file#*/}
+      [ -e "$vtk$file" ] || [ ! -e "$file" ] || { mkdir -p "$(dirname "$vtk$file")" && ln -sf "$file" "$vtk$file"; }
+    done
+  dpkg-query -W -f='${Version}' 'libvtk9.[0-9]' >"$vtk/version"
+)
 
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
     say "not a Debian system: needs the like of ${packages[*]}"
     return 0
   fi
-  local missing
+  local missing apt=(env DEBIAN_FRONTEND=noninteractive apt-get) root=yes
   mapfile -t missing < <(missing_packages)
   [ ${#missing[@]} -gt 0 ] || return 0
-  local apt=(env DEBIAN_FRONTEND=noninteractive apt-get)
+  mkdir -p "$build"
   if [ "$(id -u)" -ne 0 ]; then
-    if ! sudo -n true 2>/dev/null; then
-      say "Packages are missing. As root:"
-      say "apt-get install --no-install-recommends ${missing[*]}"
+    if sudo -n true 2>/dev/null; then apt=(sudo -n "${apt[@]}"); else root=no; fi
+  fi
+  [ $root = no ] || run_logged "$build/apt.log" "${apt[@]}" update
+  local excluded=()
+  if printf '%s\n' "${missing[@]}" | grep -qx libvtk9-dev && ! installable libvtk9-dev; then
+    mapfile -t missing < <(printf '%s\n' "${missing[@]}" | grep -vx libvtk9-dev; vtk_needs "$build/excluded")
+    mapfile -t excluded <"$build/excluded"
+    if [ ${#excluded[@]} -eq 0 ]; then
+      say "libvtk9-dev cannot be installed without removing something; why, says: apt-get --simulate install libvtk9-dev"
       exit 1
     fi
-    apt=(sudo -n "${apt[@]}")
   fi
-  say "installing ${missing[*]}"
-  mkdir -p "$build"
-  run_logged "$build/apt.log" "${apt[@]}" update
-  run_logged "$build/apt.log" "${apt[@]}" install -y --no-install-recommends "${missing[@]}"
+  if [ ${#missing[@]} -gt 0 ] && [ $root = no ]; then
+    say "Packages are missing. As root:"
+    say "apt-get install --no-remove --no-install-recommends ${missing[*]}"
+    exit 1
+  fi
+  if [ ${#missing[@]} -gt 0 ]; then
+    say "installing ${missing[*]}"
+    run_logged "$build/apt.log" "${apt[@]}" install -y --no-remove --no-install-recommends "${missing[@]}"
+  fi
+  [ ${#excluded[@]} -eq 0 ] || unpack_vtk "${excluded[@]}"
 }
 
 # configure <option...>: Release with Ninja; a build folder that is there keeps its generator.

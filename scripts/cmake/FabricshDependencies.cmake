@@ -16,5 +16,11 @@ include(FabricshLibraries)
 
 # What the room files reads and writes with, which C++ users of the core link too; and what draws.
 set(FABRICSH_VTK_FILES CommonCore CommonDataModel IOCore IOImage IOLegacy IOXML)
+foreach(folder ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/build)  # unpacked there beside ParaView: scripts/lib.sh
+  if(EXISTS ${folder}/vtk/version)
+    list(PREPEND CMAKE_PREFIX_PATH ${folder}/vtk/usr)
+    break()
+  endif()
+endforeach()
 find_package(VTK 9 REQUIRED COMPONENTS ${FABRICSH_VTK_FILES}
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
