@@ -24,8 +24,26 @@ local function print_row(label, got, want, miss, limit, good)
   print(("  %-44s %16.9g %16.9g %10.2e %10.2e  %s"):format(label, got, want, miss, limit, good and "ok" or "MISSED"))
 end
 
+-- A hole in the list would end it without a word, and so would a name in place of a number.
+local function check_list(rows)
+  local last = 0
+  for place in pairs(rows) do
+    if math.type(place) ~= "integer" or place < 1 then
+      fail("expect: expected rows { {label, got, want, relative=}, ... }, got an entry " .. tostring(place))
+    end
+    last = math.max(last, place)
+  end
+  if last == 0 then fail "expect: expected at least one row {label, got, want, relative=}, got none" end
+  for place = 1, last do
+    if type(rows[place]) ~= "table" then
+      fail(("expect: row %d: expected a table {label, got, want, relative=}, got %s"):format(place, tostring(rows[place])))
+    end
+  end
+end
+
 local function expect(rows)
-  if require "fabric".checking() then return end
+  if require "fabric".checking() then return end  -- what a run would have put into the rows is not there
+  check_list(rows)
   print(("  %-44s %16s %16s %10s %10s"):format("expected", "got", "want", "error", "allowed"))
   local missed = {}
   for place, row in ipairs(rows) do

@@ -237,5 +237,8 @@ define {
   arguments = { { name = "topic", kind = "any", optional = true, sentence = "a function, an object, a name, or a word to look for; nothing: an overview" } },
   sentence = "Prints what a function takes, what an object holds and can do, or all that speaks of a word.",
   example = "local fabric = require 'fabric'\nfabric.help(fabric.ramp)\nfabric.help 'shear'",
-  run = function(topic) print(table.concat(about(topic), "\n")) end,
+  run = function(...)
+    local missing = select("#", ...) > 0 and (...) == nil
+    print(missing and "nil: nothing has that name, or nothing yet; help() shows what there is" or table.concat(about(...), "\n"))
+  end,
 }

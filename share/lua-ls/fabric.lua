@@ -29,6 +29,7 @@ local mesh = {}
 ---A mesh of a cloth with its supports and loads. Its methods return it.
 ---@class model
 ---@field card card The card it was made of.
+---@field mesh any The mesh it was made of.
 ---@field thickness number Thickness of the sheet, m.
 local model = {}
 
@@ -41,6 +42,8 @@ local history = {}
 ---@field beyond any How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the one tested, and when the run first went beyond.
 ---@field duration number Where it ends, s.
 ---@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; scaled: of the kinetic, in rotary inertia that is scaled up; error: what the balance misses over the largest external work.
+---@field mesh any The mesh of its model, as it was before the run.
+---@field model any The model that it computes.
 ---@field stable_step number The largest stable step of central differences in the reference configuration, s.
 ---@field step_size number The step that a run in motion goes by, landings apart, s.
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
@@ -1361,6 +1364,10 @@ function model:force(set, components, options) end
 ---@param acceleration table m/s^2: {gx, gy, gz}, each a history
 ---@return model
 function model:gravity(acceleration) end
+
+---What it was told, supports first: rows of kind (the call's name), set and what, which print as a table.
+---@return model
+function model:list() end
 
 ---@class model_moment_fields.components
 ---@field x? number|function|history N m: history along x

@@ -138,14 +138,9 @@ class Reader {
     } else if (word == "-i") {
       c_.interactive = true;
       ++at_;
-    } else if (word.rfind("--restart=", 0) == 0) {
-      c_.restart = word.substr(10);
-      ++at_;
-    } else if (word == "--restart") {
-      if (++at_ < count_)
-        c_.restart = c_.line[at_++];
-      else
-        c_.trouble = "'--restart' needs an argument";
+    } else if (long_value(word, "--restart", c_.restart)) {
+      if (c_.restart.empty()) c_.trouble = "'--restart' needs an argument";
+    } else if (!c_.trouble.empty()) {
     } else if (word.rfind("--threads=", 0) == 0) {
       threads(word.substr(10));
       ++at_;

@@ -24,6 +24,15 @@ const char* better_kernels() {
 
 }  // namespace
 
+std::string environment_trouble() {
+  const char* wish = std::getenv("FABRICSH_ISA");
+  if (wish == nullptr || *wish == 0 || std::strcmp(wish, name(best_isa())) == 0) return {};
+  std::string known;
+  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
+    if (isa <= best_isa()) known += (known.empty() ? "" : ", ") + std::string(name(isa));
+  return "FABRICSH_ISA: expected one that this machine has (" + known + "), got '" + wish + "'";
+}
+
 void settle_environment(char** words) {
   bool anew = false;
   const auto set = [&](const char* name, const char* value) {

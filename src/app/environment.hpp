@@ -1,7 +1,11 @@
 // What the libraries below read from the environment when they are loaded, before main() can speak to them.
 #pragma once
+#include <string>
 
 namespace fabricsh::app {
+
+// What cannot be in the environment: "FABRICSH_ISA: expected ...". Empty: nothing.
+std::string environment_trouble();
 
 // Sets what nobody has set, and starts the program anew if that was anything; returns when there is nothing
 // to do or it can't be done.

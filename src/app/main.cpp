@@ -11,8 +11,10 @@
 #include "app/about.hpp"
 #include "app/command_line.hpp"
 #include "app/environment.hpp"
+#include "app/full_output.hpp"
 #include "app/progress.hpp"
 #include "app/safe.hpp"
+#include "repl/commands.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/history.hpp"
 #include "repl/prompt.hpp"
@@ -104,7 +106,7 @@ repl::Result run(script::Session& session, const app::CommandLine& command) {
 int converse(script::Session& session, Speaker& speaker) {
   const repl::InterruptGuard guard(session);
   const bool terminal = isatty(STDIN_FILENO) != 0;
-  if (terminal) std::cout << app::headline() << "\n";
+  if (terminal) std::cout << app::headline() << "\n" << repl::greeting << "\n";
   const auto lines =
       terminal
           ? repl::terminal_lines({repl::history_path(), repl::Style::of(STDOUT_FILENO),
@@ -122,6 +124,9 @@ int converse(script::Session& session, Speaker& speaker) {
 }  // namespace
 
 int main(int count, char** words) {
+  app::watch_output();
+  if (const std::string trouble = app::environment_trouble(); !trouble.empty())
+    return std::cerr << "fabricsh: " << trouble << "\n", 2;
   app::settle_environment(words);
   const app::CommandLine command = app::read_command_line(count, words);
   if (!command.trouble.empty()) {
@@ -131,6 +136,8 @@ int main(int count, char** words) {
   if (command.help) return std::cout << app::usage, 0;
   if (command.version) return std::cout << app::about(), 0;
   if (command.check && !command.has_deck) return std::cerr << "fabricsh: --check needs a deck\n", 2;
+  if (!command.restart.empty() && !command.has_deck && command.before.empty())
+    return std::cerr << "fabricsh: --restart needs the deck that wrote the checkpoint\n", 2;
   std::signal(SIGXFSZ, SIG_IGN);  // a file past the user's limit is an error that is said, as a full disk is
   if (command.threads > 0) omp_set_num_threads(command.threads);
   try {

@@ -4,6 +4,7 @@
 
 #include "repl/place.hpp"
 #include "script/peek.hpp"
+#include "script/results.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::repl {
@@ -31,16 +32,46 @@ class Completer {
   }
 
  private:
-  // Pushes what the first `steps` steps of a path lead to.
-  void push(const Path& path, std::size_t steps) {
+  // Pushes what the first `steps` steps of a path lead to. Nothing is called: of a function's result no more
+  // is known than its class, which is returned (nil is pushed), unless it is the object that the method was
+  // called on.
+  std::string push(const Path& path, std::size_t steps) {
     lua_pushglobaltable(L_);
+    std::string known;
     for (std::size_t i = 0; i < steps; ++i) {
-      if (path[i].name.empty())
-        script::peek_item(L_, -1, path[i].number);
-      else
-        script::peek_field(L_, -1, path[i].name);
-      lua_remove(L_, -2);
+      known = known.empty() ? step_from_value(path[i]) : step_from_class(path[i], known);
     }
+    return known;
+  }
+
+  // Replaces the value on top by what the step leads to from there.
+  std::string step_from_value(const Step& step) {
+    if (step.name.empty())
+      script::peek_item(L_, -1, step.number);
+    else
+      script::peek_field(L_, -1, step.name);
+    if (step.called) return call(step);
+    lua_remove(L_, -2);
+    return {};
+  }
+
+  // The function on top, of the value below it, is called: both are replaced.
+  std::string call(const Step& step) {
+    const Entry* entry = script::entry_of(L_, -1);
+    const std::string owner = script::class_of(L_, -2);
+    if (entry == nullptr && step.method) entry = session_.registry().find(owner + ":" + step.name);
+    const std::string result = entry == nullptr ? "" : script::result_class(entry->name);
+    lua_pop(L_, 1);
+    if (result == "self") return {};
+    lua_pop(L_, 1);
+    lua_pushnil(L_);
+    return result;
+  }
+
+  // The same where only a class is known of the value; nil is and stays on top.
+  static std::string step_from_class(const Step& step, const std::string& owner) {
+    const std::string result = script::result_class(owner + (step.called ? ":" : ".") + step.name);
+    return result == "self" ? owner : result;
   }
 
   const Entry* callee(const Frame& frame) {
@@ -52,10 +83,11 @@ class Completer {
     return method_of(frame);
   }
 
-  // A name that is a property and a method too (mesh.elements, mesh:elements).
+  // A name that is a property and a method too (mesh.elements, mesh:elements), or a method of what a call
+  // returns.
   const Entry* method_of(const Frame& frame) {
-    push(*frame.callee, frame.callee->size() - 1);
-    const std::string owner = script::class_of(L_, -1);
+    const std::string known = push(*frame.callee, frame.callee->size() - 1);
+    const std::string owner = known.empty() ? script::class_of(L_, -1) : known;
     lua_pop(L_, 1);
     return session_.registry().find(owner + ":" + frame.callee->back().name);
   }
@@ -145,9 +177,18 @@ class Completer {
 
   void complete_member() {
     if (!place_.path) return;
-    push(*place_.path, place_.path->size());
-    found_ = script::names_in(L_, -1, place_.method);
+    const std::string known = push(*place_.path, place_.path->size());
+    found_ = known.empty() ? script::names_in(L_, -1, place_.method) : names_of(known);
     lua_pop(L_, 1);
+  }
+
+  // Methods, or properties, of a class.
+  Words names_of(const std::string& cls) const {
+    Words names;
+    for (const Entry& entry : session_.registry().entries())
+      if (entry.owner() == cls && entry.method() == place_.method)
+        names.push_back(script::last_word(entry.name));
+    return names;
   }
 
   void complete_text() {
@@ -169,6 +210,7 @@ class Completer {
     if (of_sets && sets()) return true;
     if (wanted.name == "freedoms") return freedoms(), true;
     if (entry != nullptr && entry->name == "fabric.card") cards();
+    if (entry != nullptr && entry->name == "fabric.help") return topics(), true;
     return false;
   }
 
@@ -192,6 +234,12 @@ class Completer {
     }
     close_.clear();
     found_ = {"x", "y", "z", "rx", "ry", "rz", "rotation"};
+  }
+
+  // What help knows by name, as it is written at the prompt.
+  void topics() {
+    for (const Entry& entry : session_.registry().entries())
+      found_.push_back(entry.name.starts_with("fabric.") ? entry.name.substr(7) : entry.name);
   }
 
   void cards() {

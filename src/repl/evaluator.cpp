@@ -4,6 +4,7 @@
 
 #include "repl/lexer.hpp"
 #include "repl/present.hpp"
+#include "script/chain.hpp"
 #include "script/load.hpp"
 #include "script/show.hpp"
 
@@ -44,8 +45,9 @@ long line_of(const std::string& message) {
   return colon == std::string::npos ? 0 : std::strtol(message.c_str() + colon + 1, nullptr, 10);
 }
 
-// The error on top of the stack as a result; popped. A __tostring of the user's may itself fail.
-Result failed(lua_State* L) {
+// The error on top of the stack as a result, with who called whom; popped. A __tostring of the user's may
+// itself fail.
+Result failed(lua_State* L, const std::vector<script::Caller>& callers = {}) {
   script::Session& session = script::Session::of(L);
   session.rest_hook(L);  // an interrupt that has been answered must not stop what follows
   Result result{is_numerical(L, -1) ? Outcome::numerical_failure : Outcome::deck_error};
@@ -54,14 +56,28 @@ Result failed(lua_State* L) {
   lua_pcall(L, 1, 1, 0);
   result.message = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "(error object without text)";
   if (session.limits() != nullptr) result.message = session.limits()->explained(result.message);
+  result.message += script::chain_text(result.message, callers);
   lua_settop(L, 0);
   return result;
 }
 
+// Looks at the calls that are under way where an error is raised; upvalue: where they are to be kept. Leaves
+// the error.
+int see_callers(lua_State* L) {
+  *static_cast<std::vector<script::Caller>*>(lua_touserdata(L, lua_upvalueindex(1))) = script::callers(L);
+  return 1;
+}
+
 // Calls the chunk below `arguments` values with all results left on the stack.
 Result call(lua_State* L, int arguments) {
-  if (lua_pcall(L, arguments, LUA_MULTRET, 0) != LUA_OK) return failed(L);
-  return {};
+  std::vector<script::Caller> callers;
+  const int chunk = lua_gettop(L) - arguments;
+  lua_pushlightuserdata(L, &callers);
+  lua_pushcclosure(L, see_callers, 1);
+  lua_insert(L, chunk);
+  const int status = lua_pcall(L, arguments, LUA_MULTRET, chunk);
+  lua_remove(L, chunk);
+  return status == LUA_OK ? Result{} : failed(L, callers);
 }
 
 // Whether the error on top says so; popped, as is a chunk.

@@ -23,21 +23,43 @@ std::optional<Step> bracket_step(const Tokens& tokens, std::size_t end) {
   return {};
 }
 
-// The path whose last token stands before `end`; none when it is a call, an expression, or no value at all.
+// The token whose bracket the one before `end` closes; none: there is no such.
+std::optional<std::size_t> opening(const Tokens& tokens, std::size_t end) {
+  int depth = 0;
+  for (std::size_t i = end; i-- > 0;) {
+    depth -= nesting(tokens[i]);
+    if (depth == 0) return i;
+  }
+  return {};
+}
+
+// Where the arguments begin of the call that ends before `end`: f(x), f{x}, f "x"; none: it is no call.
+std::optional<std::size_t> arguments_of(const Tokens& tokens, std::size_t end) {
+  const Token& last = tokens[end - 1];
+  const bool text = last.kind == Kind::text && !last.unfinished;
+  const auto begin = text                           ? std::optional(end - 1)
+                     : last.is(")") || last.is("}") ? opening(tokens, end)
+                                                    : std::nullopt;
+  return begin && *begin > 0 && tokens[*begin - 1].kind == Kind::name ? begin : std::nullopt;
+}
+
+// The path whose last token stands before `end`; none when it is an expression, or no value at all.
 std::optional<Path> path_before(const Tokens& tokens, std::size_t end) {
   Path path;
   while (end > 0) {
-    const Token& last = tokens[end - 1];
-    if (last.is("]")) {
+    if (tokens[end - 1].is("]")) {
       const auto step = bracket_step(tokens, end);
       if (!step) return {};
       path.insert(path.begin(), *step);
       end -= 3;
       continue;
     }
+    const auto arguments = arguments_of(tokens, end);
+    if (arguments) end = *arguments;
+    const Token& last = tokens[end - 1];
     if (last.kind != Kind::name) return {};
     const bool dot = end > 1 && tokens[end - 2].is("."), colon = end > 1 && tokens[end - 2].is(":");
-    path.insert(path.begin(), Step{last.word, 0, colon});
+    path.insert(path.begin(), Step{last.word, 0, colon, arguments.has_value()});
     if (!dot && !colon) return path;
     end -= 2;
   }

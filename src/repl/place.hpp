@@ -10,11 +10,12 @@
 
 namespace fabricsh::repl {
 
-// a.b["c"][2]:d as its steps; the first is a global.
+// a.b["c"][2]:d(...).e as its steps; the first is a global.
 struct Step {
   std::string name;  // empty: number
   long long number = 0;
   bool method = false;  // behind a colon
+  bool called = false;  // what it returns is meant
 };
 using Path = std::vector<Step>;
 

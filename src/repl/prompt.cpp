@@ -1,11 +1,15 @@
 #include "repl/prompt.hpp"
 
 #include <csignal>
+#include <set>
 #include <utility>
 
 #include "base/error.hpp"
+#include "repl/commands.hpp"
 #include "repl/deck_text.hpp"
 #include "repl/lexer.hpp"
+#include "script/called_off.hpp"
+#include "script/covered.hpp"
 #include "script/transcript.hpp"
 
 namespace fabricsh::repl {
@@ -31,7 +35,7 @@ void stop(lua_State* L, bool late) {
     return;
   }
   session.take_interrupt();
-  session.set_stopped_by_interrupt();
+  script::call_off(session);
   luaL_error(L, "interrupted");
 }
 
@@ -107,6 +111,24 @@ Outcome run(script::Session& session, const std::string& input, const Voice& voi
   return result.outcome;
 }
 
+// Names of the library's and of Lua's that stand for what they did when the session began.
+class OwnNames {
+ public:
+  explicit OwnNames(script::Session& session) : L_(session.lua()), names_(script::names_as_made(L_)) {}
+  // Says once of each name that it has been assigned over.
+  void look(const Voice& voice) {
+    const auto now = script::names_as_made(L_);
+    for (const std::string& name : names_)
+      if (now.count(name) == 0)
+        voice.err << voice.style.dress(Tone::notice, script::covered_words(L_, name)) << std::endl;
+    std::erase_if(names_, [&now](const std::string& name) { return now.count(name) == 0; });
+  }
+
+ private:
+  lua_State* L_;
+  std::set<std::string> names_;
+};
+
 // Does an input that goes on end, since Ctrl-C came while no line was being typed?
 bool drop_between(const std::string& input) {
   const bool came = between != 0;
@@ -119,6 +141,7 @@ bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") =
 }  // namespace
 
 Running::Running(script::Session& session) : session_(session) {
+  script::begin_input(session);
   asked = 0;
   running = 1;
 }
@@ -151,8 +174,10 @@ std::string advice(const std::string& input) {
 Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
   if (!session.options().deck.empty()) keep(session, deck_call(session.options().deck), voice);
   Outcome first = Outcome::done;
+  OwnNames own(session);
   const auto evaluated = [&](const std::string& text) {
     const Outcome outcome = run(session, text, voice);
+    own.look(voice);
     if (first == Outcome::done) first = outcome;
   };
   std::string input, line;
@@ -169,10 +194,12 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
       evaluated(std::exchange(input, {}));
       continue;
     }
-    input += (input.empty() ? "" : "\n") + line;
+    if (input.empty() && asks_to_leave(session, line)) break;
+    const std::string typed = line;
+    input = input.empty() ? meant(session, line) : input + "\n" + line;
     if (!blank(input) && wants_more(session, input)) continue;
     if (!blank(input)) {
-      lines.remember(input);
+      lines.remember(input == meant(session, typed) ? typed : input);
       evaluated(input);
     }
     input.clear();

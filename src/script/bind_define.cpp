@@ -141,7 +141,8 @@ int run_defined(Call& call) {
   lua_State* L = call.L();
   const Entry& entry = call.entry();
   lua_getfield(L, LUA_REGISTRYINDEX, functions_key);
-  const int base = lua_gettop(L);
+  const int base = lua_gettop(L),
+            given = base - 2;  // the named arguments and the table of functions lie on top
   luaL_checkstack(L, static_cast<int>(entry.arguments.size()) + 20, "too many arguments");
   lua_rawgetp(L, base, &entry);
   if (entry.style == Style::fields) lua_newtable(L);
@@ -149,7 +150,10 @@ int run_defined(Call& call) {
     push_value(call, row);
     if (entry.style == Style::fields) lua_setfield(L, -2, row.name.c_str());
   }
-  lua_call(L, entry.style == Style::fields ? 1 : static_cast<int>(entry.arguments.size()), LUA_MULTRET);
+  // What was not given and has no default is not passed, so that a nil that was given can be told from it.
+  if (entry.style != Style::fields)
+    while (lua_gettop(L) > base + 1 + given && lua_isnil(L, -1)) lua_pop(L, 1);
+  lua_call(L, lua_gettop(L) - base - 1, LUA_MULTRET);
   const int results = lua_gettop(L) - base;
   if (results == 1 && lua_istable(L, -1)) name_result(L, entry.name);
   return results;

@@ -1,5 +1,6 @@
 // fabric.dynamic: a run in motion.
 #include "analysis/dynamic.hpp"
+#include "script/bind_model.hpp"
 #include "script/bind_run.hpp"
 
 namespace fabricsh::script {
@@ -41,6 +42,7 @@ int make(Call& call) {
   const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
   auto run = analysis::make_dynamic(model, options, notices);
   push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
+  keep_model(call);
   return 1;
 }
 

@@ -10,6 +10,7 @@
 #include "lab/settle.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
+#include "script/called_off.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -44,14 +45,20 @@ std::vector<double> work_on(const Function& work, std::size_t i) {
   return pop_numbers(L, "work");
 }
 
-// "study: 3 of 12 done, 1 failed, 40 s, about 120 s more"
-std::string progress_words(const std::string& title, std::size_t count, std::size_t finished,
-                           std::size_t failed, double seconds) {
+// Items that were finished, and those of them that failed or whose process ended without an answer.
+struct Finished {
+  std::size_t all = 0, failed = 0, lost = 0;
+};
+
+// "study: 3 of 12 done, 1 failed, 1 without an answer, 40 s, about 120 s more"
+std::string progress_words(const std::string& title, std::size_t count, const Finished& finished,
+                           double seconds) {
   char times[80];
-  const double more = seconds / static_cast<double>(finished) * static_cast<double>(count - finished);
+  const double more = seconds / static_cast<double>(finished.all) * static_cast<double>(count - finished.all);
   std::snprintf(times, sizeof times, ", %.0f s, about %.0f s more", seconds, more);
-  return title + ": " + std::to_string(finished) + " of " + std::to_string(count) + " done" +
-         (failed > 0 ? ", " + std::to_string(failed) + " failed" : "") + times;
+  return title + ": " + std::to_string(finished.all - finished.lost) + " of " + std::to_string(count) +
+         " done" + (finished.failed > 0 ? ", " + std::to_string(finished.failed) + " failed" : "") +
+         (finished.lost > 0 ? ", " + std::to_string(finished.lost) + " without an answer" : "") + times;
 }
 
 // Says how far it is, at most every other second and at the end.
@@ -59,14 +66,15 @@ class Progress {
  public:
   Progress(Session& session, std::string title, std::size_t count)
       : session_(session), title_(std::move(title)), count_(count) {}
-  void done(bool failed) {
-    ++finished_;
-    failed_ += failed ? 1 : 0;
+  void done(const lab::Answer& answer) {
+    ++finished_.all;
+    finished_.lost += answer.died ? 1 : 0;
+    finished_.failed += !answer.died && !answer.trouble.empty() ? 1 : 0;
     const double seconds = seconds_since(begin_);
     if (title_.empty() || session_.options().quiet || !session_.options().notice) return;
-    if (finished_ < count_ && seconds < said_ + 2) return;
+    if (finished_.all < count_ && seconds < said_ + 2) return;
     said_ = seconds;
-    session_.options().notice(progress_words(title_, count_, finished_, failed_, seconds));
+    session_.options().notice(progress_words(title_, count_, finished_, seconds));
   }
 
  private:
@@ -76,7 +84,8 @@ class Progress {
   }
   Session& session_;
   std::string title_;
-  std::size_t count_, finished_ = 0, failed_ = 0;
+  std::size_t count_;
+  Finished finished_;
   Clock::time_point begin_ = Clock::now();
   double said_ = 0;
 };
@@ -102,7 +111,7 @@ int parallel(Call& call) {
   if (session.limits() != nullptr) bound_processes(session, how);
   how.stop = [&session] { return session.interrupted(); };
   how.done = [&](std::size_t i, const lab::Answer& answer) {
-    progress.done(!answer.trouble.empty());
+    progress.done(answer);
     if (!tell) return;
     lua_State* on = done.push();
     lua_pushinteger(on, static_cast<lua_Integer>(i + 1));
@@ -113,7 +122,7 @@ int parallel(Call& call) {
       count, [&](std::size_t i) { return work_on(work, i); }, how);
   if (session.take_interrupt()) {
     session.rest_hook(session.active());
-    session.set_stopped_by_interrupt();
+    call_off(session);
     throw Error("interrupted");
   }
   lua_createtable(L, static_cast<int>(answers.size()), 0);

@@ -132,10 +132,7 @@ Argument velocity_row() {
 Argument set_row() { return value_("set", text, "name of a node set"); }
 
 std::vector<Entry> rows() {
-  const std::string sample =
-      "local fabric = require 'fabric'\n"
-      "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
-      "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
+  const std::string sample = sample_model();
   return {
       {"model:moment",
        Style::positional,
@@ -209,6 +206,7 @@ std::vector<Entry> rows() {
 void bind_loads(Session& session) {
   install(session, rows());
   bind_ties(session);
+  bind_declared(session);
 }
 
 }  // namespace fabricsh::script

@@ -51,6 +51,12 @@ model::Components read_components(const Call& call) {
   return components;
 }
 
+std::string sample_model() {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
+}
+
 Argument frame_row() {
   return fields_("options",
                  {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
@@ -248,10 +254,7 @@ int model_text(lua_State* L) {
 Argument set_row() { return value_("set", text, "name of a node set"); }
 
 std::vector<Entry> rows() {
-  const std::string sample =
-      "local fabric = require 'fabric'\n"
-      "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
-      "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
+  const std::string sample = sample_model();
   return {
       {"fabric.model",
        Style::fields,

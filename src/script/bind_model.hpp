@@ -10,8 +10,13 @@ model::Components read_components(const Call& call);                      // of 
 Mat3 read_frame(const Call& call);  // of argument "options", field frame
 Argument components_row(const char* unit, const char* sentence);
 Argument frame_row();
+std::string sample_model();  // for examples: fabric, mesh and m, a strip of three elements
+// Keeps the field "model" of the call with the analysis object on top of the stack, as its property of that
+// name.
+void keep_model(const Call& call);
 int return_self(const Call& call);  // methods of a model can be chained
 void bind_loads(Session& session);
+void bind_declared(Session& session);
 void bind_ties(Session& session);
 
 }  // namespace fabricsh::script

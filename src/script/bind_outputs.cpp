@@ -1,6 +1,7 @@
 // a:record and a:vtk.
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "files/csv.hpp"
 #include "output/vtk_series.hpp"
@@ -149,6 +150,7 @@ std::vector<std::string> text_list(const Fields& fields, const char* name) {
 std::vector<std::string> column_names(const Fields& options) {
   lua_State* L = options.L();
   std::vector<std::string> names = text_list(options, "order"), rest;
+  const std::set<std::string> ordered(names.begin(), names.end());
   options.push("columns");
   for (const std::string& name : names) {
     if (lua_getfield(L, -1, name.c_str()) != LUA_TFUNCTION)
@@ -160,7 +162,7 @@ std::vector<std::string> column_names(const Fields& options) {
     if (lua_type(L, -2) != LUA_TSTRING || !lua_isfunction(L, -1))
       options.refuse("columns", "expected name = function(a), got " + describe(L, -1));
     const std::string name = lua_tostring(L, -2);
-    if (std::find(names.begin(), names.end(), name) == names.end()) rest.push_back(name);
+    if (ordered.count(name) == 0) rest.push_back(name);
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
@@ -170,27 +172,28 @@ std::vector<std::string> column_names(const Fields& options) {
   return names;
 }
 
-// A row per column name, so that a Hook can be made of it.
-Hook column_hook(const Fields& options, const std::string& name, Run* run) {
+// In the order of the table. Each function is taken out by itself: to look through all of them for each would
+// cost the cube of their number.
+std::vector<Column> read_columns(const Fields& options, Run* run) {
+  lua_State* L = options.L();
+  const std::vector<Argument> row = {value_("column", function, "a column")};
+  std::vector<Column> columns;
   options.push("columns");
-  const std::vector<Argument> all = [&] {
-    std::vector<Argument> rows;
-    for (const std::string& known : column_names(options))
-      rows.push_back(value_(known, function, "a column"));
-    return rows;
-  }();
-  const Fields columns(options.L(), -1, all, "options.columns.");
-  Hook hook(columns, name, run);
-  lua_pop(options.L(), 1);
-  return hook;
+  for (const std::string& name : column_names(options)) {
+    lua_newtable(L);
+    lua_getfield(L, -2, name.c_str());
+    lua_setfield(L, -2, "column");
+    columns.push_back({name, Hook(Fields(L, -1, row, "options.columns."), "column", run)});
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  return columns;
 }
 
 int record(Call& call) {
   const auto run = call.self<Run>();
   const Fields options = call.fields("options");
-  std::vector<Column> columns;
-  for (const std::string& name : column_names(options))
-    columns.push_back({name, column_hook(options, name, run.get())});
+  const std::vector<Column> columns = read_columns(options, run.get());
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   const std::string path = call.text("path");

@@ -17,7 +17,6 @@ struct ClassName<Transcript> {
 namespace {
 
 constexpr const char* transcript_key = "fabricsh.kept";  // registry
-constexpr const char* own_key = "fabricsh.globals";  // registry: the globals before any code of the user's
 constexpr std::size_t longest_words = 78;
 
 // Is globals[name] (on top of the stack) what the table at index holds under that name?
@@ -34,7 +33,7 @@ bool same_in(lua_State* L, int index, const char* name) {
 // The global on top is Lua's or fabric's own.
 bool is_own(lua_State* L, const std::string& name) {
   const int value = lua_gettop(L);
-  lua_getfield(L, LUA_REGISTRYINDEX, own_key);
+  lua_getfield(L, LUA_REGISTRYINDEX, own_globals_key);
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
   peek_field(L, -1, "units");
   const bool module = lua_rawequal(L, value, value + 2) != 0;
@@ -91,13 +90,7 @@ std::vector<Held> held_by_globals(lua_State* L) {
 
 int who_text(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  std::vector<std::vector<std::string>> rows;
-  for (lua_Integer i = 1; lua_rawgeti(L, 1, i) == LUA_TTABLE; ++i) {
-    rows.push_back({raw_text(L, -1, "name"), raw_text(L, -1, "class"), raw_text(L, -1, "text")});
-    lua_pop(L, 1);
-  }
-  std::string words = rows.empty() ? "nothing yet\n" : columns_text(rows);
-  words.pop_back();
+  const std::string words = rows_text(L, 1, {"name", "class", "text"}, "nothing yet");
   lua_pushlstring(L, words.data(), words.size());
   return 1;
 }
@@ -169,7 +162,7 @@ void keep_own_globals(lua_State* L) {
     lua_rawset(L, -5);
   }
   lua_pop(L, 1);
-  lua_setfield(L, LUA_REGISTRYINDEX, own_key);
+  lua_setfield(L, LUA_REGISTRYINDEX, own_globals_key);
 }
 
 }  // namespace

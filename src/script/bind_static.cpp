@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "analysis/static.hpp"
+#include "script/bind_model.hpp"
 #include "script/bind_run.hpp"
 
 namespace fabricsh::script {
@@ -45,6 +46,7 @@ int make(Call& call) {
   const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
   auto run = std::make_shared<Static>(model, options, notices);
   push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
+  keep_model(call);
   return 1;
 }
 

@@ -3,16 +3,17 @@
 // destructors on their way.
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 
 #include "base/error.hpp"
 #include "base/paths.hpp"
 #include "script/bind_run.hpp"
 #include "script/call.hpp"
+#include "script/called_off.hpp"
+#include "script/chain.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
-
-namespace {
 
 bool own_module(const char* source) {
   if (source[0] != '@') return false;
@@ -22,8 +23,6 @@ bool own_module(const char* source) {
   }
   return false;
 }
-
-}  // namespace
 
 std::string position(lua_State* L) {
   lua_Debug frame;
@@ -95,7 +94,7 @@ bool changes(const Entry& entry, int given) {
       "analysis:every",   "analysis:event",   "analysis:record",   "analysis:vtk",     "analysis:checkpoint",
       "analysis:restart", "analysis:restore", "analysis:snapshot", "analysis:set"};
   if (entry.name == "mesh:set") return given > 2;
-  return entry.name.starts_with("model:") ||
+  return (entry.name.starts_with("model:") && entry.name != "model:list") ||
          std::any_of(std::begin(names), std::end(names),
                      [&](const char* name) { return entry.name == name; });
 }
@@ -117,6 +116,21 @@ void refuse_within(lua_State* L, const Entry& entry) {
       (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
 }
 
+// What the system said of a file; without one it was asked where it is.
+std::string system_words(const std::filesystem::filesystem_error& trouble) {
+  const std::string path = trouble.path1().string();
+  return (path.empty() ? "the current folder" : "'" + path + "'") + ": " + trouble.code().message();
+}
+
+// Ctrl-C ends a program that draws as well: what that one said is not why the call came to nothing.
+bool interrupted_by_now(lua_State* L) {
+  Session& session = Session::of(L);
+  if (session.drives() || !session.take_interrupt()) return false;
+  session.rest_hook(L);
+  call_off(session);
+  return true;
+}
+
 int enter(lua_State* L) {
   const Entry& entry = *static_cast<const Entry*>(lua_touserdata(L, lua_upvalueindex(1)));
   const std::string call = last_word(entry.name);
@@ -130,9 +144,11 @@ int enter(lua_State* L) {
   } catch (const NumericalFailure& failure) {
     push_failure(L, call, failure);
   } catch (const Error& error) {
-    push_error(L, call, error.what());
+    push_error(L, call, interrupted_by_now(L) ? "interrupted" : error.what());
   } catch (const std::bad_alloc&) {
     push_error(L, call, "not enough memory");
+  } catch (const std::filesystem::filesystem_error& trouble) {
+    push_error(L, call, system_words(trouble));
   } catch (const std::exception& bug) {
     push_error(L, call, std::string("internal error: ") + bug.what());
   }

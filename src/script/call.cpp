@@ -95,9 +95,16 @@ bool holds_numbers(lua_State* L, int index, const Range& range) {
   return true;
 }
 
+// With the zero bytes that it may hold; empty for what is no text.
+std::string text_at(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = lua_tolstring(L, index, &length);
+  return text == nullptr ? std::string() : std::string(text, length);
+}
+
 bool chosen(lua_State* L, int index, const Argument& row) {
   if (row.choices.empty()) return true;
-  const std::string word = lua_tostring(L, index);
+  const std::string word = text_at(L, index);
   for (const std::string& choice : row.choices)
     if (choice == word) return true;
   return false;
@@ -286,8 +293,7 @@ int Fields::count(std::string_view name) const {
 
 std::string Fields::text(std::string_view name) const {
   const bool given = push(name) != LUA_TNIL;
-  const char* word = lua_tostring(L_, -1);
-  const std::string value = word == nullptr ? "" : word;
+  const std::string value = text_at(L_, -1);
   lua_pop(L_, 1);
   if (given) return value;
   const auto* fallback = std::get_if<std::string>(&row(name).fallback);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "script/called_off.hpp"
 #include "script/checkpoint.hpp"
 #include "script/lua_table.hpp"
 #include "script/words.hpp"
@@ -29,7 +30,7 @@ class Watch {
   void listen() const {
     if (!run_.session.take_interrupt()) return;
     run_.session.rest_hook(run_.session.active());
-    run_.session.set_stopped_by_interrupt();
+    call_off(run_.session);
     throw Interrupted((run_.session.terminated() != 0 ? ended_by(run_.session) + " at " : "interrupted at ") +
                       brief_number(run_.analysis->steps().empty() ? run_.analysis->time()
                                                                   : run_.analysis->steps().back().time) +
@@ -190,6 +191,7 @@ void drive(Run& run, Drive call) {
   begin_call(run);
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
+  if (is_called_off(run.session)) throw Interrupted("interrupted before this run went on");
   const bool under_way = run.passing > 0 && run.calls == run.passing;
   const bool over = under_way && is_over(run);
   call.from = run.analysis->steps().size();

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include "base/error.hpp"
 #include "base/paths.hpp"
 #include "script/bind.hpp"
@@ -55,9 +57,26 @@ void set_module_path(lua_State* L) {
   lua_pop(L, 1);
 }
 
+constexpr const char* library_file = "lua/fabric/library.lua";
+
+// What a program says that was copied away from its files.
+std::string no_data_text() {
+  const char* home = std::getenv("FABRICSH_HOME");
+  const bool set = home != nullptr && *home != '\0';
+  return std::string("the program's own files are missing: ") + library_file + " is neither " +
+         (set ? "in FABRICSH_HOME ('" + std::string(home) + "') nor " : "") +
+         "in share/fabricsh beside the program nor in the source tree of its build; set FABRICSH_HOME to the "
+         "folder "
+         "that holds lua/ and share/cards/ (PREFIX/share/fabricsh of an installation, or the source tree)";
+}
+
 // require "fabric": the bindings, and what lua/fabric/library.lua adds to them (which may itself require
 // "fabric").
 int open_fabric(lua_State* L) {
+  if (data_file(library_file).empty()) {
+    lua_pushstring(L, no_data_text().c_str());
+    return lua_error(L);
+  }
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
   lua_setfield(L, -2, "fabric");

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <sstream>
 
+#include "script/bind.hpp"
 #include "script/object.hpp"
 #include "script/words.hpp"
 
@@ -15,6 +17,7 @@ constexpr lua_Integer short_list = 12;  // numbers of a list that are all shown
 constexpr std::size_t line_width = 100;
 constexpr std::size_t most_fields = 60;
 constexpr int most_depth = 2;
+constexpr lua_Integer most_records = 40;
 
 // The text at index with what a terminal would obey, or not show at all, as Lua writes it: \27, \0.
 std::string visible(lua_State* L, int index) {
@@ -118,6 +121,30 @@ std::string list_text(lua_State* L, int index) {
 
 std::string value_text(lua_State* L, int index, int depth);
 
+// The records of a list under each other; empty where they are no table that a line could hold.
+std::string record_table(lua_State* L, int index) {
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
+  lua_rawgeti(L, index, 1);
+  std::vector<std::vector<std::string>> rows{names_in(L, lua_gettop(L))};
+  lua_pop(L, 1);
+  for (lua_Integer i = 1; i <= n && i <= most_records; ++i) {
+    lua_rawgeti(L, index, i);
+    rows.emplace_back();
+    for (const std::string& name : rows.front()) {
+      lua_getfield(L, -1, name.c_str());
+      rows.back().push_back(lua_isnil(L, -1) ? "" : value_text(L, -1, most_depth));
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+  }
+  std::string text = columns_text(rows);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.size() > line_width) return "";
+  if (n > most_records) text += "  ... and " + std::to_string(n - most_records) + " more\n";
+  return text.substr(0, text.size() - 1);
+}
+
 struct Field {
   std::string name, value;
 };
@@ -179,7 +206,11 @@ std::string table_text(lua_State* L, int index, int depth) {
   if (depth >= most_depth) return list.empty() ? "{...}" : list;
   auto fields = fields_of(L, index, depth);
   if (!list.empty()) keep_named(fields, list);
-  if (fields.empty() && !list.empty()) return list;
+  if (fields.empty() && !list.empty()) {
+    const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
+    const std::string rows = depth == 0 && records_text(L, index, n) == list ? record_table(L, index) : "";
+    return rows.empty() ? list : rows;
+  }
   const std::string line = one_line(fields);
   if (!line.empty()) return line;
   return depth == 0 ? many_lines(std::move(fields)) : "{...}";
@@ -205,8 +236,9 @@ constexpr const char* result_name = "__result";
 int result_text(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const bool named = luaL_getmetafield(L, 1, result_name) == LUA_TSTRING;
-  const std::string words =
-      "<" + std::string(named ? lua_tostring(L, -1) : "table") + "> " + table_text(L, 1, 0);
+  const std::string name = named ? lua_tostring(L, -1) : "table", text = table_text(L, 1, 0);
+  const bool rows = text.starts_with(" ");  // of records, which begin lines of their own
+  const std::string words = "<" + name + ">" + (rows ? "\n" : " ") + text;
   lua_pushlstring(L, words.data(), words.size());
   return 1;
 }
@@ -232,6 +264,20 @@ std::string columns_text(const std::vector<std::vector<std::string>>& rows) {
     out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return out;
+}
+
+std::string rows_text(lua_State* L, int index, const std::vector<const char*>& fields, const char* none) {
+  std::vector<std::vector<std::string>> rows;
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
+  for (lua_Integer i = 1; i <= n; ++i) {
+    if (lua_rawgeti(L, index, i) == LUA_TTABLE) {
+      rows.emplace_back();
+      for (const char* field : fields) rows.back().push_back(raw_text(L, -1, field));
+    }
+    lua_pop(L, 1);
+  }
+  const std::string words = columns_text(rows);
+  return words.empty() ? none : words.substr(0, words.size() - 1);
 }
 
 std::string lengths_text(const std::vector<double>& lengths, const char* between) {

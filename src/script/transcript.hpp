@@ -31,6 +31,9 @@ class Transcript {
 // The session's own.
 Transcript& transcript_of(lua_State* L);
 
+// Key of the registry: the globals before any code of the user's.
+inline constexpr const char* own_globals_key = "fabricsh.globals";
+
 // fabric.who, fabric.transcript.
 void bind_prompt(Session& session);
 

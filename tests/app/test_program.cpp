@@ -5,6 +5,9 @@
 #include <fstream>
 
 #include "catch.hpp"
+#include "program.hpp"
+
+using namespace fabricsh;
 
 namespace {
 
@@ -113,6 +116,93 @@ TEST_CASE("--version and --help") {
     CHECK(has(about, word));
   CHECK(has(run("--version", "PATH=/nowhere ").out, "gnuplot: not found, needed for figures"));
   CHECK(has(run("--help").out, "usage: fabricsh"));
+}
+
+TEST_CASE("a standard output that is full is told, and is no success") {
+  const auto full = [](const std::string& words) { return run(words + " 2>&1 >/dev/full; }", "{ "); };
+  for (const char* words : {"--help", "--version", "-e 'print(1)'", "-e 'io.write(1) os.exit(0)'",
+                            "-e 'io.write(1) os.exit(0, true)'"}) {
+    INFO(words);
+    const Ran ran = full(words);
+    CHECK(ran.code == 1);
+    CHECK(has(ran.out, "fabricsh: standard output is incomplete"));
+  }
+  CHECK(has(full("--help").out, "No space left on device"));
+  CHECK(full("-e 'print(1) os.exit(7)'").code == 7);
+  CHECK(full("-e 'print(1) error()'").code == 1);
+  CHECK(full("-e 'x = 1'").code == 0);
+  CHECK(run("-e 'print(1)' 2>&1 >&-; }", "{ ").code == 1);
+  CHECK(run("-e 'x = 1' 2>&1 >&-; }", "{ ").code == 0);
+  CHECK(run("-e 'for i = 1, 3 do io.write(i) end'").out == "123");
+}
+
+TEST_CASE("a program without its files says what is missing and what to set") {
+  std::system("rm -rf lonely && mkdir -p lonely/bin && cp '" FABRICSH_PROGRAM "' lonely/bin/alone");
+  const std::string alone = "; env -u FABRICSH_HOME lonely/bin/alone -e ";
+  const Ran ran = run("-e 'x = 1'" + alone + "'x = 1'");
+  CHECK(ran.code == 1);
+  CHECK(ran.out ==
+        "fabricsh: the program's own files are missing: lua/fabric/library.lua is neither in share/fabricsh "
+        "beside the "
+        "program nor in the source tree of its build; set FABRICSH_HOME to the folder that holds lua/ and "
+        "share/cards/ "
+        "(PREFIX/share/fabricsh of an installation, or the source tree)\n");
+  CHECK(has(run("-e 'x = 1'; FABRICSH_HOME=/nowhere lonely/bin/alone -e 'x = 1'").out,
+            "lua/fabric/library.lua is neither in FABRICSH_HOME ('/nowhere') nor in share/fabricsh beside"));
+  CHECK(run("-e 'x = 1'; FABRICSH_HOME='" FABRICSH_SOURCE_DIR
+            "' lonely/bin/alone -e 'print(card \"denim\".name)'")
+            .out == "denim\n");
+  std::system("rm -r lonely");
+}
+
+TEST_CASE("Ctrl-C while gnuplot draws is an interruption, and gnuplot ends with it") {
+  std::system("rm -rf slow-gnuplot && mkdir slow-gnuplot");
+  write("slow-gnuplot/gnuplot",
+        "#!/bin/sh\ntouch slow-gnuplot/started\nsleep 60\ntouch slow-gnuplot/late\necho words >&2\nexit 1\n");
+  std::system("chmod +x slow-gnuplot/gnuplot");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", ("slow-gnuplot:" + path).c_str(), 1);
+  test::Program program(
+      {"-e", "plot{ file='slow-gnuplot/a.svg', curves={ {x={0, 1}, y={0, 1}} } } print 'not reached'"},
+      "slow-gnuplot/log");
+  setenv("PATH", path.c_str(), 1);
+  for (int i = 0; i < 1200 && !std::filesystem::exists("slow-gnuplot/started"); ++i) usleep(50'000);
+  program.signal(SIGINT);
+  CHECK(program.wait() == 128 + SIGINT);
+  CHECK(test::content_of("slow-gnuplot/log") == "fabricsh: (command line):1: plot: interrupted\n");
+  CHECK_FALSE(std::filesystem::exists("slow-gnuplot/late"));
+  CHECK_FALSE(std::filesystem::exists("slow-gnuplot/a.svg"));
+}
+
+TEST_CASE("kernels that are none are refused") {
+  const Ran ran = run("-e 'x = 1'", "FABRICSH_ISA=foo ");
+  CHECK(ran.code == 2);
+  CHECK(has(ran.out, "fabricsh: FABRICSH_ISA: expected one that this machine has (baseline"));
+  CHECK(has(ran.out, "got 'foo'"));
+  CHECK(has(run("--version", "FABRICSH_ISA=baseline ").out, "kernels for baseline"));
+}
+
+TEST_CASE("--restart needs a deck") {
+  for (const char* words : {"--restart some.ckpt", "--restart some.ckpt -i"}) {
+    const Ran ran = run(words, "echo 1 | ");
+    CHECK(ran.code == 2);
+    CHECK(ran.out == "fabricsh: --restart needs the deck that wrote the checkpoint\n");
+  }
+  CHECK(has(run("--restart= args.lua").out, "'--restart' needs an argument"));
+}
+
+TEST_CASE("below an error of a deck stands who called whom") {
+  write("part.lua",
+        "local part = {}\nfunction part.cut(w)\n  local x = w.size + 1\n  return x\nend\nreturn part\n");
+  write("whole.lua",
+        "local part = require 'part'\nlocal function all(w)\n  local x = part.cut(w)\n  return "
+        "x\nend\n\nlocal y = all()\n");
+  const Ran ran = run("whole.lua");
+  CHECK(ran.code == 1);
+  CHECK(ran.out ==
+        "fabricsh: ./part.lua:3: attempt to index a nil value (local 'w')\n"
+        "  called from whole.lua:3, in 'all'\n"
+        "  called from whole.lua:7\n");
 }
 
 TEST_CASE("--check validates and writes nothing") {

@@ -270,6 +270,14 @@ for i = 1, 2 do make():record("out/" .. i .. ".csv", { columns = { x = function(
 json = text_of "out/run.json"
 assert(select(2, json:gsub('"number": ', "")) >= 2 and json:find("out/1.csv", 1, true) and json:find("out/2.csv", 1, true))
 
+-- --- a table that is gone is told by what it was ---
+code = run_program "--quiet helped.lua dies"
+assert(code == 9)
+assert(os.remove "out/helped.csv")
+code, got = run_program "--quiet --threads 1 --restart out/helped.ckpt helped.lua lives"
+assert(code == 1)
+says(got, "cannot go on with 'out/helped.csv': the table that the run left is gone; put it back, or run the deck without --restart")
+
 -- --- a full disk ---
 write("full.lua", [[
 local folder = arg[1]

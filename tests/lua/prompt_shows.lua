@@ -43,7 +43,7 @@ local cases = {
   { "ramp(3, 2), history{ {0, 0}, {1, 2}, {2, -1} }", "<history of 2 points to 2 s, 0 to 3>\t<history of 3 points to 2 s, -1 to 2>" },
   { "p = point(card 'blend') p:strain{ E11=0.1 } return p", "<point, E11 0.1, E22 0, E12 0; S11 5.024, S22 0.3754, S12 0 MPa>" },
   { "strip = mesh.rectangle{ width=25.4*mm, height=76.2*mm, nx=1, ny=3 }" },
-  { "m = model{ mesh=strip, card=card 'blend':with{ bending={warp=1e-5, weft=1e-5, twist=5e-6} }, warp=90 }" },
+  { "m = model{ mesh=strip, card=card 'blend':with{ bending={warp=1e-5, weft=1e-5, twist=5e-6} }, warp=90 }", "warning: m is no longer the unit; fabric.units.m still is" },
   { "m", "<model: rectangle 1x3, 8 nodes, 3 elements; card blend, 0.38 mm, 224.2 g/m2; warp 90 degrees; 1 thickness point; "
     .. "0 supports, 0 motions, no loads>" },
   { "model{ mesh=strip, card=card 'blend':with{ bending={warp=1e-5, weft=1e-5, twist=5e-6} }, warp=90 }:gravity{0, 0, -9.81}:pressure(5):fix('bottom', 'x y z')", "<model: rectangle 1x3, 8 nodes, 3 elements; card blend, 0.38 mm, 224.2 g/m2; warp 90 degrees; 1 thickness point; "
@@ -55,7 +55,12 @@ local cases = {
   { "a:solve()", "<static run, t = 1 of 1 s, 4 steps, done>" },
   { "a:snapshot()", "<snapshot of t = 1 s>" },
   { "#a:field 'S11', a:field 'S11'[1] > 0", "3\ttrue" },
-  { "a.steps", "<4 rows of cuts, iterations, negative_pivots, residuals, step, time>" },
+  { "a.steps", [[
+  cuts  iterations  negative_pivots  residuals  step  time
+  0     4           0                {...}      0.25  0.25
+  0     3           0                {...}      0.25  0.5
+  0     3           0                {...}      0.25  0.75
+  0     3           0                {...}      0.25  1]] },
   { "p:state().warp", "virgin" },
   -- tables
   { "{}", "{}" },
@@ -64,7 +69,14 @@ local cases = {
   { "long[7] = 0/0 return long", "<441 numbers, 0.01 to 4.41, 1 of them nan>" },
   { "{ E=long, name='a curve' }", '{E = <441 numbers, 0.01 to 4.41, 1 of them nan>, name = "a curve"}' },
   { "{ {0, 0}, {1, 2}, {2, 1}, {3, 5} }", "<4 x 2 numbers, 0 to 5>" },
-  { "{ {t=0, x=1}, {t=1, x=1}, {t=2, x=1}, {t=3, x=1} }", "<4 rows of t, x>" },
+  { "{ {t=0, x=1}, {t=1, x=1}, {t=2, x=1}, {t=3, x=1} }", "  t  x\n  0  1\n  1  1\n  2  1\n  3  1" },
+  { "m:list()", [[
+  fix   all     z rotation
+  fix   bottom  x y
+  fix   top     x
+  move  top     y 0 to 0.018 at 1 s m]] },
+  { "a.model, a.mesh", "<model: rectangle 1x3, 8 nodes, 3 elements; card blend, 0.38 mm, 224.2 g/m2; warp 90 degrees; 1 thickness point; "
+    .. "3 supports, 1 motions, 0 forces>\t<mesh 1x3, 8 nodes, 25.4 x 76.2 mm>" },
   { "{ 'a\\nb', ('x'):rep(99) }", '{"a b", "' .. ("x"):rep(57) .. '..."}' },
   { "setmetatable({}, { __tostring=function() return'mine' end })", "mine" },
   -- results of the laboratory and files

@@ -78,6 +78,37 @@ TEST_CASE("methods behind a colon, properties behind a dot") {
   CHECK(words("name:gsu") == Words{"gsub"});
 }
 
+TEST_CASE("what a call returns is completed, without calling it") {
+  Bench words;
+  CHECK(words("m:fix('top', 'z'):fi") == Words{"fix"});
+  CHECK(words("m:fix('top', 'z'):move('to") == Words{"top"});
+  CHECK(words("m:fix('top', 'z'):fix('seam', 'z'):fix(\"se") == Words{"seam"});
+  CHECK(words("m:fix('top', 'z'):force('top', { ") == Words{"x=", "y=", "z="});
+  CHECK(words("mesh.rectangle{ width=1, height=1, nx=1, ny=1 }:el") == Words{"elements"});
+  CHECK(words("mesh.rectangle{ width=1, height=1, nx=1, ny=1 }.se") == Words{"sets"});
+  CHECK(words("card 'denim':wi") == Words{"with"});
+  CHECK(words("fabric.card('denim'):with{ thickness=1e-3 }:wr") == Words{"write"});
+  CHECK(words("static{ model=m, duration=f(x) }:sol") == Words{"solve"});
+  CHECK(has(words("static{ model=m, duration=1 }:solve():"), "field"));
+  CHECK(words("static{ model=m, duration=1 }:solve():mean('S1") == Words{"S11", "S12", "S13"});
+  CHECK(words("a:solve().energy.kin") == Words{"kinetic"});
+  CHECK(words("a.model:li") == Words{"list"});
+  CHECK(words("a.mesh.se") == Words{"sets"});
+  CHECK(words("f(x).") == Words{});
+  CHECK(words("(m):") == Words{});
+  CHECK(words("a:field('S11').") == Words{});
+  words.run("called = false count = setmetatable({}, { __call=function() called = true end })");
+  CHECK(words("count().").empty());
+  words.run("assert(not called and a.time == 0)");
+}
+
+TEST_CASE("help is asked by name") {
+  Bench words;
+  CHECK(words("help \"mesh.rec") == Words{"mesh.rectangle"});
+  CHECK(words("help('model:fi") == Words{"model:fix"});
+  CHECK(words.common("help 'mesh.rec") == "mesh.rectangle'");
+}
+
 TEST_CASE("names of arguments, those that are not given yet") {
   Bench words;
   CHECK(words("mesh.rectangle{ wi") == Words{"width="});

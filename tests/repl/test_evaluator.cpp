@@ -1,8 +1,10 @@
 // The prompt without a terminal.
+#include <algorithm>
 #include <csignal>
 #include <sstream>
 
 #include "catch.hpp"
+#include "repl/commands.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/prompt.hpp"
 
@@ -72,6 +74,47 @@ TEST_CASE("local at the prompt is warned about, and runs") {
     CHECK(repl::advice(fine).empty());
 }
 
+TEST_CASE("quit and exit end the session, as names they are the user's") {
+  for (const char* word : {"quit", "exit", "quit()", " exit () ", "exit()"})
+    CHECK(talk(std::string("1\n") + word + "\n2\n").out == "1\n");
+  CHECK(talk("quit = 3\nquit\n").out == "3\n");
+  CHECK(talk("x = {\nquit\n}\n2\n").out == "2\n");  // within an input it is a name
+}
+
+TEST_CASE("help, ? and ? word mean calls of help") {
+  script::Session session{script::Options{}};
+  REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
+  const auto meant = [&](const char* input) { return repl::meant(session, input); };
+  for (const char* asked : {"help", " help ", "?", "? "}) CHECK(meant(asked) == "help()");
+  for (const char* asked : {"? mesh:set", "?mesh:set", "help mesh:set"})
+    CHECK(meant(asked) == "help(\"mesh:set\")");
+  CHECK(meant("? 'two words'") == "help('two words')");
+  for (const char* lua : {"help()", "help 'shear'", "help = 3", "helper", "x = help", "1 + 1", "help(mesh)"})
+    CHECK(meant(lua) == lua);
+  CHECK(repl::run_text(session, "help = 3", "=t").outcome == Outcome::done);
+  CHECK(meant("help") == "help");
+  CHECK(meant("?") == "require('fabric').help()");
+}
+
+TEST_CASE("a name of the library's, a unit or one of Lua's that is assigned over is told once") {
+  CHECK(talk("m = 3\nm = 4\n").err == "warning: m is no longer the unit; fabric.units.m still is\n");
+  CHECK(talk("model = 3\n").err ==
+        "warning: model is no longer what fabric has under that name; fabric.model still is\n");
+  CHECK(talk("print = nil\n").err == "warning: print is no longer Lua's own\n");
+  CHECK(talk("function card() end\n").err.find("warning: card is no longer") == 0);
+  CHECK(talk("x = 3\nx = 4\nlong = 2\nfabric.units.mm\n").err.empty());
+}
+
+TEST_CASE("records show as a table") {
+  CHECK(talk("{ {t=0, x='a'}, {t=1, x='bcd'}, {t=22.5, x='e'}, {t=3, x='f'} }\n").out ==
+        "  t     x\n  0     \"a\"\n  1     \"bcd\"\n  22.5  \"e\"\n  3     \"f\"\n");
+  const std::string many = talk("r = {} for i = 1, 99 do r[i] = {n=i, twice=2*i} end\nr\n{ rows=r }\n").out;
+  CHECK(many.find("  40  80\n  ... and 59 more\n{rows = <99 rows of n, twice>}\n") != std::string::npos);
+  const std::string wide = "x=('y'):rep(60), z=('y'):rep(60)";
+  CHECK(talk("{ {" + wide + "}, {" + wide + "}, {" + wide + "}, {" + wide + "} }\n").out ==
+        "<4 rows of x, z>\n");
+}
+
 TEST_CASE("globals do not cover Lua's own") {
   CHECK(talk("type(string.format), 3*inch, fabric.units.mm, type(table.concat)\n").out ==
         "function\t0.0762\t0.001\tfunction\n");
@@ -92,6 +135,57 @@ TEST_CASE("errors never end the session") {
   CHECK(t.out == "alive\n");
   CHECK(t.err.find("prompt:1: rectangle: field 'width': expected a positive number in m, got -1") !=
         std::string::npos);
+}
+
+TEST_CASE("below an error stands who called whom") {
+  script::Session session{script::Options{}};
+  const auto error_of = [&](const std::string& text) {
+    return repl::run_text(session, text, "@deck.lua").message;
+  };
+  const std::string helpers =
+      "local fabric = require 'fabric'\n"
+      "local function strip(w)\n"
+      "  local m = fabric.mesh.rectangle{ width=w, height=1, nx=1, ny=1 }\n"
+      "  return m\n"
+      "end\n"
+      "function study(w)\n"
+      "  local m = strip(w)\n"
+      "  return m\n"
+      "end\n";
+  const std::string first =
+      "deck.lua:3: rectangle: field 'width': expected a positive number in m, got -1\n"
+      "  called from deck.lua:7, in 'study'\n"
+      "  called from deck.lua:10";
+  CHECK(error_of(helpers + "study(-1)\n") == first);
+  // typed lines are not told: their author sees them
+  CHECK(repl::evaluate(session, "x = study(-1)").message == first.substr(0, first.rfind('\n')));
+  CHECK(repl::run_text(session, "x = study(-1)", "=(command line)").message ==
+        first.substr(0, first.rfind('\n')));
+  // a caught error leaves nothing behind for the next; one that is raised again is told from there
+  CHECK(error_of("pcall(study, -1)\n\nerror 'later'\n") == "deck.lua:3: later");
+  CHECK(error_of("local _, e = pcall(study, -1)\nerror(e, 0)\n") ==
+        first.substr(0, first.find('\n')) + "\n  at deck.lua:2");
+  CHECK(error_of("local function check()\n  error('no', 2)\nend\ncheck()\n") == "deck.lua:4: no");
+  CHECK(error_of("local function check()\n  error{}\nend\ncheck()\n") ==
+        "error without a text: {}\n  at deck.lua:2, in 'check'\n  called from deck.lua:4");
+  CHECK(repl::evaluate(session, "error{}").message == "error without a text: {}");
+  CHECK(repl::evaluate(session, "x = = 1").message.find("called") == std::string::npos);
+  // the library's own Lua lines are passed over, the deck's below them are not
+  CHECK(
+      error_of(
+          "local fabric = require 'fabric'\nlocal function check(x)\n  fabric.expect{ {'x', x, 2} }\nend\n"
+          "check(1)\n") ==
+      "deck.lua:3: expect: row 'x': expected relative= or absolute= (one of them)\n  called from deck.lua:5");
+}
+
+TEST_CASE("of a deep recursion both ends are told") {
+  script::Session session{script::Options{}};
+  const std::string endless = "function f(n)\n  return 1 + f(n + 1)\nend\nlocal x = f(1)\n";
+  const std::string message = repl::run_text(session, endless, "@deck.lua").message;
+  CHECK(message.find("deck.lua:2: stack overflow") == 0);
+  CHECK(message.find("calls more ...") != std::string::npos);
+  CHECK(message.ends_with("\n  called from deck.lua:4"));
+  CHECK(std::count(message.begin(), message.end(), '\n') < 60);
 }
 
 TEST_CASE("a numerical failure is told from a deck error") {

@@ -65,6 +65,18 @@ for signal in INT TERM KILL; do
   [ $(($(wc -l <slow-$signal-log) - before)) -eq $((8 - kept)) ] || fail "$signal: finished cases ran again"
 done
 
+# A case whose process ends without a word is missing, not done.
+cat >dies.lua <<'EOF'
+local s = require "fabric".study { parameters = { n = { 1, 2, 3 } }, folder = arg[1], workers = 1, run = function(p)
+  if p.n == 2 then os.exit(0) end
+  if p.n == 3 then error "no" end
+  return { square = p.n ^ 2 }
+end }
+assert(not s.complete and s.missing == 1 and s.failed == 1)
+EOF
+"$program" dies.lua dies >said 2>&1 || fail "a case that leaves: $(cat said)"
+grep -q 'study: 2 of 3 done, 1 failed, 1 without an answer' said || fail "a case that leaves says $(cat said)"
+
 # Safe as well, the variables of an array job being the only ones that such a deck sees.
 mkdir deck && cp "$deck" deck/
 SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=1 "$program" --quiet --safe deck/thickness.lua >said 2>/dev/null || fail "--safe"
