@@ -3,6 +3,10 @@ find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(PkgConfig REQUIRED)
 find_package(ZLIB REQUIRED)
+# Photographs; VTK's own packages stand on the same ones.
+find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
+find_package(TIFF REQUIRED)
 
 # Lua built as C++, so that an error raised in a binding unwinds C++ frames and runs destructors.
 pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)

@@ -77,7 +77,7 @@ function(fabricsh_rooms layers)
   # The only rooms that may see a third-party library.
   fabricsh_room_uses(solver PRIVATE fabricsh_suitesparse)
   fabricsh_room_uses(files PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOCore VTK::IOImage VTK::IOXML
-    ZLIB::ZLIB)
+    ZLIB::ZLIB PNG::PNG JPEG::JPEG TIFF::TIFF)
   fabricsh_room_uses(render PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOImage VTK::IOXML
     VTK::RenderingAnnotation VTK::RenderingCore VTK::RenderingFreeType VTK::RenderingOpenGL2)
   fabricsh_room_uses(script PUBLIC PkgConfig::LUA)

@@ -1,20 +1,18 @@
 #include "files/image.hpp"
 
 #include <vtkImageData.h>
-#include <vtkJPEGReader.h>
 #include <vtkNew.h>
-#include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
-#include <vtkSmartPointer.h>
-#include <vtkTIFFReader.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
 #include "files/atomic.hpp"
-#include "files/gate.hpp"
+#include "files/image_decode.hpp"
+#include "files/source.hpp"
 
 namespace fabricsh::files {
 
@@ -27,48 +25,89 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-vtkSmartPointer<vtkImageReader2> reader_for(const std::string& path) {
-  const std::string ending = ending_of(path);
-  if (ending == ".png") return vtkSmartPointer<vtkPNGReader>::New();
-  if (ending == ".jpg" || ending == ".jpeg") return vtkSmartPointer<vtkJPEGReader>::New();
-  if (ending != ".tif" && ending != ".tiff")
-    throw Error("image '" + path + "': expected a name ending in .png, .jpg, .jpeg, .tif or .tiff");
-  return vtkSmartPointer<vtkTIFFReader>::New();
+struct Format {
+  const char* word;  // in messages
+  std::vector<std::string_view> endings, signatures;
+  Image (*decode)(const Encoded& file);
+};
+
+const std::vector<Format>& formats() {
+  using namespace std::string_view_literals;
+  static const std::vector<Format> all = {
+      {"png", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, decode_png},
+      {"jpg", {".jpg", ".jpeg"}, {"\xff\xd8"sv}, decode_jpeg},
+      {"tif", {".tif", ".tiff"}, {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}, decode_tiff},
+      {"bmp", {".bmp"}, {"BM"sv}, decode_bmp},
+  };
+  return all;
 }
 
-// Brightness of a pixel of one, two (with opacity), three or four channels.
-double brightness(vtkImageData& data, int column, int row) {
-  const auto channel = [&](int c) { return data.GetScalarComponentAsDouble(column, row, 0, c); };
-  if (data.GetNumberOfScalarComponents() < 3) return channel(0);
-  return 0.299 * channel(0) + 0.587 * channel(1) + 0.114 * channel(2);
+const Format& format_of(const std::string& path) {
+  const std::string ending = ending_of(path);
+  for (const Format& format : formats())
+    if (std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end())
+      return format;
+  throw Error("image '" + path + "': expected a name ending in .png, .jpg, .jpeg, .tif, .tiff or .bmp");
+}
+
+constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
+constexpr std::uint64_t tightest = 1040, small = std::uint64_t{1} << 20;
+
+template <class Sample>
+void fill(Image& image, int row, const std::uint8_t* samples, int channels, double white) {
+  for (int column = 0; column < image.width; ++column) {
+    const auto channel = [&](int c) {
+      Sample value;
+      std::memcpy(&value, samples + (std::size_t(column) * channels + c) * sizeof value, sizeof value);
+      return static_cast<double>(value);
+    };
+    const double shown =
+        channels < 3 ? channel(0) : 0.299 * channel(0) + 0.587 * channel(1) + 0.114 * channel(2);
+    image.at(column, row) = static_cast<float>(shown / white);
+  }
 }
 
 }  // namespace
 
+void refused(const Encoded& file, const std::string& why) {
+  throw Error("image '" + file.name + "': " + why);
+}
+
+void damaged(const Encoded& file, const std::string& why) {
+  refused(file, "it is damaged or cut short (" + why + ")");
+}
+
+Image image_of_size(const Encoded& file, std::uint64_t width, std::uint64_t height,
+                    std::uint64_t bytes_per_pixel) {
+  if (width < 1 || height < 1) refused(file, "it holds no picture");
+  const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (width > most_pixels / height)
+    refused(file,
+            "it says to have " + size + ", more than the " + std::to_string(most_pixels) + " that are read");
+  if (width * height * bytes_per_pixel > tightest * file.bytes.size() + small)
+    damaged(file, std::to_string(file.bytes.size()) + " bytes can't hold " + size);
+  return {static_cast<int>(width), static_cast<int>(height), std::vector<float>(width * height)};
+}
+
+void fill_row(Image& image, int row, const std::uint8_t* samples, int channels, int bits) {
+  if (bits == 16)
+    fill<std::uint16_t>(image, row, samples, channels, 65535);
+  else
+    fill<std::uint8_t>(image, row, samples, channels, 255);
+}
+
+Image parse_image(const std::string& name, std::string_view bytes) {
+  const Format& format = format_of(name);
+  const bool known = std::any_of(format.signatures.begin(), format.signatures.end(),
+                                 [&](std::string_view signature) { return bytes.starts_with(signature); });
+  if (!known)
+    throw Error("image '" + name + "': expected a " + format.word + " file, its content is something else");
+  return format.decode({name, bytes});
+}
+
 Image read_image(const std::string& path) {
-  const auto reader = reader_for(path);
-  // Opened through the gate; the readers take nothing but a path, and this one means the opened file.
-  const Descriptor file = Gate::of_process().open(path);
-  const std::string opened = "/proc/self/fd/" + std::to_string(file.number());
-  if (reader->CanReadFile(opened.c_str()) == 0)
-    throw Error("image '" + path + "': expected a " + ending_of(path).substr(1) +
-                " file, its content is something else");
-  reader->SetFileName(opened.c_str());
-  reader->Update();
-  vtkImageData& data = *reader->GetOutput();
-  int size[3];
-  data.GetDimensions(size);
-  if (size[0] < 1 || size[1] < 1) throw Error("image '" + path + "': it holds no picture");
-  const double white = data.GetScalarType() == VTK_UNSIGNED_SHORT ? 65535 : 255;
-  // VTK counts rows from the bottom, but its TIFF reader hands them out from the top.
-  const bool from_top = ending_of(path).starts_with(".tif");
-  Image image{size[0], size[1],
-              std::vector<float>(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]))};
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column)
-      image.at(column, row) =
-          static_cast<float>(brightness(data, column, from_top ? row : image.height - 1 - row) / white);
-  return image;
+  format_of(path);  // a wrong name is told before the file is read
+  return parse_image(path, read_file(path));
 }
 
 void write_png(const std::string& path, const Image& image) {
