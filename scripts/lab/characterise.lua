@@ -2,8 +2,9 @@
 --
 --   fabricsh scripts/lab/characterise.lua [folder] [out]
 --
--- The folder (default: the synthetic sample data) holds laboratory.lua and the files that lua/fabric/lab/folder.lua describes.
--- Writes into out (default out/characterise): card.lua, warp.svg, weft.svg, shear.svg, their -residual.svg, report.html.
+-- The folder (default: the synthetic sample data) holds laboratory.lua and whatever there is of the files that lua/fabric/lab/folder.lua
+-- describes; what no file shows is assumed, marked so, and named with the test that would tell. Writes into out (default
+-- out/characterise): card.lua, a figure and its -residual.svg for each of warp, weft, shear that was tested, report.html.
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to
@@ -17,12 +18,17 @@ if fabric.checking() then return end
 
 local result = folder.reduce(from)
 local figures, rows = report.write(result, out)
-for _, row in ipairs(rows) do print(("%-18s %12s  %-24s %s"):format(table.unpack(row))) end
+for _, text in ipairs(report.contradictions(figures)) do print(text) end
+for _, row in ipairs(rows) do print(("%-18s %12s  %-24s %-5s %s"):format(table.unpack(row))) end
 local expected = {}
 for _, name in ipairs { "warp", "weft", "shear" } do
-  print(("%s: residual of the simulated curve %.2f %% of the peak"):format(name, 100 * figures[name].residual))
-  -- a card that misses its own measurement by a tenth is none
-  expected[#expected + 1] = { name .. ": residual over the peak", figures[name].residual, 0, absolute = 0.1 }
+  if figures[name] then
+    print(("%s: residual of the simulated curve %.2f %% of the peak"):format(name, 100 * figures[name].residual))
+    if result[name].spread then print(name .. ": " .. result[name].spread.text) end
+    -- a card that misses its own measurement by a tenth is none
+    expected[#expected + 1] = { name .. ": residual over the peak", figures[name].residual, 0, absolute = 0.1 }
+  end
 end
+for _, further in ipairs(result.further) do print(("to settle %s: %s; %s"):format(further.field, further.test, further.now)) end
 print("written: " .. out .. "/report.html, " .. out .. "/card.lua")
 fabric.expect(expected)

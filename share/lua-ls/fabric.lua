@@ -8,6 +8,7 @@
 ---@field density number kg/m^3: mass over volume
 ---@field thickness number m: of the sheet
 ---@field bending fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
+---@field provenance table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -135,8 +136,9 @@ function analysis:reaction(set) end
 ---@field every? number|"step" s: time between rows or frames, or 'step'
 ---@field columns table name = function(a) that returns a number
 ---@field order? table names in the order of the columns
+---@field units? table name = unit of what the function returns, '' for none; put behind the name in the heading. Default: N for a column called force (or force_x, force_y, force_z), m for displacement
 
----Writes a table as the run goes: time, then the columns.
+---Writes a table as the run goes: time, then the columns, with their units in the heading, so that fabric.lab.tensile reads it.
 ---@param path string of the CSV file
 ---@param options analysis_record_fields.options columns, and how often
 ---@return analysis
@@ -345,13 +347,16 @@ function fabric.lab.bias(fields) end
 function fabric.lab.bias_extension(fields) end
 
 ---@class fabric_lab_bias_shear_fields
----@field displacement number[] m: of the crosshead, rising
----@field force number[] N: of one length with it
+---@field displacement number[] m: of the crosshead, rising; rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error
+---@field force? number[] N: of one length with it
+---@field card? card instead of the force: what the pull would show by the same kinematics
 ---@field width number m: of the specimen
 ---@field length number m: between the grips, at least twice the width
----@field thickness number m: of the cloth
+---@field thickness? number m: of the cloth; default: the card's
+---@field limit? number degrees: angle up to which yarns are believed not to slip or stretch (default 30)
+---@field cut? boolean the record ends at the limit and at a reversal (default false)
 
----Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12.
+---Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid (true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.
 ---@param fields fabric_lab_bias_shear_fields
 ---@return table<string, any>
 function fabric.lab.bias_shear(fields) end
@@ -399,16 +404,32 @@ function fabric.lab.branches(fields) end
 ---@field source? string who measured, when; what was fitted is put behind it (default "")
 ---@field density number kg/m^3: as of fabric.lab.density
 ---@field thickness number m: of the cloth
----@field warp table result of fabric.lab.fit
----@field weft table result of fabric.lab.fit
----@field shear table result of fabric.lab.fit of shear tests (tensor measure)
----@field poisson table {warp=, weft=}: numbers, or results of fabric.lab.poisson
+---@field warp? table result of fabric.lab.fit, the warp of a card, or {loading=, unloading=}
+---@field weft? table likewise
+---@field shear? table result of fabric.lab.fit of shear tests (tensor measure), or likewise
+---@field poisson? table {warp=, weft=}: numbers, or results of fabric.lab.poisson
+---@field assume? boolean|table true: what no test shows is taken by rule and marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., ['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error (default false)
 ---@field bending? table as in fabric.woven
 
----A woven card from fits, with bands, tested ranges and provenance; card:write keeps them.
+---A woven card from fits, with bands, tested ranges and, in provenance, where each number comes from: fitted, copied off a card, typed, or assumed; card:write keeps them.
 ---@param fields fabric_lab_card_fields
 ---@return card
 function fabric.lab.card(fields) end
+
+---@class fabric_lab_compare_fields.options
+---@field x? string column of both; default E, else displacement
+---@field y? string column of both; default S, else force
+---@field slack? number of first contact: a stretch as in fit.specimens[i].slack where x is E, else of the unit of x; default 0
+---@field all? boolean unloading too; default: virgin loading up to failure
+---@field file? string of the figure with both curves: .svg, .png or .pdf
+---@field title? string of the figure
+
+---A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), text.
+---@param measured table result of fabric.lab.tensile or shear_from_bias, or a record with lists of the columns
+---@param test table result of a virtual test (fabric.lab.uniaxial and so on), its curve, or lists likewise
+---@param options? fabric_lab_compare_fields.options what is laid over each other, and where the figure goes
+---@return table<string, any>
+function fabric.lab.compare(measured, test, options) end
 
 ---@class fabric_lab_density_fields
 ---@field mass number[] kg: of each weighed piece
@@ -493,7 +514,7 @@ function fabric.lab.fast_card(fields) end
 ---@class fabric_lab_fit_fields
 ---@field tests table replicates: results of fabric.lab.tensile or shear_from_bias
 ---@field degree? integer|"auto"|"monotone" of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve (default "auto")
----@field find_slack? boolean first contact is found with the curve (default false)
+---@field find_slack? "either"|boolean first contact is found with the curve; either: only if that fits better by a tenth; if neither does the band holds both, and a polynomial (auto) that misses the toe makes room for a monotone curve (default false)
 ---@field upto? "failure"|"yield" rows used (default "failure")
 ---@field rule? "first"|"robust" of the unloading modulus (default "first")
 ---@field count? integer first points of the unloading (default 3)
@@ -768,6 +789,9 @@ function fabric.lab.ratio(fields) end
 ---@field file string of the load frame: CSV, TSV or the like
 ---@field columns? table {displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading
 ---@field units? table {displacement='mm', force='N'}; default: those of the headings
+---@field gauge_length? number m: for a record of strains: the displacement follows
+---@field width? number m: for a record of forces per width: the force follows
+---@field vocabulary? string|table words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them
 ---@field separator? "auto"|","|";"|"tab"|"blank" between cells (default "auto")
 ---@field decimal? "auto"|"."|"," decimal sign (default "auto")
 
@@ -826,6 +850,22 @@ function fabric.lab.shear(fields) end
 ---@return table<string, any>
 function fabric.lab.shear_from_bias(fields) end
 
+---@class fabric_lab_spread_fields
+---@field tests table three specimens and more: results of fabric.lab.tensile or shear_from_bias
+---@field level? number of confidence (default 0.95)
+---@field points? integer bins of strain, equally wide (default 50)
+
+---How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), coverage (their mean), reach, text.
+---@param fields fabric_lab_spread_fields
+---@return table<string, any>
+function fabric.lab.spread(fields) end
+
+---The quantile of Student's t distribution.
+---@param probability number of values below it
+---@param freedom number degrees of freedom
+---@return table<string, any>
+function fabric.lab.student(probability, freedom) end
+
 ---@class fabric_lab_synthetic_fields
 ---@field card card the truth
 ---@field direction? "warp"|"weft"|"bias" of the pull (default "warp")
@@ -859,6 +899,7 @@ function fabric.lab.synthetic(fields) end
 ---@field record? table {displacement=, force=} in SI, instead of a file
 ---@field columns? table as in fabric.lab.read
 ---@field units? table as in fabric.lab.read
+---@field vocabulary? string|table as in fabric.lab.read
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen
 ---@field thickness number m: of one ply
@@ -866,13 +907,15 @@ function fabric.lab.synthetic(fields) end
 ---@field compliance? number m/N: of frame and load cell (default 0)
 ---@field slip? number m/N: in the grips, over the largest force so far (default 0)
 ---@field zero? boolean displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell (default false)
+---@field pretension? number N: a record that begins with a force up to this was meant to, as under the pretension of a standard
 ---@field slack? number|"none"|"contact" m: displacement at first contact, or 'contact': found where the force rises above `contact` (default "none")
 ---@field contact? number N: default 1 % of the largest force
 ---@field tolerance? number m: smallest way back that is a reversal; default 1 % of the largest displacement
----@field kept? number failed below this part of the peak (default 0.8)
+---@field kept? number failed below this part of the peak, if the force stays there (default 0.8)
+---@field outliers? "tell"|"drop"|"keep" readings of the force that stand alone (a display that drops a digit): left out and told, left out without a word, or kept (default "tell")
 ---@field softening? number yielded below this part of the largest tangent (default 0.5)
 
----A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area.
+---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil).
 ---@param fields fabric_lab_tensile_fields
 ---@return table<string, any>
 function fabric.lab.tensile(fields) end
@@ -883,7 +926,7 @@ function fabric.lab.tensile(fields) end
 ---@field distance number m: between them on the first photograph
 
 ---@class fabric_lab_track_fields
----@field files table photographs in order: PNG, JPEG or TIFF
+---@field files table photographs in order: PNG, JPEG, TIFF or BMP
 ---@field rows integer of dots, following each other along the pull (y)
 ---@field columns integer of dots, across
 ---@field scale? number m: of a pixel
@@ -973,6 +1016,7 @@ function fabric.lab.unloading(fields) end
 ---@field density number kg/m^3: mass over volume
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_linear_fields.bending own bending rigidity instead of integration through the thickness
+---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field warp number Pa: modulus along the warp
 ---@field weft number Pa: modulus along the weft
 ---@field shear number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1172,6 +1216,7 @@ function fabric.study(fields) end
 ---@field density number kg/m^3: mass over volume
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_svk_fields.bending own bending rigidity instead of integration through the thickness
+---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field warp? number Pa: modulus along the warp
 ---@field weft? number Pa: modulus along the weft
 ---@field shear? number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1279,6 +1324,7 @@ function fabric.why() end
 ---@field density number kg/m^3: mass over volume
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
+---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "fabric/check_parts.hpp"
+#include "fabric/provenance.hpp"
 #include "fabric/text.hpp"
 
 namespace fabricsh::fabric {
@@ -97,10 +98,22 @@ void check_units(const card::Card& card, CheckReport& report) {
   ask_about({"tested.shear", "tested shear strain", w->tested.shear, 1e-3, 1, ""}, report);
 }
 
+namespace {
+
+// What nobody measured is said with every check.
+void check_provenance(const card::Card& card, CheckReport& report) {
+  for (const auto& [field, words] : provenance_of(card.source))
+    if (words.starts_with("assumed"))
+      report.items.push_back({"assumed." + field, Severity::note, field + " is " + words, {}});
+}
+
+}  // namespace
+
 CheckReport check(const card::Card& card, double element_size) {
   CheckReport report;
   report.card = card.name;
   check_units(card, report);
+  check_provenance(card, report);
   std::shared_ptr<const Law> law;
   try {
     law = compile(card);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/error.hpp"
 
@@ -21,40 +22,143 @@ double distance(const Tracks& t, std::size_t frame, std::size_t a, std::size_t b
   return std::hypot(t.x[at + a] - t.x[at + b], t.y[at + a] - t.y[at + b]);
 }
 
-// Mean length of two opposite sides: along joins rows, across joins columns.
-double side(const Tracks& t, std::size_t frame, std::size_t box, bool along) {
-  const auto k = corners(t, box);
-  return along ? (distance(t, frame, k[0], k[2]) + distance(t, frame, k[1], k[3])) / 2
-               : (distance(t, frame, k[0], k[1]) + distance(t, frame, k[2], k[3])) / 2;
-}
+// The two distances whose mean is the length of a box along or across the pull: of a grid opposite sides
+// (along joins rows, across joins columns), of four pins set as a diamond one diagonal, counted twice.
+class Gauges {
+ public:
+  Gauges(const Tracks& t, const Arrangement& arrangement) : t_(t), arrangement_(arrangement) {}
+  double length(std::size_t frame, std::size_t box, bool along) const {
+    if (arrangement_.diamond) {
+      const auto& p = arrangement_.pins;
+      return along ? distance(t_, frame, p[0], p[1]) : distance(t_, frame, p[2], p[3]);
+    }
+    const auto k = corners(t_, box);
+    return along ? (distance(t_, frame, k[0], k[2]) + distance(t_, frame, k[1], k[3])) / 2
+                 : (distance(t_, frame, k[0], k[1]) + distance(t_, frame, k[2], k[3])) / 2;
+  }
+  // Variance of that length for unit noise of a coordinate: each distance has two free ends.
+  double variance() const { return arrangement_.diamond ? 2 : 1; }
 
-}  // namespace
+ private:
+  const Tracks& t_;
+  Arrangement arrangement_;
+};
 
-std::array<double, 4> box_gradient(const Tracks& t, std::size_t box, std::size_t frame) {
-  Eigen::Matrix<double, 2, 4> X, x;
-  const auto k = corners(t, box);
+// The gradient F of least squares that carries some markers from the first frame into another.
+Eigen::Matrix2d gradient(const Tracks& t, const std::vector<std::size_t>& markers, std::size_t frame) {
+  const auto n = static_cast<Eigen::Index>(markers.size());
+  Eigen::Matrix2Xd X(2, n), x(2, n);
   const std::size_t at = frame * t.markers();
-  for (int i = 0; i < 4; ++i) {
-    const std::size_t m = k[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t m = markers[static_cast<std::size_t>(i)];
     X.col(i) << t.x[m], t.y[m];
     x.col(i) << t.x[at + m], t.y[at + m];
   }
   X.colwise() -= Eigen::Vector2d(X.rowwise().mean());
   x.colwise() -= Eigen::Vector2d(x.rowwise().mean());
-  const Eigen::Matrix2d F = (x * X.transpose()) * (X * X.transpose()).inverse();
+  return (x * X.transpose()) * (X * X.transpose()).inverse();
+}
+
+// Markers that are seen both in the first frame and in another.
+std::vector<std::size_t> seen(const Tracks& t, std::size_t frame) {
+  std::vector<std::size_t> out;
+  const std::size_t at = frame * t.markers();
+  for (std::size_t m = 0; m < t.markers(); ++m)
+    if (std::isfinite(t.x[m] + t.y[m] + t.x[at + m] + t.y[at + m])) out.push_back(m);
+  return out;
+}
+
+// Direction of the cloth, as it was in the first frame, that is stretched most at all; zero where no frame
+// shows a stretch of `least` more than across it.
+Eigen::Vector2d pull_direction(const Tracks& t, double least) {
+  Eigen::Vector2d best = Eigen::Vector2d::Zero();
+  double largest = least;
+  for (std::size_t f = 1; f < t.frames; ++f) {
+    const auto markers = seen(t, f);
+    if (markers.size() < 4) continue;
+    const Eigen::Matrix2d F = gradient(t, markers, f);
+    if (!F.allFinite()) continue;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> stretch(F.transpose() * F);
+    const double more =
+        std::sqrt(stretch.eigenvalues()(1)) - std::sqrt(std::max(0.0, stretch.eigenvalues()(0)));
+    if (more > largest) largest = more, best = stretch.eigenvectors().col(1);
+  }
+  return best;
+}
+
+Eigen::Vector2d between(const Tracks& t, std::size_t a, std::size_t b) {
+  return {t.x[b] - t.x[a], t.y[b] - t.y[a]};
+}
+
+// Degrees between two directions, 0 to 90.
+double angle(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::acos(std::min(1.0, std::abs(a.normalized().dot(b.normalized())))) * 180 / M_PI;
+}
+
+constexpr double straight = 30;  // degrees that a grid may lie off the pull
+
+// Four pins: the two that lie farthest apart along the pull, and the two between them.
+std::optional<Arrangement> diamond(const Tracks& t, const Eigen::Vector2d& pull) {
+  std::array<std::size_t, 4> order = {0, 1, 2, 3};
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return between(t, b, a).dot(pull) < 0; });
+  const Eigen::Vector2d along = between(t, order[0], order[3]), across = between(t, order[1], order[2]);
+  if (!(angle(along, pull) <= straight && angle(across, pull) >= 90 - straight)) return {};
+  return Arrangement{true, {order[0], order[3], order[1], order[2]}};
+}
+
+}  // namespace
+
+Arrangement arrangement_of(const Tracks& t) {
+  constexpr double least = 0.01;
+  const Eigen::Vector2d pull = pull_direction(t, least);
+  if (pull.isZero()) return {};
+  // The lines that join rows, from the first row to the last.
+  Eigen::Vector2d rows = Eigen::Vector2d::Zero(), columns = Eigen::Vector2d::Zero();
+  for (std::size_t c = 0; c < t.columns; ++c) {
+    const Eigen::Vector2d line = between(t, c, (t.rows - 1) * t.columns + c);
+    if (line.allFinite()) rows += line;
+  }
+  for (std::size_t r = 0; r < t.rows; ++r) {
+    const Eigen::Vector2d line = between(t, r * t.columns, r * t.columns + t.columns - 1);
+    if (line.allFinite()) columns += line;
+  }
+  // Of a box both point where they should; pins in another order have one of them short or turned.
+  const double size = std::max(rows.norm(), columns.norm());
+  const bool box = t.markers() > 4 || std::min(rows.norm(), columns.norm()) > 1e-6 * size;
+  const double off = rows.isZero() ? 90 : angle(rows, pull);
+  if (box && off <= straight && (t.markers() > 4 || angle(columns, pull) >= 90 - straight)) return {};
+  if (t.markers() == 4)
+    if (const auto found = diamond(t, pull)) return *found;
+  throw Error(
+      "expected rows of markers that follow each other along the pull, but the cloth is stretched most at " +
+      std::to_string(std::lround(off)) +
+      " degrees to the line from the first row to the last: are rows and " +
+      "columns exchanged, or were the pins named in another order?");
+}
+
+std::array<double, 4> box_gradient(const Tracks& t, std::size_t box, std::size_t frame) {
+  const auto k = corners(t, box);
+  const Eigen::Matrix2d F = gradient(t, {k.begin(), k.end()}, frame);
   return {F(0, 0), F(0, 1), F(1, 0), F(1, 1)};
 }
 
-BoxStrains box_strains(const Tracks& t) {
+namespace {
+
+BoxStrains strains_of(const Tracks& t, const Gauges& gauges) {
   BoxStrains out;
   for (std::size_t f = 0; f < t.frames; ++f)
     for (std::size_t b = 0; b < t.boxes(); ++b)
       for (const bool along : {true, false}) {
-        const double e = side(t, f, b, along) / side(t, 0, b, along) - 1;
+        const double e = gauges.length(f, b, along) / gauges.length(0, b, along) - 1;
         (along ? out.along : out.across).push_back(e + e * e / 2);
       }
   return out;
 }
+
+}  // namespace
+
+BoxStrains box_strains(const Tracks& t) { return strains_of(t, Gauges(t, {})); }
 
 namespace {
 
@@ -86,15 +190,16 @@ double mean_along(const BoxStrains& strains, std::size_t frame, std::size_t boxe
 
 // Per box. Frames are taken whole: choosing boxes by their own noisy strain would choose noise.
 std::vector<Sums> sums_of(const Tracks& t, double least) {
-  const BoxStrains strains = box_strains(t);
+  const Gauges gauges(t, arrangement_of(t));
+  const BoxStrains strains = strains_of(t, gauges);
   std::vector<Sums> out(t.boxes());
   for (std::size_t f = 1; f < t.frames; ++f) {
     if (mean_along(strains, f, t.boxes()) < least) continue;
     for (std::size_t b = 0; b < t.boxes(); ++b) {
       const double x = strains.along[f * t.boxes() + b], y = strains.across[f * t.boxes() + b];
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
-      out[b].add({x * x, x * y, y * y, strain_variance(x, side(t, 0, b, true)),
-                  strain_variance(y, side(t, 0, b, false)), 1});
+      out[b].add({x * x, x * y, y * y, gauges.variance() * strain_variance(x, gauges.length(0, b, true)),
+                  gauges.variance() * strain_variance(y, gauges.length(0, b, false)), 1});
     }
   }
   return out;

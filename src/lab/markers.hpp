@@ -26,6 +26,17 @@ struct BoxStrains {
 // E of eq. 3.2 from the sides of every box; rows follow each other along the pull.
 BoxStrains box_strains(const Tracks& tracks);
 
+// How the markers of a pull are set: a grid of rows and columns, or four pins at the tips of a diamond, whose
+// diagonals lie along and across the pull.
+struct Arrangement {
+  bool diamond = false;
+  std::array<std::size_t, 4> pins{};  // of the diamond: the two along the pull, the two across
+};
+// The pull is the direction that is stretched most. Four markers (2 x 2) at the tips of a diamond are known
+// as such in whatever order they are named. Error: the rows of a grid lie more than 30 degrees off the pull.
+// A series without a stretch of 1 % is taken for a grid.
+Arrangement arrangement_of(const Tracks& tracks);
+
 struct Ratio {
   double value = 0;        // - slope of across over along, line through the origin, boxes pooled
   double plain = 0;        // the same without the correction for noise
@@ -35,7 +46,7 @@ struct Ratio {
 // [williams2010, eq. 3.3], with errors in both strains: a coordinate carries independent noise (also in the
 // first frame), so the mean square of `along` is too large by what the noise adds, and the plain slope too
 // small. noise < 0: found from the scatter about the line. Frames count from the mean strain
-// along of `least` on.
+// along of `least` on. Arranged as arrangement_of() says.
 Ratio contraction_ratio(const Tracks& tracks, double noise, double least);
 
 // In-plane shear of a box: yarns at right angles to begin with, the warp `angle` radians from x.

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/paths.hpp"
+#include "fabric/provenance.hpp"
 #include "files/gate.hpp"
 #include "script/bind.hpp"
 #include "script/card_rows.hpp"
@@ -22,11 +23,39 @@ int push_card(lua_State* L, Card card) {
 
 int construct(Call& call) { return push_card(call.L(), card_from(call, last_word(call.entry().name))); }
 
+// Remembers that the table on top of the stack, and the lists in it, were read off the card at index 1, so
+// that what is made of them can tell.
+void remember_part(lua_State* L) {
+  luaL_checkstack(L, 6, "card");
+  if (luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key) == 0) {
+    lua_createtable(L, 0, 1);
+    lua_pushstring(L, "k");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+  }
+  lua_pushvalue(L, -2);
+  lua_pushvalue(L, 1);
+  lua_rawset(L, -3);
+  lua_pushnil(L);
+  while (lua_next(L, -3) != 0) {
+    if (lua_istable(L, -1)) {
+      lua_pushvalue(L, 1);
+      lua_rawset(L, -4);
+    } else {
+      lua_pop(L, 1);
+    }
+  }
+  lua_pop(L, 1);
+}
+
 // Lets a card's field be read: the constructor's table, nested tables and all.
 int card_index(lua_State* L) {
   push_card_table(L, *to_object<Card>(L, 1));
   lua_pushvalue(L, 2);
-  if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+  if (lua_rawget(L, -2) != LUA_TNIL) {
+    if (lua_istable(L, -1)) remember_part(L);
+    return 1;
+  }
   lua_pop(L, 2);
   push_class(L, "card", nullptr);
   lua_getfield(L, -1, "methods");
@@ -66,6 +95,33 @@ void merge(lua_State* L, int to, int from) {
   }
 }
 
+// The provenance of a card of which values were changed by hand: these are typed now.
+fabric::Provenance origins_after(const Card& before, const Card& after) {
+  fabric::Provenance out = fabric::provenance_of(before.source);
+  const auto* a = std::get_if<card::Woven>(&before.law);
+  const auto* b = std::get_if<card::Woven>(&after.law);
+  const auto changed = [&](const std::string& field, bool same) {
+    if (same) return;
+    for (auto& [name, words] : out)
+      if (name == field) words = "typed: changed by card:with";
+  };
+  changed("density", before.density == after.density);
+  changed("thickness", before.thickness == after.thickness);
+  if (a == nullptr || b == nullptr) return out;
+  const auto curve = [&](const std::string& field, const card::Curve& x, const card::Curve& y) {
+    changed(field, x.coefficients == y.coefficients && x.points == y.points);
+  };
+  curve("warp.loading", a->warp.loading, b->warp.loading);
+  curve("weft.loading", a->weft.loading, b->weft.loading);
+  curve("shear.loading", a->shear.loading, b->shear.loading);
+  changed("warp.unloading", a->warp.unloading == b->warp.unloading);
+  changed("weft.unloading", a->weft.unloading == b->weft.unloading);
+  changed("shear.unloading", a->shear.unloading == b->shear.unloading);
+  changed("warp.poisson", a->warp.poisson == b->warp.poisson);
+  changed("weft.poisson", a->weft.poisson == b->weft.poisson);
+  return out;
+}
+
 int with(Call& call) {
   lua_State* L = call.L();
   const auto card = call.self<Card>();
@@ -74,9 +130,13 @@ int with(Call& call) {
   lua_setfield(L, -2, "kind");
   const int merged = lua_gettop(L);
   call.push("changes");
+  const bool told = lua_getfield(L, -1, "provenance") != LUA_TNIL;
+  lua_pop(L, 1);
   merge(L, merged, -1);
   lua_pop(L, 1);
-  return push_card(L, read_card(L, merged, card_kind(*card)));
+  Card changed = read_card(L, merged, card_kind(*card));
+  if (!told) changed.source = fabric::with_provenance(changed.source, origins_after(*card, changed));
+  return push_card(L, std::move(changed));
 }
 
 bool is_path(const std::string& name) {

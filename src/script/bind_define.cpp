@@ -6,8 +6,8 @@
 //
 // An argument has name, sentence, kind ("number|text", "object" is implied by of), unit, low, high, above,
 // default, optional, choices, rows. define.fail(message) raises an error at the deck's line; define.registry
-// holds rows, name_of, class_of, nearest and show of bind_registry.cpp. run gets one table with every default
-// filled in; with positional=true, the values in order.
+// holds rows, name_of, class_of, card_of, nearest and show of bind_registry.cpp. run gets one table with
+// every default filled in; with positional=true, the values in order.
 #include <cmath>
 
 #include "script/bind.hpp"

@@ -151,6 +151,7 @@ std::vector<int> degrees(const Call& call) {
       call.refuse("degrees", "expected whole numbers from 1 to 20, got " + number_text(d));
     out.push_back(static_cast<int>(d));
   }
+  if (out.empty()) call.refuse("degrees", "expected at least one degree");
   return out;
 }
 
@@ -221,6 +222,11 @@ int band(Call& call) {
   set_numbers(L, "low", estimate.low);
   set_numbers(L, "high", estimate.high);
   set_numbers(L, "covariance", estimate.covariance);
+  return 1;
+}
+
+int student(Call& call) {
+  lua_pushnumber(call.L(), lab::student_quantile(call.number("probability"), call.number("freedom")));
   return 1;
 }
 
@@ -370,6 +376,13 @@ std::vector<Entry> fit_entries() {
        "The unloading modulus in Pa; nothing when there are too few points.",
        "assert(math.abs(require 'fabric'.lab.unloading{ E={0.3, 0.2, 0.1}, S={3, 2, 1} } - 10) < 1e-9)",
        unloading},
+      {"fabric.lab.student",
+       Style::positional,
+       {number_("probability", "", Range{0, 1, true, true}, "of values below it"),
+        number_("freedom", "", positive, "degrees of freedom")},
+       "The quantile of Student's t distribution.",
+       "assert(math.abs(require 'fabric'.lab.student(0.975, 4) - 2.7764) < 1e-4)",
+       student},
       {"fabric.lab.band",
        Style::fields,
        {value_("specimens", table, "one list of parameters per specimen"),

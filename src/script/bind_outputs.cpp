@@ -79,6 +79,7 @@ namespace {
 struct Column {
   std::string name;
   Hook value;
+  std::string heading;  // the name with its unit
 };
 
 class Record final : public output::Series {
@@ -109,8 +110,8 @@ class Record final : public output::Series {
   }
 
   std::vector<std::string> names() const {
-    std::vector<std::string> out = {"time"};
-    for (const Column& column : columns_) out.push_back(column.name);
+    std::vector<std::string> out = {"time (s)"};
+    for (const Column& column : columns_) out.push_back(column.heading);
     return out;
   }
 
@@ -183,17 +184,62 @@ std::vector<Column> read_columns(const Fields& options, Run* run) {
     lua_newtable(L);
     lua_getfield(L, -2, name.c_str());
     lua_setfield(L, -2, "column");
-    columns.push_back({name, Hook(Fields(L, -1, row, "options.columns."), "column", run)});
+    columns.push_back({name, Hook(Fields(L, -1, row, "options.columns."), "column", run), name});
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
   return columns;
 }
 
+// Columns that are called by a quantity hold it in SI, as everything does, unless the deck says otherwise.
+std::string usual_unit(const std::string& name) {
+  if (name == "displacement") return "m";
+  for (const char* force : {"force", "force_x", "force_y", "force_z"})
+    if (name == force) return "N";
+  return "";
+}
+
+// The unit of a column as `units` gives it; "": none.
+std::string unit_of(const Fields& options, const std::string& name) {
+  lua_State* L = options.L();
+  std::string unit = usual_unit(name);
+  if (options.push("units") == LUA_TTABLE) {
+    if (lua_getfield(L, -1, name.c_str()) == LUA_TSTRING)
+      unit = lua_tostring(L, -1);
+    else if (!lua_isnil(L, -1))
+      options.refuse("units",
+                     "expected name = 'unit' or '' for none, got " + describe(L, -1) + " for '" + name + "'");
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (unit.find_first_of("()[]<>{}\r\n") != std::string::npos)
+    options.refuse("units", "expected a unit without brackets, got '" + unit + "' for '" + name + "'");
+  return unit;
+}
+
+// Every name in `units` is that of a column.
+void check_units(const Fields& options, const std::vector<Column>& columns) {
+  lua_State* L = options.L();
+  if (options.push("units") == LUA_TTABLE)
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+      const bool known = lua_type(L, -2) == LUA_TSTRING &&
+                         std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
+                           return column.name == lua_tostring(L, -2);
+                         });
+      if (!known) options.refuse("units", "no column " + describe(L, -2));
+    }
+  lua_pop(L, 1);
+}
+
 int record(Call& call) {
   const auto run = call.self<Run>();
   const Fields options = call.fields("options");
-  const std::vector<Column> columns = read_columns(options, run.get());
+  std::vector<Column> columns = read_columns(options, run.get());
+  check_units(options, columns);
+  for (Column& column : columns) {
+    const std::string unit = unit_of(options, column.name);
+    column.heading = unit.empty() ? column.name : column.name + " (" + unit + ")";
+  }
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   const std::string path = call.text("path");
@@ -232,12 +278,18 @@ std::vector<Entry> rows() {
        {value_("path", text, "of the CSV file"),
         fields_("options",
                 {every_row(), value_("columns", table, "name = function(a) that returns a number"),
-                 value_("order", table, "names in the order of the columns").optional()},
+                 value_("order", table, "names in the order of the columns").optional(),
+                 value_("units", table,
+                        "name = unit of what the function returns, '' for none; put behind the name in the "
+                        "heading. Default: N for a column called force (or force_x, force_y, force_z), m for "
+                        "displacement")
+                     .optional()},
                 "columns, and how often")},
-       "Writes a table as the run goes: time, then the columns.",
+       "Writes a table as the run goes: time, then the columns, with their units in the heading, so that "
+       "fabric.lab.tensile reads it.",
        sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction "
                 "'top') end } })\n"
-                "a:solve()\nassert(io.open(name..'/curve.csv'):read 'l' == 'time,force')\n"
+                "a:solve()\nassert(io.open(name..'/curve.csv'):read 'l' == 'time (s),force (N)')\n"
                 "os.remove(name..'/curve.csv') os.remove(name..'/run.json') os.remove(name)",
        record},
       {"analysis:vtk",

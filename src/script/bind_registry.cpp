@@ -3,6 +3,7 @@
 
 #include "base/suggest.hpp"
 #include "script/bind.hpp"
+#include "script/card_rows.hpp"
 #include "script/show.hpp"
 #include "script/words.hpp"
 
@@ -105,6 +106,15 @@ int class_of(lua_State* L) {
   return 1;
 }
 
+// card_of(t): the card that a table of its fields was read off, or nil.
+int card_of(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key);
+  lua_pushvalue(L, 1);
+  lua_rawget(L, -2);
+  return 1;
+}
+
 // nearest(word, names): the name nearest to a misspelt one, or nil.
 int nearest_name(lua_State* L) {
   const char* word = luaL_checkstring(L, 1);
@@ -132,8 +142,9 @@ int show_value(lua_State* L) {
 }  // namespace
 
 void push_registry(lua_State* L) {
-  const luaL_Reg functions[] = {{"rows", registry_rows},   {"name_of", name_of}, {"class_of", class_of},
-                                {"nearest", nearest_name}, {"show", show_value}, {nullptr, nullptr}};
+  const luaL_Reg functions[] = {{"rows", registry_rows}, {"name_of", name_of},      {"class_of", class_of},
+                                {"card_of", card_of},    {"nearest", nearest_name}, {"show", show_value},
+                                {nullptr, nullptr}};
   luaL_newlib(L, functions);
 }
 

@@ -1,4 +1,6 @@
 // fabric.lab.track and fabric.lab.photograph.
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "lab/tracker.hpp"
@@ -92,6 +94,12 @@ int track(Call& call) {
 }
 
 int photograph(Call& call) {
+  std::string ending = call.text("file");
+  ending.erase(0, ending.size() - std::min<std::size_t>(ending.size(), 4));
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (ending != ".png")
+    call.refuse("file", "expected a name ending in .png, got '" + call.text("file") + "'");
   lab::Scene s;
   s.rows = static_cast<std::size_t>(call.integer("rows"));
   s.columns = static_cast<std::size_t>(call.integer("columns"));
@@ -127,7 +135,7 @@ std::vector<Entry> rows() {
   return {
       {"fabric.lab.track",
        Style::fields,
-       {value_("files", table, "photographs in order: PNG, JPEG or TIFF"), rows_row, columns_row,
+       {value_("files", table, "photographs in order: PNG, JPEG, TIFF or BMP"), rows_row, columns_row,
         number_("scale", "m", positive, "of a pixel").optional(),
         fields_("known",
                 {integer_("from", from_one, "a marker"), integer_("to", from_one, "another"),

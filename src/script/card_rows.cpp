@@ -1,5 +1,8 @@
 #include "script/card_rows.hpp"
 
+#include <algorithm>
+
+#include "fabric/provenance.hpp"
 #include "script/bind.hpp"
 #include "script/words.hpp"
 
@@ -82,6 +85,11 @@ std::vector<Argument> common_rows() {
           .usually(20, 5000, "mass per area is density * thickness"),
       number_("thickness", "m", positive, "of the sheet").usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)"),
       fields_("bending", bending_rows(), "own bending rigidity instead of integration through the thickness")
+          .optional(),
+      value_(
+          "provenance", table,
+          "where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: "
+          "...'}; words begin with fitted, measured, copied, typed or assumed")
           .optional()};
 }
 
@@ -274,6 +282,29 @@ std::optional<BendingFriction> read_friction(const Fields& bending, const char* 
   return BendingFriction{f.number("moment"), f.number("curvature")};
 }
 
+fabric::Provenance read_provenance(const Fields& f) {
+  fabric::Provenance out;
+  lua_State* L = f.L();
+  f.push("provenance");
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    const auto& known = fabric::provenance_fields();
+    const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : describe(L, -2);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      f.refuse("provenance", unknown("field", name, known));
+    if (lua_type(L, -1) != LUA_TSTRING)
+      f.refuse("provenance", "expected words for '" + name + "', got " + describe(L, -1));
+    const std::string words = lua_tostring(L, -1);
+    if (!fabric::is_origin(words))
+      f.refuse("provenance",
+               "expected words that begin with fitted, measured, copied, typed or assumed for '" + name +
+                   "', got '" + words + "'");
+    out.emplace_back(name, words);
+  }
+  lua_pop(L, 1);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace
 
 const std::vector<Argument>& card_rows(const std::string& kind) {
@@ -294,6 +325,7 @@ Card card_from(const Fields& f, const std::string& kind) {
     card.bending = Bending{b.number("warp"), b.number("weft"), b.number("twist"),
                            read_friction(b, "friction_warp"), read_friction(b, "friction_weft")};
   }
+  if (f.has("provenance")) card.source = fabric::with_provenance(card.source, read_provenance(f));
   if (kind == "svk")
     card.law = read_svk(f);
   else if (kind == "linear")

@@ -1,4 +1,5 @@
 // A card as it is printed: a table with units.
+#include "fabric/provenance.hpp"
 #include "script/bind.hpp"
 #include "script/show.hpp"
 
@@ -54,6 +55,19 @@ std::string law_words(const Woven& law) {
   return out;
 }
 
+// Of which parts, and of which not.
+std::string bands_words(const Bands& bands) {
+  std::string with, without;
+  for (const auto& [name, band] :
+       {std::pair{"warp", &bands.warp}, {"weft", &bands.weft}, {"shear", &bands.shear}}) {
+    std::string& list = band->low.empty() ? without : with;
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  const std::string of = "of " + say(100 * bands.level) + " % confidence";
+  if (without.empty()) return of;
+  return with.empty() ? "none" : of + " on " + with + ", none on " + without;
+}
+
 void add_law(std::vector<Row>& rows, const Woven& law) {
   const bool tensor = law.shear.measure == Measure::tensor;
   rows.push_back({"", "tangent modulus, MPa", "unloading, MPa", "poisson", "tested to"});
@@ -68,7 +82,7 @@ void add_law(std::vector<Row>& rows, const Woven& law) {
     rows.push_back({"biaxial", "alpha " + say(law.biaxial->alpha) + ", from " + say(law.biaxial->offset) +
                                    ", " + say(law.biaxial->loading * per_MPa) + " MPa, unloading " +
                                    say(law.biaxial->unloading * per_MPa) + " MPa"});
-  if (law.bands) rows.push_back({"bands", "of " + say(100 * law.bands->level) + " % confidence"});
+  if (law.bands) rows.push_back({"bands", bands_words(*law.bands)});
 }
 
 template <class Moduli>
@@ -107,7 +121,9 @@ std::string card_words(const Card& card) {
   std::vector<Row> rows;
   std::visit([&rows](const auto& law) { add_law(rows, law); }, card.law);
   if (card.bending) rows.push_back({"bending", bending_words(*card.bending)});
-  if (!card.source.empty()) rows.push_back({"source", card.source});
+  const std::string source = fabric::without_provenance(card.source);
+  if (!source.empty()) rows.push_back({"source", source});
+  for (const auto& [field, words] : fabric::provenance_of(card.source)) rows.push_back({field, words});
   out += "\n" + columns_text(rows);
   out.pop_back();
   return out;

@@ -1,4 +1,5 @@
 // A card as the table of its constructor, and as a Lua file.
+#include "fabric/provenance.hpp"
 #include "script/bind.hpp"
 #include "script/card_rows.hpp"
 #include "script/words.hpp"
@@ -224,11 +225,16 @@ void push_card_table(lua_State* L, const Card& card) {
   lua_newtable(L);
   set_text(L, "kind", card_kind(card));
   set_text(L, "name", card.name);
-  set_text(L, "source", card.source);
+  set_text(L, "source", fabric::without_provenance(card.source));
   set_number(L, "density", card.density);
   set_number(L, "thickness", card.thickness);
   std::visit([L](const auto& law) { set_law(L, law); }, card.law);
   if (card.bending) set_bending(L, *card.bending);
+  const auto provenance = fabric::provenance_of(card.source);
+  if (provenance.empty()) return;
+  lua_newtable(L);
+  for (const auto& [field, words] : provenance) set_text(L, field.c_str(), words);
+  lua_setfield(L, -2, "provenance");
 }
 
 std::string card_text(const Card& card) {

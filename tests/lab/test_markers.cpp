@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "lab/markers.hpp"
+#include "message_of.hpp"
 
 using namespace fabricsh::lab;
 
@@ -46,6 +47,47 @@ TEST_CASE("noise in the positions is found and no longer biases the ratio", "[la
   CHECK(std::abs(noise - 0.05) < 0.002);
   CHECK(std::abs(sum - 0.6) < 0.0035);  // three standard errors of the 400
   CHECK(plain < 0.6 - 0.004);           // what eq. 3.3's plain line would say
+}
+
+TEST_CASE("four pins of a diamond give the ratio of its diagonals, in any order", "[lab]") {
+  // A pull along a direction that need not be y; the pins' distances are those of a diamond 84 by 48.
+  for (const double ratio : {0.3, -0.4, 1.1})
+    for (const double turned : {0.0, 0.2, 1.5})
+      for (const auto& order :
+           {std::array{0, 1, 2, 3}, {0, 2, 1, 3}, {3, 1, 0, 2}, {2, 0, 3, 1}, {1, 2, 3, 0}}) {
+        Tracks t{2, 2, 20, {}, {}};
+        for (std::size_t f = 0; f < t.frames; ++f) {
+          const double E = 0.2 * static_cast<double>(f) / 19;
+          const double along = 42 * std::sqrt(1 + 2 * E), across = 24 * std::sqrt(1 - 2 * ratio * E);
+          const std::array<std::array<double, 2>, 4> pins = {
+              {{0, along}, {across, 0}, {0, -along}, {-across, 0}}};
+          for (const int pin : order) {
+            const auto& [x, y] = pins[static_cast<std::size_t>(pin)];
+            t.x.push_back(std::cos(turned) * x - std::sin(turned) * y);
+            t.y.push_back(std::sin(turned) * x + std::cos(turned) * y);
+          }
+        }
+        INFO("ratio " << ratio << ", turned " << turned << ", order " << order[0] << order[1] << order[2]
+                      << order[3]);
+        CHECK(arrangement_of(t).diamond);
+        CHECK(std::abs(contraction_ratio(t, 0, 0.01).value - ratio) < 1e-12);
+      }
+}
+
+TEST_CASE("rows that do not follow the pull are refused", "[lab]") {
+  Tracks t = stretched(0.3, 0, 1);
+  CHECK_FALSE(arrangement_of(t).diamond);
+  std::swap(t.x, t.y);  // pulled along the columns' direction
+  CHECK_FALSE(arrangement_of(t).diamond);
+  Tracks exchanged{4, 6, t.frames, {}, {}};
+  for (std::size_t f = 0; f < t.frames; ++f)
+    for (std::size_t m = 0; m < t.markers(); ++m) {
+      const std::size_t from = f * t.markers() + m % 6 * 4 + m / 6;
+      exchanged.x.push_back(t.x[from]);
+      exchanged.y.push_back(t.y[from]);
+    }
+  fabricsh::says(fabricsh::message_of([&] { contraction_ratio(exchanged, 0, 0.01); }),
+                 "the cloth is stretched most at 90 degrees to the line from the first row to the last");
 }
 
 TEST_CASE("a lost marker takes its boxes out", "[lab]") {

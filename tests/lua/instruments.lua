@@ -134,7 +134,7 @@ for i = 1, 400 do
   F[i] = ((2 * h - 3 * w) * math.cos(x) * N(x) + w * N(x / 2) * math.cos(x / 2)) / ((h / w - 1) * (math.cos(x / 2) - math.sin(x / 2)))
   want[i] = N(x)
 end
-local bias = lab.bias_shear { displacement = d, force = F, width = w, length = h, thickness = 1e-3 }
+local bias = lab.bias_shear { displacement = d, force = F, width = w, length = h, thickness = 1e-3, limit = 60.1 }
 check("angle of the middle zone", bias.angle[400], 50, 1e-9)
 check("normal force from a bias pull", bias.normal_force[400], want[400], 1e-5) -- half angles between rows
 -- a straight N(gamma) comes back as it is at any spacing, from the first point on
@@ -145,10 +145,44 @@ for _, angles in ipairs { { 10, 20, 30, 40 }, { 2, 35, 36, 50 }, { 50 }, { 0, 20
     d[i] = degrees == 0 and 0 or math.sqrt(2) * (h - w) * math.cos(math.pi / 4 - x / 2) - (h - w)
     F[i] = 40 * ((2 * h - 3 * w) * math.cos(x) * x + w * x / 2 * math.cos(x / 2)) / ((h / w - 1) * (math.cos(x / 2) - math.sin(x / 2)))
   end
-  local back = lab.bias_shear { displacement = d, force = F, width = w, length = h, thickness = 1e-3 }
+  local back = lab.bias_shear { displacement = d, force = F, width = w, length = h, thickness = 1e-3, limit = 60.1 }
   for i, degrees in ipairs(angles) do
     rows[#rows + 1] = { ("straight N, point %d at %g degrees"):format(i, degrees), back.normal_force[i], 40 * math.rad(degrees), absolute = 1e-10 }
   end
+end
+-- beyond the limit rows are marked, or left out; what steps back a little is noise, a reversal is refused or cut
+do
+  local function shear(more)
+    local t = { displacement = d, force = F, width = w, length = h, thickness = 1e-3 }
+    for k, v in pairs(more or {}) do t[k] = v end
+    return lab.bias_shear(t)
+  end
+  local said = {}
+  local warn = fabric.warn
+  fabric.warn = function(words) said[#said + 1] = words end
+  local marked, wide, cut = shear(), shear { limit = 51 }, shear { cut = true }
+  fabric.warn = warn
+  assert(#said == 1 and said[1]:find("bias_shear: 160 of 400 rows are beyond 30 degrees (up to 50.0)", 1, true), said[1])
+  assert(#marked.angle == 400 and marked.valid[240] and not marked.valid[241] and marked.angle[241] > 30 and wide.valid[400])
+  assert(#cut.angle == 240 and #cut.E12 == 240 and cut.normal_force[240] == marked.normal_force[240])
+  local up, force = {}, {}
+  for i = 1, 200 do up[i], force[i] = d[i], F[i] end
+  up[100] = up[99] - 1e-6
+  local noisy = shear { displacement = up, force = force }
+  assert(#noisy.rows == 199 and noisy.rows[99] == 99 and noisy.rows[100] == 101)
+  for i = 1, 20 do up[200 + i], force[200 + i] = d[200 - i], F[200 - i] end
+  local ok, message = pcall(shear, { displacement = up, force = force })
+  assert(not ok and message:find "field 'displacement': expected rising values, got [%d.]+ m at place 20%d after [%d.]+: end the record at the reversal", message)
+  cut = shear { displacement = up, force = force, cut = true }
+  assert(cut.rows[#cut.rows] == 200 and math.abs(cut.normal_force[#cut.rows] / wide.normal_force[200] - 1) < 1e-5) -- a row less between
+  -- 84 degrees are no shear that a cloth of yarns without stretch has: the force comes out negative
+  local far = { displacement = { 0.01, 0.02, 0.03, 0.0465 }, force = { 1.5, 4, 8, 17.85 }, width = 0.1, length = 0.2128, thickness = 1e-3 }
+  fabric.warn = function() end
+  ok, message = pcall(lab.bias_shear, far)
+  fabric.warn = warn
+  assert(not ok and message:find("the shear force turns negative at place 4 (46.5 mm, 17.85 N, 83.9 degrees: -", 1, true), message)
+  far.cut = true
+  assert(#lab.bias_shear(far).angle == 2)
 end
 -- the grips' work is that of the shear in the middle zone and, at half the angle, in the mixed ones
 local function sum(xs, ys)

@@ -83,6 +83,36 @@ assert(columns("Time (s),Extension (mm),Load (N)\n,0,1\n1,1,2\n2,2,3\n").force[1
 assert(columns("Extension (mm),Load (N)\nNaN,NaN\n0,0\n1,2\n2,3\n"):find ":2: column 'Extension': expected a finite number, got 'NaN'")
 assert(columns('Extension (mm),Load (N)\n0,0\n1,"1,234.5"\n').force[2] == 1234.5)
 
+-- a test's own curve.csv, and a table of a:record, are records like any other
+do
+  local out = os.tmpname()
+  os.remove(out)
+  local run = lab.uniaxial { card = fabric.card "blend", direction = "warp", grips = "free", steps = 20, out = out }
+  local heading = io.open(out .. "/curve.csv"):read "l"
+  assert(heading:find("^time %(s%),displacement %(m%),force %(N%),E,S %(Pa%),E_lateral,E_average,S_average %(Pa%),"), heading)
+  local again = lab.tensile { file = out .. "/curve.csv", gauge_length = 76.2 * u.mm, width = 25.4 * u.mm, thickness = 0.38 * u.mm, plies = 1 }
+  assert(#again.E == #run.curve and again.branches[2].kind == "unloading")
+  for i, row in ipairs(run.curve) do
+    assert(math.abs(again.E[i] - row.E) < 1e-15 and math.abs(again.S[i] - row.S) < 1e-9 * run.peak.S and again.time[i] == row.time)
+  end
+  local mesh = fabric.mesh.rectangle { width = 0.02, height = 0.04, nx = 1, ny = 2 }
+  local model = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
+  model:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(2e-3, 1) })
+  local a = fabric.static { model = model, duration = 1, step = 0.25 }
+  local function pulled(r) return select(2, r:reaction "top") end
+  a:record(out .. "/own.csv", { columns = { displacement = function(r) return r:node(5).uy end, force = pulled } })
+  a:record(out .. "/other.csv", { order = { "stretch", "force", "force_x" }, units = { stretch = "%", force = "kN", force_x = "" }, columns = {
+    stretch = function(r) return 100 * r:node(5).uy / 0.04 end, force = function(r) return pulled(r) / 1e3 end, force_x = pulled } })
+  a:solve()
+  assert(io.open(out .. "/own.csv"):read "l" == "time (s),displacement (m),force (N)")
+  assert(io.open(out .. "/other.csv"):read "l" == "time (s),stretch (%),force (kN),force_x")
+  local own = lab.read { file = out .. "/own.csv" }
+  assert(math.abs(own.displacement[5] - 2e-3) < 1e-17 and own.time[5] == 1)
+  local other = fabric.table { file = out .. "/other.csv" }
+  assert(other[3].unit == "kN" and math.abs(1e3 * other[3].values[5] - own.force[5]) < 1e-12 * own.force[5])
+  assert(os.execute("rm -r '" .. out .. "'"))
+end
+
 -- table 3.3: density is mass per area over thickness; three round to the print, the blend's 605 stands there as 590 (a
 -- thickness of 0.39 mm would give it)
 for name, want in pairs { duck = 470, muslin = 360, denim = 350 } do

@@ -1,19 +1,30 @@
--- fabric.lab.card: a card out of fits, with its bands and where they come from.
+-- fabric.lab.card: a card out of fits, with its bands and where each number comes from.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local origin = require "fabric.lab.origin"
+local fail = define.fail
 
-local function ratio_of(poisson)
-  return type(poisson) == "table" and poisson.value or poisson
-end
+-- What is taken for what nobody measured, and what the four shipped cloths (card "blend" and so on) say of it.
+local rule = {
+  unloading = { warp = 4, weft = 4, shear = 3, -- times the steepest tangent of the loading
+    said = { warp = "2.5 to 10", weft = "2.5 to 10", shear = "1.5 to 3.9" } },
+  poisson = { value = 0.4, said = "0.12 to 2.04" },
+  shear = { value = 0.09, said = "0.05 to 0.27" }, -- times the mean initial modulus of the yarns
+}
+
+local parts = { "warp", "weft", "shear" }
+local other = { warp = "weft", weft = "warp" }
+
+local function ratio_of(poisson) return type(poisson) == "table" and poisson.value or poisson end
 
 -- A band of the loading with that of the unloading behind it, where not every specimen unloads: that of the specimens that do,
 -- no wider than its value when it is only one.
-local function with_unloading(band, fit)
+local function with_unloading(band, fit, unloading)
   local n, own = #band.value, fit.unloading_band or {}
   local out = { value = table.move(band.value, 1, n, 1, {}), low = table.move(band.low, 1, n, 1, {}), high = table.move(band.high, 1, n, 1, {}),
     covariance = {} }
-  out.value[n + 1] = fit.unloading
-  out.low[n + 1], out.high[n + 1] = own.low and own.low[1] or fit.unloading, own.high and own.high[1] or fit.unloading
+  out.value[n + 1] = unloading
+  out.low[n + 1], out.high[n + 1] = own.low and own.low[1] or unloading, own.high and own.high[1] or unloading
   for i = 1, n + 1 do
     for j = 1, n + 1 do out.covariance[(i - 1) * (n + 1) + j] = i <= n and j <= n and band.covariance[(i - 1) * n + j] or 0.0 end
   end
@@ -21,11 +32,21 @@ local function with_unloading(band, fit)
   return out
 end
 
--- {low, high, covariance} of {loading..., unloading, poisson}; nil where a fit has none.
-local function band_of(fit, poisson)
+-- {low, high, covariance} of {loading..., unloading, poisson}; nil where the loading is not what a fit found, or has none. A number
+-- without a band has one of no width.
+local function band_of(fit, unloading, poisson)
   local band = fit.band
-  if not band or not band.low or not fit.degree or not fit.unloading then return end
-  if #band.value == fit.degree then band = with_unloading(band, fit) end
+  if not band or not band.low or not fit.degree or not origin.fitted(fit, "loading") then return end
+  if #band.value == fit.degree then
+    band = with_unloading(band, origin.fitted(fit, "unloading") and fit or {}, unloading)
+  elseif band.value[fit.degree + 1] ~= unloading then -- put in by hand since
+    local loading = { value = {}, low = {}, high = {}, covariance = {} }
+    for i = 1, fit.degree do
+      loading.value[i], loading.low[i], loading.high[i] = band.value[i], band.low[i], band.high[i]
+      for j = 1, fit.degree do loading.covariance[(i - 1) * fit.degree + j] = band.covariance[(i - 1) * (fit.degree + 1) + j] end
+    end
+    band = with_unloading(loading, {}, unloading)
+  end
   if poisson == nil then return { low = band.low, high = band.high, covariance = band.covariance } end
   local n, ratio = #band.value, ratio_of(poisson)
   local known = type(poisson) == "table" and poisson.low
@@ -39,36 +60,135 @@ local function band_of(fit, poisson)
   return out
 end
 
-local function part_of(fit, poisson, what)
-  if not fit.unloading then
-    define.fail(("card: field '%s': expected a fit with an unloading modulus (a cyclic test), got one of loading alone"):format(what))
+-- Largest tangent of a loading curve up to `tested`, Pa, and that at zero.
+local function tangents(loading, tested)
+  local steepest, first = 0, nil
+  if type(loading[1]) == "table" then
+    for i = 2, #loading do
+      local slope = (loading[i][2] - loading[i - 1][2]) / (loading[i][1] - loading[i - 1][1])
+      steepest, first = math.max(steepest, slope), first or slope
+    end
+    return steepest, first
   end
-  return { loading = fit.loading, unloading = fit.unloading, poisson = poisson and ratio_of(poisson) }
+  for i = 0, 50 do
+    local D = 0
+    for k, d in ipairs(loading) do D = D + d * ((tested or 0) * i / 50) ^ (k - 1) end
+    steepest = math.max(steepest, D)
+  end
+  return steepest, loading[1]
 end
 
-local function origin(fit, what)
-  local how = fit.degree and ("polynomial of degree %d"):format(fit.degree) or "monotone curve"
-  return ("%s: %d specimens, %s"):format(what, fit.tests or fit.specimens and #fit.specimens or 1, how)
+-- What the deck gives for a missing value (assume = { ["warp.unloading"]=... }); nil where it leaves that to the rule. An error
+-- where nothing may be assumed. lacks: what a test did not show.
+local function assumed(t, field, lacks)
+  if t.assume == false then
+    fail(("card: field '%s': %s; give assume=true to take it by rule (share/doc/laboratory.md), or assume={ ['%s']=... }"):format(
+      field:match "^%w+", lacks, field))
+  end
+  return type(t.assume) == "table" and t.assume[field] or nil
+end
+
+local function check_assume(t)
+  if type(t.assume) ~= "table" then return end
+  for field, value in pairs(t.assume) do
+    local part, name = tostring(field):match "^(%w+)%.(%w+)$"
+    local known = (part == "warp" or part == "weft") and (name == "unloading" or name == "poisson" or name == "loading")
+      or part == "shear" and (name == "unloading" or name == "loading") or field == "thickness" or field == "density"
+    if not known then
+      fail(("card: field 'assume': expected warp, weft or shear with .loading, .unloading or (yarns) .poisson, thickness or density, got '%s'"):format(
+        tostring(field)))
+    end
+    local wanted = name == "loading" and "table" or "number"
+    if (field == "thickness" or field == "density") and value ~= true or part and type(value) ~= wanted then
+      fail(("card: field 'assume': expected a %s for '%s', got %s"):format(part and wanted or "true (the number itself is the argument)", field, tostring(value)))
+    end
+  end
+end
+
+-- The part that no test was made of, or nil where it was.
+local function missing_part(t, name, told)
+  if t[name] then return t[name] end
+  local given = assumed(t, name .. ".loading", "there is no test of it")
+  if given then
+    told[name .. ".loading"] = "assumed: given by the deck"
+    return { loading = given }
+  end
+  local twin = other[name] and t[other[name]]
+  if twin then
+    told[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since nothing was pulled along it"
+    return { loading = twin.loading, tested = twin.tested, unloading = twin.unloading }
+  end
+  if other[name] then fail(("card: field '%s': expected a result of fabric.lab.fit for one direction at least"):format(name)) end
+  local sum, n = 0, 0
+  for _, yarn in ipairs { t.warp or false, t.weft or false } do
+    if yarn then
+      sum, n = sum + select(2, tangents(yarn.loading, yarn.tested)), n + 1
+    end
+  end
+  told["shear.loading"] = ("assumed: straight, %g of the yarns' initial modulus (%s on the shipped cloths), since no bias test was made"):format(
+    rule.shear.value, rule.shear.said)
+  return { loading = { rule.shear.value * sum / n } }
+end
+
+-- Numbers that a card can have: a result of fabric.lab.fit or a table like it.
+local function check_part(fit, name)
+  if type(fit.loading) ~= "table" then
+    fail(("card: field '%s': expected a result of fabric.lab.fit, or {loading=, unloading=}, got a table without loading"):format(name))
+  end
+end
+
+local function unloading_of(t, fit, name, told)
+  local field = name .. ".unloading"
+  if fit.unloading then
+    told[field] = told[name .. ".loading"]:find "^assumed" and told[name .. ".loading"] or origin.words(fit, "unloading", name)
+    return fit.unloading
+  end
+  local given = assumed(t, field, "expected a fit with an unloading modulus (a cyclic test), got one of loading alone")
+  told[field] = given and "assumed: given by the deck"
+    or ("assumed: %g times the steepest tangent of the loading (%s on the shipped cloths), since no test came back"):format(rule.unloading[name],
+      rule.unloading.said[name])
+  return given or rule.unloading[name] * tangents(fit.loading, fit.tested)
+end
+
+local function poisson_of(t, name, told)
+  local ratio, field = (t.poisson or {})[name], name .. ".poisson"
+  if ratio then
+    told[field] = type(ratio) == "table" and (origin.fitted(ratio, "value") or "typed") or "typed"
+    return ratio
+  end
+  local given = assumed(t, field, "expected a ratio in poisson={ warp=, weft= }")
+  told[field] = given and "assumed: given by the deck"
+    or ("assumed: %g (%s on the shipped cloths), since no markers were tracked"):format(rule.poisson.value, rule.poisson.said)
+  return given or rule.poisson.value
+end
+
+-- The line of the card's source that tells of a part.
+local function summary(words, name)
+  return name .. ": " .. (words:match "^fitted to ([^;]*)" or words:match "^(assumed):" or words)
 end
 
 local function card(t)
-  local level
-  local bands = {}
-  for _, part in ipairs { "warp", "weft", "shear" } do
-    bands[part] = band_of(t[part], t.poisson[part])
-    level = level or bands[part] and t[part].level
+  check_assume(t)
+  local told, made, bands, source, tested = {}, {}, {}, { t.source ~= "" and t.source or nil }, {}
+  for _, name in ipairs(parts) do
+    local fit = missing_part(t, name, told)
+    check_part(fit, name)
+    told[name .. ".loading"] = told[name .. ".loading"] or origin.words(fit, "loading", name)
+    local poisson = name ~= "shear" and poisson_of(t, name, told) or nil
+    made[name] = { loading = fit.loading, unloading = unloading_of(t, fit, name, told), poisson = poisson and ratio_of(poisson) }
+    tested[name] = fit.tested
+    bands[name] = band_of(fit, made[name].unloading, poisson)
+    bands.level = bands.level or bands[name] and fit.level
+    source[#source + 1] = summary(told[name .. ".loading"], name)
   end
-  bands.level = level
-  local source = {}
-  if t.source ~= "" then source[1] = t.source end
-  for _, part in ipairs { "warp", "weft", "shear" } do source[#source + 1] = origin(t[part], part) end
-  local shear = part_of(t.shear, nil, "shear")
-  shear.measure = "tensor"
+  for _, field in ipairs { "thickness", "density" } do
+    if type(t.assume) == "table" and t.assume[field] then told[field] = "assumed: given by the deck" end
+  end
+  made.shear.measure, made.shear.memory = t.shear and t.shear.measure or "tensor", t.shear and t.shear.memory
   return fabric.woven {
     name = t.name, source = table.concat(source, "; "), density = t.density, thickness = t.thickness,
-    warp = part_of(t.warp, t.poisson.warp, "warp"), weft = part_of(t.weft, t.poisson.weft, "weft"), shear = shear,
-    tested = { warp = t.warp.tested, weft = t.weft.tested, shear = t.shear.tested },
-    bands = level and bands or nil, bending = t.bending,
+    warp = made.warp, weft = made.weft, shear = made.shear, tested = tested,
+    bands = bands.level and bands or nil, bending = t.bending, provenance = told,
   }
 end
 
@@ -79,16 +199,20 @@ define {
     { name = "source", kind = "text", default = "", sentence = "who measured, when; what was fitted is put behind it" },
     { name = "density", kind = "number", unit = "kg/m^3", above = 0, sentence = "as of fabric.lab.density" },
     { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of the cloth" },
-    { name = "warp", kind = "table", sentence = "result of fabric.lab.fit" },
-    { name = "weft", kind = "table", sentence = "result of fabric.lab.fit" },
-    { name = "shear", kind = "table", sentence = "result of fabric.lab.fit of shear tests (tensor measure)" },
-    { name = "poisson", kind = "table", sentence = "{warp=, weft=}: numbers, or results of fabric.lab.poisson" },
+    { name = "warp", kind = "table", optional = true, sentence = "result of fabric.lab.fit, the warp of a card, or {loading=, unloading=}" },
+    { name = "weft", kind = "table", optional = true, sentence = "likewise" },
+    { name = "shear", kind = "table", optional = true, sentence = "result of fabric.lab.fit of shear tests (tensor measure), or likewise" },
+    { name = "poisson", kind = "table", optional = true, sentence = "{warp=, weft=}: numbers, or results of fabric.lab.poisson" },
+    { name = "assume", kind = "boolean|table", default = false,
+      sentence = "true: what no test shows is taken by rule and marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., "
+        .. "['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error" },
     { name = "bending", kind = "table", optional = true, sentence = "as in fabric.woven" },
   },
-  sentence = "A woven card from fits, with bands, tested ranges and provenance; card:write keeps them.",
+  sentence = "A woven card from fits, with bands, tested ranges and, in provenance, where each number comes from: fitted, copied off a card, "
+    .. "typed, or assumed; card:write keeps them.",
   example = "local fit = { loading={8e6, 8e8}, unloading=9e8, tested=0.2 }\n"
     .. "local card = require 'fabric'.lab.card{ name='mine', density=600, thickness=4e-4, warp=fit, weft=fit,\n"
-    .. "  shear={ loading={2e6}, unloading=12e6, tested=0.3 }, poisson={ warp=0.2, weft=0.3 } }\n"
-    .. "assert(card.weft.poisson == 0.3)",
+    .. "  shear=require 'fabric'.card 'denim'.shear, poisson={ warp=0.2, weft=0.3 } }\n"
+    .. "assert(card.provenance['warp.loading'] == 'typed' and card.provenance['shear.loading'] == \"copied from the card 'denim'\")",
   run = card,
 }

@@ -1,22 +1,10 @@
 -- fabric.lab.fit: loading curve and unloading modulus of replicate specimens, with bands.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local check = require "fabric.lab.check"
+local curve = require "fabric.lab.curve"
+local origin = require "fabric.lab.origin"
 local fail = define.fail
-
--- Rows of a test that belong to virgin loading: the branches of that kind, up to yield or failure if wanted.
-local function loading_curve(test, t)
-  local stop = t.upto == "yield" and (test.yield or test.failure) or test.failure
-  local E, S = {}, {}
-  for _, branch in ipairs(test.branches) do
-    if branch.kind == "loading" then
-      for i = branch.first, math.min(branch.last, stop or branch.last) do
-        E[#E + 1], S[#S + 1] = test.E[i], test.S[i]
-      end
-    end
-    if stop and branch.last >= stop then break end
-  end
-  return { E = E, S = S }
-end
 
 -- The first unloading that begins under load: what comes before a pull begins (the grip let down on slack cloth) is none.
 local loaded = 0.1 -- of the largest stress
@@ -34,8 +22,7 @@ local function unloading_of(test, slack, t)
   if not branch then return end
   local E, S = {}, {}
   for i = branch.first, math.min(branch.last, branch.first + 250) do
-    E[#E + 1] = ((1 + 2 * test.E[i]) / (1 + slack) ^ 2 - 1) / 2
-    S[#S + 1] = test.S[i] * (1 + slack)
+    E[#E + 1], S[#S + 1] = curve.from_contact(test.E[i], test.S[i], 1 + slack)
   end
   return fabric.lab.unloading { E = E, S = S, rule = t.rule, count = t.count, kept = t.kept }
 end
@@ -58,9 +45,9 @@ local function known_mean(values, n)
   if count > 0 then return sum / count end
 end
 
-local function polynomial(t, curves)
+local function polynomial(t, curves, find_slack)
   local degrees = type(t.degree) == "number" and { t.degree } or nil
-  local candidates = fabric.lab.backbone { curves = curves, degrees = degrees, find_slack = t.find_slack }
+  local candidates = fabric.lab.backbone { curves = curves, degrees = degrees, find_slack = find_slack }
   local chosen = candidates[candidates.chosen or 0]
   local text = criterion_text(candidates)
   if not chosen then
@@ -68,6 +55,124 @@ local function polynomial(t, curves)
     fail("fit: expected a positive tangent from zero to the end of the test\n" .. text)
   end
   return chosen, text
+end
+
+-- Root of the mean square of the specimens' residuals, Pa.
+local function residual_of(chosen)
+  local sum = 0
+  for _, specimen in ipairs(chosen.specimens) do sum = sum + specimen.residual ^ 2 end
+  return math.sqrt(sum / #chosen.specimens)
+end
+
+local function mean_loading(chosen)
+  local out = {}
+  for k = 1, chosen.degree do
+    out[k] = 0
+    for _, specimen in ipairs(chosen.specimens) do out[k] = out[k] + specimen.loading[k] / #chosen.specimens end
+  end
+  return out
+end
+
+-- Residuals of a specimen's polynomial along its loading: strain and stress from contact, and measured less fitted.
+local function residuals(points, specimen)
+  local out = { E = {}, S = {}, rest = {} }
+  for k, E in ipairs(points.E) do
+    local e, s = curve.from_contact(E, points.S[k], 1 + specimen.slack)
+    if e > 0 then
+      local model = 0
+      for power, d in ipairs(specimen.loading) do model = model + d * e ^ power / power end
+      out.E[#out.E + 1], out.S[#out.S + 1], out.rest[#out.rest + 1] = e, s, s - model
+    end
+  end
+  return out
+end
+
+-- How much neighbouring residuals are alike, from 0 (noise) to 1 (a curve that the polynomial does not have).
+local function likeness(chosen, curves)
+  local together, squares = 0, 0
+  for i, points in ipairs(curves) do
+    local rest = residuals(points, chosen.specimens[i]).rest
+    for k = 2, #rest do together, squares = together + rest[k] * rest[k - 1], squares + rest[k] ^ 2 end
+  end
+  return squares > 0 and together / squares or 0
+end
+
+-- With and without slack: the one that fits better by a tenth of the residual. Where neither does, or where what is left is no noise, so that
+-- the polynomial is not the cloth's curve anyway, nothing in the data tells which toe is right: the other's coefficients (means) come beside.
+local decides, systematic = 0.9, 0.5
+local function either(t, curves)
+  local with, with_text = polynomial(t, curves, true)
+  local without, text = polynomial(t, curves, false)
+  if not (with and without) then return with or without, with and with_text or text end
+  local r1, r0 = residual_of(with), residual_of(without)
+  local best, other = without, with
+  if r1 < decides * r0 then best, other, text = with, without, with_text end
+  local doubt = math.min(r1, r0) >= decides * math.max(r1, r0) or likeness(best, curves) > systematic
+  local line = ("\nresidual %.3g kPa with slack, %.3g without; D(0) %.4g and %.4g MPa: "):format(r1 / 1e3, r0 / 1e3, mean_loading(with)[1] / 1e6,
+    mean_loading(without)[1] / 1e6)
+  if not doubt then return best, text .. line .. (best == with and "there was slack" or "there was none") end
+  local beside = best.degree == other.degree and mean_loading(other) or nil
+  return best, text .. line .. "nothing tells which is right" .. (beside and ", the band holds both" or ""), beside
+end
+
+-- A polynomial whose mean misses the toe (the first fifth of the strain) by more than a seventh of the stress there, and by more than the
+-- scatter explains, does not see it.
+local toe, missed, sure = 0.2, 0.15, 4
+local function misses_toe(chosen, curves)
+  local worst = 0
+  for i, points in ipairs(curves) do
+    local specimen = chosen.specimens[i]
+    local seen = residuals(points, specimen)
+    local sum, squares, level, n = 0, 0, 0, 0
+    for k, e in ipairs(seen.E) do
+      if e < toe * specimen.reach then
+        sum, squares, level, n = sum + seen.rest[k], squares + seen.rest[k] ^ 2, level + seen.S[k], n + 1
+      end
+    end
+    if n >= 5 then
+      local mean = sum / n
+      local deviation = math.sqrt(math.max(0, squares / n - mean ^ 2) / n)
+      if math.abs(mean) > sure * deviation then worst = math.max(worst, math.abs(mean) * n / math.abs(level)) end
+    end
+  end
+  return worst > missed and worst or nil
+end
+
+-- The polynomial of the criterion, with what `find_slack` asks of the toe; nil where a monotone curve does better.
+local function loading_of(t, curves)
+  if t.find_slack ~= "either" then return polynomial(t, curves, t.find_slack) end
+  local chosen, text, other = either(t, curves)
+  local miss = chosen and t.degree == "auto" and misses_toe(chosen, curves)
+  if miss then return nil, text .. ("\nthe polynomial misses the toe by %.0f %% of the stress there: a monotone curve instead"):format(100 * miss) end
+  return chosen, text, other
+end
+
+-- A band that holds a second answer which the data bear out as well.
+local function widened(band, other)
+  if not other then return end
+  local n = #band.value
+  local delta = {}
+  for i = 1, n do delta[i] = other[i] and other[i] - band.value[i] or 0 end
+  if not band.low then
+    band.low, band.high, band.covariance = table.move(band.value, 1, n, 1, {}), table.move(band.value, 1, n, 1, {}), {}
+    for i = 1, n * n do band.covariance[i] = 0.0 end
+  end
+  for i = 1, n do
+    band.low[i], band.high[i] = math.min(band.low[i], band.low[i] + delta[i]), math.max(band.high[i], band.high[i] + delta[i])
+    for j = 1, n do band.covariance[(i - 1) * n + j] = band.covariance[(i - 1) * n + j] + delta[i] * delta[j] / 2 end
+  end
+end
+
+-- What is known to worse than this part of its value is said to be.
+local loose = 0.3
+local function looseness(out)
+  local band = out.band
+  if not band or not band.low then return end
+  local half = math.max(band.high[1] - band.value[1], band.value[1] - band.low[1])
+  if half > loose * math.abs(band.value[1]) then
+    out.loose = ("D(0) is loosely determined: %.3g MPa, %.3g to %.3g"):format(band.value[1] / 1e6, band.low[1] / 1e6, band.high[1] / 1e6)
+    out.text = (out.text and out.text .. "\n" or "") .. out.loose .. "; so is the coupling of the yarns, which goes by it"
+  end
 end
 
 -- Parameters of every specimen, {loading..., unloading}; unloading where all have it.
@@ -80,11 +185,12 @@ local function parameter_lists(chosen, unloading)
   return lists
 end
 
-local function with_polynomial(out, chosen, t)
+local function with_polynomial(out, chosen, t, other)
   local lists = parameter_lists(chosen, out.unloading_of)
   local common = {}
   for i = 1, #lists[1] do common[i] = t.common end
   local band = fabric.lab.band { specimens = lists, level = t.level, seed = t.seed, draws = t.draws, common = common }
+  widened(band, other)
   out.loading = table.move(band.value, 1, chosen.degree, 1, {})
   out.degree, out.band, out.specimens = chosen.degree, band, chosen.specimens
   out.tested = math.huge
@@ -93,30 +199,30 @@ end
 
 -- A curve seen from first contact: the specimen is longer by its slack (a stretch), as for the polynomials.
 local contact = 0.01 -- of the largest stress
-local function from_contact(curve)
+local function from_contact(points)
   local peak, first = 0, nil
-  for _, S in ipairs(curve.S) do peak = math.max(peak, S) end
-  for i = #curve.S, 1, -1 do
-    if curve.S[i] <= contact * peak then
+  for _, S in ipairs(points.S) do peak = math.max(peak, S) end
+  for i = #points.S, 1, -1 do
+    if points.S[i] <= contact * peak then
       first = i
       break
     end
   end
-  if not first then return curve, 0 end
-  local stretch, out = math.sqrt(1 + 2 * curve.E[first]), { E = {}, S = {} }
-  for i = first, #curve.E do
-    out.E[#out.E + 1], out.S[#out.S + 1] = ((1 + 2 * curve.E[i]) / stretch ^ 2 - 1) / 2, curve.S[i] * stretch
+  if not first then return points, 0 end
+  local stretch, out = math.sqrt(1 + 2 * points.E[first]), { E = {}, S = {} }
+  for i = first, #points.E do
+    out.E[#out.E + 1], out.S[#out.S + 1] = curve.from_contact(points.E[i], points.S[i], stretch)
   end
   return out, stretch - 1
 end
 
 local function with_points(out, curves, t)
-  if t.find_slack then
+  if t.find_slack == true then
     local taut = {}
     out.specimens = {}
-    for i, curve in ipairs(curves) do
+    for i, points in ipairs(curves) do
       local slack
-      taut[i], slack = from_contact(curve)
+      taut[i], slack = from_contact(points)
       out.specimens[i] = { slack = slack }
     end
     curves = taut
@@ -141,11 +247,27 @@ local function check_unloading(out)
   end
 end
 
+local function counted(n) return n == 1 and "1 specimen" or n .. " specimens" end
+
+-- Remembers for a card what was found of how many specimens.
+local function remember(out, known, t)
+  local how = out.degree and ("polynomial of degree %d"):format(out.degree) or "monotone curve"
+  origin.remember(out, {
+    loading = ("fitted to %s, %s%s"):format(counted(out.tests), how, out.loose and "; " .. out.loose or ""),
+    unloading = ("fitted to %s%s, rule '%s'"):format(known < out.tests and known .. " of " or "", counted(out.tests), t.rule),
+  })
+end
+
 local function fit(t)
   local curves, out = {}, { level = t.level, unloading_of = {} }
-  for i, test in ipairs(t.tests) do curves[i] = loading_curve(test, t) end
-  local chosen
-  if t.degree ~= "monotone" then chosen, out.text = polynomial(t, curves) end
+  if #t.tests == 0 then fail "fit: field 'tests': expected at least one test, got none" end
+  for i = 1, #t.tests do
+    local test = t.tests[i]
+    check.test("fit", i, test)
+    curves[i] = curve.loading(test, t.upto)
+  end
+  local chosen, other
+  if t.degree ~= "monotone" then chosen, out.text, other = loading_of(t, curves) end
   if not chosen then with_points(out, curves, t) end
   local specimens = chosen and chosen.specimens or out.specimens or {}
   for i, test in ipairs(t.tests) do
@@ -160,8 +282,10 @@ local function fit(t)
       out.unloading_band = fabric.lab.band { specimens = known, level = t.level, seed = t.seed, draws = t.draws, common = { t.common } }
     end
   end
-  if chosen then with_polynomial(out, chosen, t) end
+  if chosen then with_polynomial(out, chosen, t, other) end
+  looseness(out)
   check_unloading(out)
+  remember(out, #known, t)
   return out
 end
 
@@ -171,7 +295,9 @@ define {
     { name = "tests", kind = "table", sentence = "replicates: results of fabric.lab.tensile or shear_from_bias" },
     { name = "degree", kind = "integer|text", low = 1, high = 8, choices = { "auto", "monotone" }, default = "auto",
       sentence = "of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve" },
-    { name = "find_slack", kind = "boolean", default = false, sentence = "first contact is found with the curve" },
+    { name = "find_slack", kind = "boolean|text", choices = { "either" }, default = false,
+      sentence = "first contact is found with the curve; either: only if that fits better by a tenth; if neither does the band holds both, and a polynomial "
+        .. "(auto) that misses the toe makes room for a monotone curve" },
     { name = "upto", kind = "text", choices = { "failure", "yield" }, default = "failure", sentence = "rows used" },
     { name = "rule", kind = "text", choices = { "first", "robust" }, default = "first", sentence = "of the unloading modulus" },
     { name = "count", kind = "integer", low = 2, default = 3, sentence = "first points of the unloading" },

@@ -1,14 +1,23 @@
 -- A folder of measurements as fits and a card. Beside the files lies laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, degree=, rule=,
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary=, degree=, rule=,
+--     bias={width=, length=} (of bias specimens without markers, where they are of another size), zero= (take off what the first row shows),
+--     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (in place of the rules of fabric.lab.card),
 --     grips="free"|"clamped" (for the simulation: ends that contract, such as loops on pins, or jaws; default free) }
 --
 -- and the names of the files say the rest, K being the specimen:
 --   warp-K.csv, weft-K.csv   a load frame's record                 warp-K-markers.csv   frame, marker, x, y
 --   bias-K-frames.csv        displacement and force at each photograph, with bias-K-markers.csv
+--   bias-K.csv               a bias pull without markers (the shear up to 30 degrees follows from the displacement)
+--
+-- Whatever of these is there makes a card; what no test shows is assumed and marked so (fabric.lab.card).
 local fabric = require "fabric"
-local lab, registry = fabric.lab, require "fabric.define".registry
+local define = require "fabric.define"
+local lab, registry = fabric.lab, define.registry
+
+-- An error at the line of the deck that asked.
+local function stop(words) define.fail("laboratory: " .. words) end
 
 local folder = {}
 
@@ -20,7 +29,7 @@ local function specimens(path, pattern)
   for _, name in ipairs(fabric.folder(path)) do
     local key, kind = name:match(pattern .. "%.(%a+)$")
     if key and kinds[kind:lower()] then
-      if by_key[key] then error(("%s: expected one file for specimen %s, got %s and %s"):format(path, key, by_key[key], name), 0) end
+      if by_key[key] then stop(("%s: expected one file for specimen %s, got %s and %s"):format(path, key, by_key[key], name)) end
       by_key[key] = name
       found[#found + 1] = { key = key, file = path .. "/" .. name, stem = path .. "/" .. name:match "^(%a+%-%w+)" }
     end
@@ -43,23 +52,29 @@ end
 
 local function grid_of(about, path)
   if type(about.markers) ~= "table" or not math.tointeger(about.markers[1]) or not math.tointeger(about.markers[2]) then
-    error(("%s: field 'markers': expected {rows, columns} of the grid, for %s"):format(about.file, path), 0)
+    stop(("%s: field 'markers': expected {rows, columns} of the grid, for %s"):format(about.file, path))
   end
   return lab.tracks { file = path, rows = about.markers[1], columns = about.markers[2] }
 end
 
+-- How specimens differ, where there are enough of them.
+local function with_spread(part)
+  if #part.tests >= 3 then part.spread = lab.spread { tests = part.tests } end
+  return part
+end
+
+-- The pulls along a direction; nil where there are none.
 local function along(about, path, direction)
   local tests, grids = {}, {}
   for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
-    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units }))
+    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, vocabulary = about.vocabulary, zero = about.zero }))
     local markers = s.stem .. "-markers.csv"
     if exists(markers) then grids[#grids + 1] = grid_of(about, markers) end
   end
-  if #tests == 0 then error(path .. ": expected files named " .. direction .. "-1.csv, there is none", 0) end
-  local fit = lab.fit { tests = tests, find_slack = true, common = about.shared, degree = about.degree, rule = about.rule }
+  if #tests == 0 then return end
+  local fit = lab.fit { tests = tests, find_slack = "either", common = about.shared, degree = about.degree, rule = about.rule }
   local ratio = #grids > 0 and lab.poisson { specimens = grids, common = about.shared } or about.poisson and about.poisson[direction]
-  if not ratio then error(path .. ": expected " .. direction .. "-1-markers.csv, or poisson={" .. direction .. "=} in laboratory.lua", 0) end
-  return { tests = tests, fit = fit, ratio = ratio }
+  return with_spread { tests = tests, fit = fit, ratio = ratio }
 end
 
 -- The numbers of the photographs that the rows of a record belong to; nil without a column `frame`.
@@ -75,15 +90,15 @@ local function paired(record, grid, file)
   if not numbers then
     local last = grid.numbers[#grid.numbers]
     if #record.force ~= grid.frames or last - grid.numbers[1] ~= grid.frames - 1 then
-      error(("%s: expected a column 'frame', since its %d rows are not those of the %d photographs, numbers %g to %g, of %s"):format(file,
-        #record.force, grid.frames, grid.numbers[1], last, grid.file), 0)
+      stop(("%s: expected a column 'frame', since its %d rows are not those of the %d photographs, numbers %g to %g, of %s"):format(file,
+        #record.force, grid.frames, grid.numbers[1], last, grid.file))
     end
     return record, grid
   end
   local row_of, markers = {}, grid.rows * grid.columns
   for row, number in ipairs(numbers) do row_of[number] = row end
   if not row_of[grid.numbers[1]] then
-    error(("%s: expected a row for frame %g, the first of %s, from which the strain counts"):format(file, grid.numbers[1], grid.file), 0)
+    stop(("%s: expected a row for frame %g, the first of %s, from which the strain counts"):format(file, grid.numbers[1], grid.file))
   end
   local both = { displacement = {}, force = {} }
   local kept = { rows = grid.rows, columns = grid.columns, file = grid.file, frames = 0, numbers = {}, x = {}, y = {} }
@@ -106,47 +121,85 @@ local function in_shear(about, path)
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
     tests[i].file = s.file
   end
-  if #tests == 0 then error(path .. ": expected files named bias-1-frames.csv and bias-1-markers.csv, there is none", 0) end
-  return { tests = tests, fit = lab.fit { tests = tests, common = about.shared, rule = "robust" } }
+  if #tests == 0 then return end
+  return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared, rule = "robust" } }
+end
+
+-- Bias pulls without markers, by the kinematics of yarns that do not stretch.
+local function in_shear_without_markers(about, path)
+  local tests, size = {}, about.bias or {}
+  for i, s in ipairs(specimens(path, "^bias%-(%w+)")) do
+    local record = lab.read { file = s.file, columns = about.columns, units = about.units, vocabulary = about.vocabulary }
+    local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = size.width or about.width,
+      length = size.length or about.gauge_length, thickness = about.thickness * (about.plies or 1), cut = true }
+    tests[i] = { E = shear.E12, S = shear.S12, file = s.file, branches = { { kind = "loading", first = 1, last = #shear.E12 } }, without_markers = true }
+  end
+  if #tests == 0 then return end
+  return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared }, without_markers = true }
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "columns", "degree", "rule", "grips", "poisson", "bending", "warp" }
+  "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume" }
 
 -- What laboratory.lua returns, gone through before any file is read.
 local function about_of(path)
   local file = path .. "/laboratory.lua"
   local chunk, trouble = loadfile(file, "t")
-  if not chunk then error(trouble, 0) end
+  if not chunk then stop(trouble) end
   local about = chunk()
-  if type(about) ~= "table" then error(("%s: expected 'return { name=, gauge_length=, ... }' at its end, got %s"):format(file, tostring(about)), 0) end
+  if type(about) ~= "table" then stop(("%s: expected 'return { name=, gauge_length=, ... }' at its end, got %s"):format(file, tostring(about))) end
   for name in pairs(about) do
     local known = false
     for _, field in ipairs(fields) do known = known or field == name end
     local near = not known and registry.nearest(tostring(name), fields)
-    if not known then error(("%s: unknown field '%s'%s"):format(file, tostring(name), near and (", did you mean '" .. near .. "'?") or ""), 0) end
+    if not known then stop(("%s: unknown field '%s'%s"):format(file, tostring(name), near and (", did you mean '" .. near .. "'?") or "")) end
   end
   local function need(name, kind, what)
-    if type(about[name]) ~= kind then error(("%s: field '%s': expected %s, got %s"):format(file, name, what, tostring(about[name])), 0) end
+    if type(about[name]) ~= kind then stop(("%s: field '%s': expected %s, got %s"):format(file, name, what, tostring(about[name]))) end
   end
   need("name", "string", "the fabric's name")
   for _, name in ipairs { "gauge_length", "width", "thickness" } do need(name, "number", "a length in m") end
-  if not about.density and not about.mass_per_area then error(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)", 0) end
+  if not about.density and not about.mass_per_area then stop(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)") end
   about.file = file
   return about
 end
 
--- warp, weft, shear: {tests, fit, ratio}; card; about.
+-- What a further test would settle, of the fields that are assumed.
+local tests_for = {
+  ["warp.loading"] = "pulls along the warp (warp-1.csv, ...)", ["weft.loading"] = "pulls along the weft (weft-1.csv, ...)",
+  ["warp.unloading"] = "a pull along the warp that comes back before it breaks", ["weft.unloading"] = "a pull along the weft that comes back before it breaks",
+  ["warp.poisson"] = "markers on a pull along the warp, four pins will do (warp-1-markers.csv)",
+  ["weft.poisson"] = "markers on a pull along the weft, four pins will do (weft-1-markers.csv)",
+  ["shear.loading"] = "a bias pull, with markers or without (bias-1-frames.csv and bias-1-markers.csv, or bias-1.csv)",
+  ["shear.unloading"] = "a bias pull with markers that comes back",
+}
+local function further_of(card)
+  local out = {}
+  for field, words in pairs(card.provenance or {}) do
+    if words:find "^assumed" and tests_for[field] then out[#out + 1] = { field = field, now = words, test = tests_for[field] } end
+  end
+  table.sort(out, function(a, b) return a.field < b.field end)
+  return out
+end
+
+-- warp, weft, shear: {tests, fit, ratio, spread} where there are files of them; card; further: tests that would settle what is assumed; about.
 function folder.reduce(path)
+  if type(path) ~= "string" then stop(("expected the name of a folder, got %s"):format(tostring(path))) end
   path = path:gsub("/$", "")
   local about = about_of(path)
-  local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"), shear = in_shear(about, path) }
+  local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"),
+                shear = in_shear(about, path) or in_shear_without_markers(about, path) }
+  if not out.warp and not out.weft then
+    stop(path .. ": expected files of pulls named warp-1.csv or weft-1.csv, there is none")
+  end
+  local function fit(name) return out[name] and out[name].fit end
   out.card = lab.card {
     name = about.name, source = about.source, thickness = about.thickness,
     density = about.density or about.mass_per_area / about.thickness,
-    warp = out.warp.fit, weft = out.weft.fit, shear = out.shear.fit,
-    poisson = { warp = out.warp.ratio, weft = out.weft.ratio }, bending = about.bending,
+    warp = fit "warp", weft = fit "weft", shear = fit "shear", assume = about.assume or true,
+    poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = about.bending,
   }
+  out.further = further_of(out.card)
   return out
 end
 

@@ -104,36 +104,133 @@ local function between(xs, ys, x, last)
   return before_y * (1 - part), part
 end
 
+-- Angle of the middle zone if yarns do not stretch.
+local function bias_angle(t, d)
+  if d == 0 then return 0 end -- not the last digit of pi
+  return math.pi / 2 - 2 * math.acos((t.length - t.width + d) / (math.sqrt(2) * (t.length - t.width)))
+end
+
+-- A way back by more than this part of the largest displacement is a reversal, less is noise of the reading.
+local turned = 0.01
+
+-- The rows that the curve is made of: those that pass the largest displacement so far, up to a reversal. With cut=true the record
+-- ends there, and where the angle passes the limit; else a reversal is an error.
+local function rising(t)
+  local rows, largest, high = {}, -math.huge, 0
+  for _, d in ipairs(t.displacement) do high = math.max(high, d) end
+  for i, d in ipairs(t.displacement) do
+    if largest - d > turned * high then
+      if t.cut then break end
+      define.fail(("bias_shear: field 'displacement': expected rising values, got %g m at place %d after %g: end the record at the reversal, or give cut=true")
+        :format(d, i, largest))
+    end
+    if t.cut and d > 0 and (d >= (math.sqrt(2) - 1) * (t.length - t.width) or bias_angle(t, d) > math.rad(t.limit)) then break end
+    if d > largest then rows[#rows + 1], largest = i, d end
+  end
+  return rows
+end
+
+-- A shear force below zero by more than this part of the largest is none that cloth can have.
+local negative = 0.01
+
+local function check_sign(t, out)
+  local largest = 0
+  for _, N in ipairs(out.normal_force) do largest = math.max(largest, math.abs(N)) end
+  for i, N in ipairs(out.normal_force) do
+    local row = out.rows[i]
+    if N < -negative * largest and t.force[row] > 0 then
+      define.fail(("bias_shear: the shear force turns negative at place %d (%g mm, %g N, %.1f degrees: %.3g N/m): yarns that do not stretch can't have sheared "
+        .. "so far; give cut=true to end the record at %g degrees"):format(row, t.displacement[row] * 1e3, t.force[row], out.angle[i], N, t.limit))
+    end
+  end
+end
+
+-- Which rows lie within the limit, and a word of those that do not.
+local function mark_valid(t, out)
+  local beyond = 0
+  out.valid = {}
+  for i, angle in ipairs(out.angle) do
+    out.valid[i] = angle <= t.limit
+    if not out.valid[i] then beyond = beyond + 1 end
+  end
+  if beyond > 0 then
+    fabric.warn(("bias_shear: %d of %d rows are beyond %g degrees (up to %.1f), where yarns slip and stretch, and the shear is less than the displacement says: "
+      .. "they are marked in `valid`; cut=true leaves them out"):format(beyond, #out.angle, t.limit, out.angle[#out.angle]))
+  end
+  return out
+end
+
 -- The middle zone at gamma and the mixed zones at gamma/2 share the work of the grips [cao2008].
 local function bias_curve(t)
-  local out = { radians = {}, normal_force = {} }
+  local out = { radians = {}, normal_force = {}, rows = rising(t) }
   local w, h = t.width, t.length
-  for i, d in ipairs(t.displacement) do
-    local gamma = math.pi / 2 - 2 * math.acos((h - w + d) / (math.sqrt(2) * (h - w)))
-    if d == 0 then gamma = 0 end -- not the last digit of pi
+  for i, row in ipairs(out.rows) do
+    local gamma = bias_angle(t, t.displacement[row])
     local known, share = between(out.radians, out.normal_force, gamma / 2, gamma)
-    local pull, mixed = (h / w - 1) * t.force[i] * (math.cos(gamma / 2) - math.sin(gamma / 2)), w * math.cos(gamma / 2)
+    local pull, mixed = (h / w - 1) * t.force[row] * (math.cos(gamma / 2) - math.sin(gamma / 2)), w * math.cos(gamma / 2)
     out.normal_force[i] = (pull - mixed * known) / ((2 * h - 3 * w) * math.cos(gamma) + mixed * share)
     out.radians[i] = gamma
   end
-  return stress(out, t.thickness)
+  stress(out, t.thickness)
+  check_sign(t, out)
+  return mark_valid(t, out)
+end
+
+-- Shear stress of a card on its way up to each of some strains E12 >= 0, in any order.
+local function virgin_shear(card, strains)
+  local sorted, out = table.move(strains, 1, #strains, 1, {}), {}
+  table.sort(sorted)
+  local stress_of = {}
+  for i, S in ipairs(fabric.point(card):path({ E12 = sorted }, { "S12" }).S12) do stress_of[sorted[i]] = S end
+  for i, E in ipairs(strains) do out[i] = stress_of[E] end
+  return out
+end
+
+-- The grips' force over their displacement that a card gives a specimen, by the same kinematics.
+local function bias_force(t)
+  local w, h, thickness = t.width, t.length, t.thickness or t.card.thickness
+  local whole, half, gammas = {}, {}, {}
+  for i, d in ipairs(t.displacement) do
+    gammas[i] = bias_angle(t, d)
+    whole[i], half[i] = math.sin(gammas[i]) / 2, math.sin(gammas[i] / 2) / 2
+  end
+  local S, S_half = virgin_shear(t.card, whole), virgin_shear(t.card, half)
+  local out = { force = {}, displacement = t.displacement, angle = {}, valid = {} }
+  for i, gamma in ipairs(gammas) do
+    local work = (2 * h - 3 * w) * math.cos(gamma) * S[i] + w * math.cos(gamma / 2) * S_half[i]
+    out.force[i] = work * thickness / ((h / w - 1) * (math.cos(gamma / 2) - math.sin(gamma / 2)))
+    out.angle[i] = math.deg(gamma)
+    out.valid[i] = out.angle[i] <= t.limit
+  end
+  return out
 end
 
 define {
   name = "fabric.lab.bias_shear",
   arguments = {
-    { name = "displacement", kind = "numbers", unit = "m", low = 0, sentence = "of the crosshead, rising" },
-    { name = "force", kind = "numbers", unit = "N", sentence = "of one length with it" },
+    { name = "displacement", kind = "numbers", unit = "m", low = 0,
+      sentence = "of the crosshead, rising; rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error" },
+    { name = "force", kind = "numbers", unit = "N", optional = true, sentence = "of one length with it" },
+    { name = "card", of = "card", optional = true, sentence = "instead of the force: what the pull would show by the same kinematics" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
     { name = "length", kind = "number", unit = "m", above = 0, sentence = "between the grips, at least twice the width" },
-    { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of the cloth" },
+    { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "of the cloth; default: the card's" },
+    { name = "limit", kind = "number", unit = "degrees", above = 0, high = 90, default = 30, sentence = "angle up to which yarns are believed not to slip or stretch" },
+    { name = "cut", kind = "boolean", default = false, sentence = "the record ends at the limit and at a reversal" },
   },
-  sentence = "Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12.",
+  sentence = "Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid "
+    .. "(true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.",
   example = "local r = require 'fabric'.lab.bias_shear{ displacement={0.01, 0.02}, force={1, 1.5}, width=0.1, length=0.3, thickness=1e-3 }\n"
     .. "assert(r.angle[2] > r.angle[1] and r.S12[1] > 0)",
   run = function(t)
     if t.length < 2 * t.width then define.fail "bias_shear: field 'length': expected at least twice the width (else there is no middle zone)" end
-    check("bias_shear", t, (math.sqrt(2) - 1) * (t.length - t.width))
+    if (t.card == nil) == (t.force == nil) then define.fail "bias_shear: field 'force': expected either force or card" end
+    if t.force and not t.thickness then define.fail "bias_shear: field 'thickness': expected a positive number in m, got nil" end
+    if t.card then
+      check("bias_shear", t, (math.sqrt(2) - 1) * (t.length - t.width))
+      return bias_force(t)
+    end
+    check("bias_shear", t, t.cut and math.huge or (math.sqrt(2) - 1) * (t.length - t.width))
     return bias_curve(t)
   end,
 }

@@ -1,6 +1,8 @@
 -- fabric.lab.tracks, poisson, shear_from_bias: what marker grids on the cloth say.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local check = require "fabric.lab.check"
+local origin = require "fabric.lab.origin"
 local fail = define.fail
 
 local nan = 0 / 0
@@ -72,13 +74,17 @@ define {
     .. "local p = require 'fabric'.lab.poisson{ specimens={s}, noise=0 }\nassert(math.abs(p.value - 0.04875/0.22) < 1e-12)",
   run = function(t)
     local out, values = { specimens = {} }, {}
-    for i, s in ipairs(t.specimens) do
+    if #t.specimens == 0 then fail "poisson: field 'specimens': expected at least one marker grid, got none" end
+    for i = 1, #t.specimens do
+      local s = t.specimens[i]
+      check.grid("poisson", ("specimens[%d]"):format(i), s)
       out.specimens[i] = fabric.lab.ratio { rows = s.rows, columns = s.columns, x = s.x, y = s.y, noise = t.noise, least = t.least }
       values[i] = { out.specimens[i].value }
     end
     local band = fabric.lab.band { specimens = values, level = t.level, seed = t.seed, common = { t.common } }
     out.value = band.value[1]
     if band.low then out.low, out.high, out.variance = band.low[1], band.high[1], band.covariance[1] end
+    origin.remember(out, { value = ("fitted to the markers of %d specimen%s"):format(#t.specimens, #t.specimens == 1 and "" or "s") })
     return out
   end,
 }

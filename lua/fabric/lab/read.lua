@@ -3,25 +3,8 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local fail = define.fail
 
-local inch, pound = 0.0254, 4.4482216152605
-local units = {
-  displacement = { m = 1, mm = 1e-3, cm = 1e-2, um = 1e-6, ["in"] = inch },
-  force = { N = 1, kN = 1e3, mN = 1e-3, cN = 1e-2, gf = 9.80665e-3, kgf = 9.80665, lbf = pound },
-  time = { s = 1, ms = 1e-3, min = 60, h = 3600 },
-  strain = { ["-"] = 1, ["%"] = 1e-2, ["mm/mm"] = 1, ["1"] = 1 },
-}
-local aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "in", ['"'] = "in", KN = "kN", kp = "kgf", lb = "lbf", lbs = "lbf", S = "s", sec = "s",
-  ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um" }
-
--- Words that the name of a column holds, in lower case without accents, or one letter that it is.
-local words = {
-  displacement = { "displacement", "extension", "elongation", "crosshead", "stroke", "position", "travel", "weg", "deplacement" },
-  force = { "force", "load", "kraft", "charge" },
-  time = { "time", "zeit", "temps" },
-  strain = { "strain", "dehnung" },
-}
-local quantities = { "displacement", "force", "time", "strain" }
-local letters = { u = "displacement", dl = "displacement", p = "force", f = "force", t = "time" }
+local house = require "fabric.lab.words"
+local plain = house.plain
 
 local function keys(t)
   local names = {}
@@ -30,46 +13,62 @@ local function keys(t)
   return table.concat(names, ", ")
 end
 
-local function plain(name)
-  name = name:gsub("\u{e9}", "e"):gsub("\u{c9}", "e"):gsub("[\xe9\xc9]", "e")
-  return name:lower()
-end
-
-local function quantity_of(name)
+-- What a name says: first by the words that the user added, then by letters and words of the house.
+local function quantity_of(vocabulary, name)
   name = plain(name)
-  if letters[name] then return letters[name] end
-  for _, quantity in ipairs(quantities) do
-    for _, word in ipairs(words[quantity]) do
+  for _, own in ipairs(vocabulary.own or {}) do
+    if name:find(own[1], 1, true) then return own[2] end
+  end
+  if vocabulary.letters[name] then return vocabulary.letters[name] end
+  for _, quantity in ipairs(vocabulary.quantities) do
+    for _, word in ipairs(vocabulary.names[quantity]) do
       if name:find(word, 1, true) then return quantity end
     end
   end
 end
 
+-- SI per unit and the quantity that the unit measures: an elongation in per cent is a strain, a force may be one per width.
+local also = { displacement = { "displacement", "strain" }, force = { "force", "force per width" }, time = { "time" }, strain = { "strain" } }
+local function unit_of(vocabulary, quantity, unit)
+  for _, meant in ipairs(also[quantity]) do
+    local factor = vocabulary.units[meant][unit] or vocabulary.units[meant][vocabulary.aliases[unit] or unit]
+    if factor then return factor, meant end
+  end
+end
+
 -- A unit behind the name without brackets: "Extension mm", "displacement_mm".
-local function split_unit(column)
+local function split_unit(vocabulary, column)
   if column.unit ~= "" then return end
   local name, unit = column.name:match "^(.-)[%s_]+(%S+)$"
-  local quantity = name and quantity_of(name)
-  if quantity and units[quantity][aliases[unit] or unit] then column.unit, column.bare = unit, name end
+  local quantity = name and quantity_of(vocabulary, name)
+  if quantity and unit_of(vocabulary, quantity, unit) then column.unit, column.bare = unit, name end
+end
+
+-- What a column holds, by its name and unit.
+local function held(vocabulary, column)
+  local quantity = quantity_of(vocabulary, column.bare or column.name)
+  if quantity ~= "displacement" then return quantity end
+  local _, meant = unit_of(vocabulary, quantity, column.unit)
+  return meant or quantity
 end
 
 -- How many words of the name say something else: "Maximum load" is not the load.
-local function others(column, quantity)
-  local count = 0
+local function others(vocabulary, column)
+  local count, quantity = 0, quantity_of(vocabulary, column.bare or column.name)
   for word in plain(column.bare or column.name):gmatch "[^%s_%-]+" do
-    local known = letters[word] == quantity
-    for _, w in ipairs(words[quantity]) do known = known or word:find(w, 1, true) end
+    local known = vocabulary.letters[word] == quantity
+    for _, w in ipairs(vocabulary.names[quantity]) do known = known or word:find(w, 1, true) end
     if not known then count = count + 1 end
   end
   return count
 end
 
 -- The columns whose headings give the quantity away with fewest other words.
-local function candidates(file, quantity)
+local function candidates(vocabulary, file, quantity)
   local best, least = {}, math.huge
   for _, column in ipairs(file.header and file or {}) do
-    if quantity_of(column.bare or column.name) == quantity then
-      local count = others(column, quantity)
+    if held(vocabulary, column) == quantity then
+      local count = others(vocabulary, column)
       if count < least then best, least = {}, count end
       if count == least then best[#best + 1] = column end
     end
@@ -96,10 +95,10 @@ local function named_column(t, file, quantity, wanted)
 end
 
 -- The column of a quantity; needed: a file without it, or with two that might be it, is an error.
-local function find_column(t, file, quantity, needed)
+local function find_column(vocabulary, t, file, quantity, needed)
   local wanted = (t.columns or {})[quantity]
   if wanted then return named_column(t, file, quantity, wanted) end
-  local found = candidates(file, quantity)
+  local found = candidates(vocabulary, file, quantity)
   if #found > 1 and needed then
     local names, places = {}, {}
     for i, column in ipairs(found) do
@@ -112,19 +111,20 @@ local function find_column(t, file, quantity, needed)
   return #found == 1 and found[1] or nil
 end
 
--- SI per unit of the column; nil where it is not known.
-local function known_factor(t, quantity, column)
+-- SI per unit of the column and what it measures; nil where that is not known.
+local function known_factor(vocabulary, t, quantity, column)
   local unit = (t.units or {})[quantity] or column.unit
-  if unit == "" and quantity == "strain" then return 1 end
-  return units[quantity][aliases[unit] or unit], unit
+  if unit == "" and quantity == "strain" then return 1, "strain" end
+  return unit_of(vocabulary, quantity, unit)
 end
 
-local function factor_of(t, quantity, column)
-  local factor, unit = known_factor(t, quantity, column)
-  if factor then return factor end
-  local got = unit == "" and "the heading says none" or "got '" .. unit .. "'"
+local function factor_of(vocabulary, t, quantity, column)
+  local factor, meant = known_factor(vocabulary, t, quantity, column)
+  if factor then return factor, meant end
+  local unit = (t.units or {})[quantity] or column.unit
+  local got = unit == "" and "the heading says none" or "got '" .. tostring(unit) .. "'"
   fail(("read: %s: column '%s': expected the unit of the %s (one of %s), %s; give units={ %s='...' }"):format(
-    t.file, column.name, quantity, keys(units[quantity]), got, quantity))
+    t.file, column.name, quantity, keys(vocabulary.units[quantity]), got, quantity))
 end
 
 local function scaled(values, factor)
@@ -133,28 +133,86 @@ local function scaled(values, factor)
   return values
 end
 
--- Displacement and force must be there, and what the deck names; time and strain are read where they can be.
+-- The house's words, or those of a user before them: a table, or a Lua file that returns one.
+local function vocabulary_of(t)
+  if not t.vocabulary then return house end
+  local more, from = t.vocabulary, "read: field 'vocabulary'"
+  if type(more) == "string" then
+    local chunk, trouble = loadfile(more, "t", {})
+    if not chunk then fail("read: field 'vocabulary': " .. trouble) end
+    local ok, made = pcall(chunk)
+    if not ok or type(made) ~= "table" then
+      fail(("read: field 'vocabulary': %s: expected 'return { force={...}, ... }', got %s"):format(t.vocabulary, tostring(made)))
+    end
+    more, from = made, "read: " .. t.vocabulary
+  end
+  return house.with(more, from, fail)
+end
+
+local function check_names(t)
+  for _, field in ipairs { "columns", "units" } do
+    for quantity, value in pairs(t[field] or {}) do
+      local known = quantity == "displacement" or quantity == "force" or quantity == "time" or quantity == "strain"
+      local kind = type(value)
+      if not known then
+        fail(("read: field '%s': expected displacement, force, time or strain, got '%s'"):format(field, tostring(quantity)))
+      elseif kind ~= "string" and (field == "units" or math.type(value) ~= "integer") then
+        fail(("read: field '%s.%s': expected %s, got %s"):format(field, quantity, field == "units" and "a unit" or "a heading or a place", tostring(value)))
+      end
+    end
+  end
+end
+
+-- One column in SI into the record; what it measures is known by its unit.
+local function take(vocabulary, t, record, quantity, column)
+  local factor, meant = factor_of(vocabulary, t, quantity, column)
+  if column.trouble then fail("read: " .. column.trouble) end
+  if meant == "force per width" then
+    if not t.width then
+      fail(("read: %s: column '%s' is a force per width: expected field 'width' of the specimen in m"):format(t.file, column.name))
+    end
+    factor = factor * t.width
+  end
+  record[meant == "strain" and "strain" or quantity] = scaled(column.values, factor)
+end
+
+-- A record that has strain and no displacement: that of the gauge length.
+local function from_strain(t, record)
+  if record.displacement or not record.strain then return end
+  if not t.gauge_length then
+    fail(("read: %s: a strain but no displacement: expected field 'gauge_length' in m, from which the displacement follows"):format(t.file))
+  end
+  record.displacement, record.from_strain = {}, true
+  for i, e in ipairs(record.strain) do record.displacement[i] = e * t.gauge_length end
+end
+
+local function missing(t, record, quantity)
+  fail(("read: %s:1: expected a column of the %s, there are %s; give columns={ %s=name or place }"):format(
+    t.file, quantity, table.concat(record.names, ", "), quantity))
+end
+
+-- Displacement (or strain) and force must be there, and what the deck names; time and strain are read where they can be.
 local function read(t)
+  check_names(t)
+  local vocabulary = vocabulary_of(t)
   local file = fabric.table { file = t.file, separator = t.separator, decimal = t.decimal, lenient = true }
   local record = { file = t.file, rows = #file[1].values, preamble = file.preamble, names = {} }
   for i, column in ipairs(file) do
     record.names[i] = column.name
-    split_unit(column)
+    split_unit(vocabulary, column)
   end
-  for i, quantity in ipairs(quantities) do
-    local needed = i <= 2 or (t.columns or {})[quantity] or (t.units or {})[quantity]
-    local column = find_column(t, file, quantity, needed)
-    if column and needed then
-      local factor = factor_of(t, quantity, column)
-      if column.trouble then fail("read: " .. column.trouble) end
-      record[quantity] = scaled(column.values, factor)
-    elseif column and not column.trouble and known_factor(t, quantity, column) then
-      record[quantity] = scaled(column.values, (known_factor(t, quantity, column)))
-    elseif i <= 2 then
-      fail(("read: %s:1: expected a column of the %s, there are %s; give columns={ %s=name or place }"):format(
-        t.file, quantity, table.concat(record.names, ", "), quantity))
+  for i, quantity in ipairs(vocabulary.quantities) do
+    local named = (t.columns or {})[quantity] or (t.units or {})[quantity]
+    local column = find_column(vocabulary, t, file, quantity, i <= 2 or named)
+    if column and (i <= 2 or named) then
+      take(vocabulary, t, record, quantity, column)
+    elseif column and not column.trouble and known_factor(vocabulary, t, quantity, column) then
+      record[quantity] = scaled(column.values, (known_factor(vocabulary, t, quantity, column)))
+    elseif quantity == "force" or quantity == "displacement" and not find_column(vocabulary, t, file, "strain", false) then
+      missing(t, record, quantity)
     end
   end
+  from_strain(t, record)
   return record
 end
 
@@ -165,6 +223,10 @@ define {
     { name = "columns", kind = "table", optional = true,
       sentence = "{displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading" },
     { name = "units", kind = "table", optional = true, sentence = "{displacement='mm', force='N'}; default: those of the headings" },
+    { name = "gauge_length", kind = "number", unit = "m", above = 0, optional = true, sentence = "for a record of strains: the displacement follows" },
+    { name = "width", kind = "number", unit = "m", above = 0, optional = true, sentence = "for a record of forces per width: the force follows" },
+    { name = "vocabulary", kind = "table|text", optional = true,
+      sentence = "words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them" },
     { name = "separator", kind = "text", choices = { "auto", ",", ";", "tab", "blank" }, default = "auto", sentence = "between cells" },
     { name = "decimal", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "decimal sign" },
   },

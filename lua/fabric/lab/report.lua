@@ -1,19 +1,12 @@
 -- The report of a characterisation: overlays of what was measured and what the card gives in simulation, residuals, table, HTML.
 local fabric = require "fabric"
+local curve = require "fabric.lab.curve"
 local lab, u = fabric.lab, fabric.units
+local interpolate, envelope, scaled = curve.interpolate, curve.envelope, curve.scaled
 
 local report = {}
 
--- y at x on the line through the points of a curve (x rising); nil outside.
-local function interpolate(xs, ys, x)
-  local low, high = 1, #xs
-  if x < xs[1] or x > xs[high] then return end
-  while high - low > 1 do
-    local middle = (low + high) // 2
-    if xs[middle] <= x then low = middle else high = middle end
-  end
-  return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
-end
+local names = { "warp", "weft", "shear" }
 
 local function slack_of(part, i) return part.fit.specimens and part.fit.specimens[i] and part.fit.specimens[i].slack or 0 end
 
@@ -61,6 +54,11 @@ local function simulate(result, part, direction)
   local about, E, S = result.about, {}, {}
   local shear = direction == "shear"
   local test = { card = result.card, grips = about.grips or "free", width = about.width, length = about.gauge_length, steps = 120 }
+  if shear and part.without_markers then -- no zones were seen: the curve itself is what was measured
+    local strains = {}
+    for i = 1, 100 do strains[i] = part.fit.tested * i / 100 end
+    return strains, fabric.point(result.card):path({ E12 = strains }, { "S12" }).S12
+  end
   test.path, test.displacement = path_of(part, about.gauge_length, function(measured) return shear and measured.pull.E or measured.E end)
   if shear then
     test.displacement = bias_reach(part, test)
@@ -72,18 +70,6 @@ local function simulate(result, part, direction)
   return E, S
 end
 
--- The points of a curve that no point before has passed: virgin loading.
-local function envelope(E, S)
-  local x, y, largest = {}, {}, -math.huge
-  for i, e in ipairs(E) do
-    if e > largest then
-      largest = e
-      x[#x + 1], y[#y + 1] = e, S[i]
-    end
-  end
-  return x, y
-end
-
 -- Points of a test up to failure as seen from first contact, thinned to a few hundred; virgin loading alone or all.
 local function measured(part, i, all)
   local test, slack = part.tests[i], slack_of(part, i)
@@ -92,8 +78,7 @@ local function measured(part, i, all)
     local last = math.min(branch.last, test.failure or branch.last)
     for k = branch.first, last, math.max(1, #test.E // 600) do
       if all or branch.kind == "loading" then
-        E[#E + 1] = ((1 + 2 * test.E[k]) / (1 + slack) ^ 2 - 1) / 2
-        S[#S + 1] = test.S[k] * (1 + slack)
+        E[#E + 1], S[#S + 1] = curve.from_contact(test.E[k], test.S[k], 1 + slack)
       end
     end
     if last < branch.last then break end
@@ -125,12 +110,6 @@ local function residual(part, E, S)
   return math.sqrt(sum / n) / largest, curves
 end
 
-local function scaled(values, factor)
-  local out = {}
-  for i, v in ipairs(values) do out[i] = v * factor end
-  return out
-end
-
 -- Where specimens yielded or failed, as points of a figure.
 local function marked(part, what)
   local points = { x = {}, y = {}, label = what, style = "points" }
@@ -142,6 +121,21 @@ local function marked(part, what)
   return points
 end
 
+-- The part of the band of the next specimens in which the card's curve is not; nil without a band.
+local function outside_of(spread, E, S)
+  if not spread then return end
+  local out, n = 0, 0
+  E, S = envelope(E, S)
+  for k, e in ipairs(spread.E) do
+    local s = interpolate(E, S, e)
+    if s then
+      n = n + 1
+      if s < spread.next_low[k] or s > spread.next_high[k] then out = out + 1 end
+    end
+  end
+  return n > 0 and out / n or 1
+end
+
 local function overlay(result, name, out)
   local part = result[name]
   local E, S = simulate(result, part, name)
@@ -151,6 +145,12 @@ local function overlay(result, name, out)
     curves[i] = { x = e, y = scaled(s, 1 / u.MPa), label = "specimen " .. i, style = "points" }
   end
   curves[#curves + 1] = { x = E, y = scaled(S, 1 / u.MPa), label = "card, simulated" }
+  if part.spread then
+    for _, side in ipairs { "low", "high" } do
+      curves[#curves + 1] = { x = part.spread.E, y = scaled(part.spread["next_" .. side], 1 / u.MPa), style = "dashed",
+        label = side == "low" and ("%g %% of the next specimens"):format(100 * part.spread.level) or nil }
+    end
+  end
   for _, mark in ipairs { "yield", "failure" } do
     local points = marked(part, mark)
     if #points.x > 0 then curves[#curves + 1] = points end
@@ -164,25 +164,31 @@ local function overlay(result, name, out)
   local rest, differences = residual(part, E, S)
   plot { file = out .. "/" .. name .. "-residual.svg", title = "measured less simulated", curves = differences, xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
     ylabel = "per cent of the peak" }
-  return { files = files, residual = rest }
+  return { files = files, residual = rest, outside = outside_of(part.spread, E, S) }
 end
 
 local function parameters(result)
   local rows = {}
-  local function add(what, unit, value, low, high)
-    rows[#rows + 1] = { what, ("%.4g"):format(value), low and ("%.4g to %.4g"):format(low, high) or "", unit }
+  local provenance = result.card.provenance or {}
+  local function add(what, unit, value, low, high, field)
+    rows[#rows + 1] = { what, ("%.4g"):format(value), low and ("%.4g to %.4g"):format(low, high) or "", unit, provenance[field] or "" }
   end
-  for _, name in ipairs { "warp", "weft", "shear" } do
-    local fit, ratio = result[name].fit, result[name].ratio
+  for _, name in ipairs(names) do
+    local part = result[name] or { fit = { loading = result.card[name].loading, degree = type(result.card[name].loading[1]) == "number" and #result.card[name].loading } }
+    local fit, ratio = part.fit, part.ratio
     local band = fit.band or { low = {}, high = {} }
     for i, d in ipairs(fit.degree and fit.loading or {}) do
-      add(("%s d%d"):format(name, i - 1), "MPa", d / u.MPa, band.low and band.low[i] / u.MPa, band.low and band.high[i] / u.MPa)
+      add(("%s d%d"):format(name, i - 1), "MPa", d / u.MPa, band.low and band.low[i] / u.MPa, band.low and band.high[i] / u.MPa, name .. ".loading")
     end
     local k = fit.degree and fit.degree + 1
     local known = k and band.low and band.low[k]
-    add(name .. " unloading", "MPa", fit.unloading / u.MPa, known and known / u.MPa, known and band.high[k] / u.MPa)
-    if type(ratio) == "table" then add(name .. " ratio", "", ratio.value, ratio.low, ratio.high) end
-    add(name .. " tested to", "", fit.tested)
+    add(name .. " unloading", "MPa", result.card[name].unloading / u.MPa, known and known / u.MPa, known and band.high[k] / u.MPa, name .. ".unloading")
+    if type(ratio) == "table" then
+      add(name .. " ratio", "", ratio.value, ratio.low, ratio.high, name .. ".poisson")
+    elseif name ~= "shear" then
+      add(name .. " ratio", "", result.card[name].poisson, nil, nil, name .. ".poisson")
+    end
+    if fit.tested then add(name .. " tested to", "", fit.tested) end
   end
   return rows
 end
@@ -201,25 +207,54 @@ local function html(result, figures, rows, out)
     "<style>body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;overflow-wrap:anywhere}td,th{padding:.1em .8em;text-align:left}"
       .. "pre{white-space:pre-wrap}svg{max-width:100%;height:auto}</style>",
     "<h1>" .. escaped(result.about.name) .. "</h1><p>" .. escaped(result.card.source) .. "</p>",
-    "<table><tr><th>parameter<th>value<th>95 % band<th>unit</tr>",
   }
+  for _, text in ipairs(report.contradictions(figures)) do parts[#parts + 1] = "<p><b>" .. escaped(text) .. "</b></p>" end
+  parts[#parts + 1] = "<table><tr><th>parameter<th>value<th>95 % band<th>unit<th>from</tr>"
   for _, row in ipairs(rows) do parts[#parts + 1] = "<tr><td>" .. table.concat(row, "<td>") .. "</tr>" end
   parts[#parts + 1] = "</table>"
-  for _, name in ipairs { "warp", "weft", "shear" } do
-    parts[#parts + 1] = ("<h2>%s</h2><p>Residual of the simulated curve: %.2f %% of the peak.</p><pre>%s</pre>"):format(
-      name, 100 * figures[name].residual, escaped(result[name].fit.text or ""))
-    for _, file in ipairs(figures[name].files) do parts[#parts + 1] = (content(file):gsub("^.-<svg", "<svg")) end
+  if #(result.further or {}) > 0 then
+    parts[#parts + 1] = "<h2>What further tests would settle</h2><table><tr><th>now<th>a test that tells<th></tr>"
+    for _, f in ipairs(result.further) do
+      parts[#parts + 1] = ("<tr><td>%s<td>%s<td>%s</tr>"):format(f.field, escaped(f.test), escaped(f.now))
+    end
+    parts[#parts + 1] = "</table>"
+  end
+  for _, name in ipairs(names) do
+    local figure, part = figures[name], result[name]
+    if figure then
+      parts[#parts + 1] = ("<h2>%s</h2><p>Residual of the simulated curve: %.2f %% of the peak. %s</p><pre>%s</pre>"):format(name, 100 * figure.residual,
+        part.spread and escaped(part.spread.text) or "", escaped(part.fit.text or ""))
+      for _, file in ipairs(figure.files) do parts[#parts + 1] = (content(file):gsub("^.-<svg", "<svg")) end
+    end
   end
   parts[#parts + 1] = "<h2>Card check</h2><pre>" .. escaped(tostring(result.card:check())) .. "</pre>"
   local f <close> = assert(io.open(out .. "/report.html", "w"))
   f:write(table.concat(parts, "\n"))
 end
 
+-- A tenth of a curve may lie outside of a band that holds 95 % of the specimens.
+local tolerated = 0.1
+
+-- Texts of the parts whose card the specimens contradict.
+function report.contradictions(figures)
+  local out = {}
+  for _, name in ipairs(names) do
+    local outside = figures[name] and figures[name].outside
+    if outside and outside > tolerated then
+      out[#out + 1] = ("The data contradict the card in %s: over %.0f %% of the strain its curve lies outside of the band in which the next specimen would lie.")
+        :format(name, 100 * outside)
+    end
+  end
+  return out
+end
+
 -- Writes card.lua, the figures and report.html into the folder `out`; returns the residuals by part and the table's rows.
 function report.write(result, out)
   result.card:write(out .. "/card.lua")
   local figures, rows = {}, parameters(result)
-  for _, name in ipairs { "warp", "weft", "shear" } do figures[name] = overlay(result, name, out) end
+  for _, name in ipairs(names) do
+    if result[name] then figures[name] = overlay(result, name, out) end
+  end
   html(result, figures, rows, out)
   return figures, rows
 end

@@ -62,6 +62,15 @@ function sheet.along(tensor, angle)
   return t11 * c * c + t22 * s * s + 2 * t12 * s * c, t11 * s * s + t22 * c * c - 2 * t12 * s * c
 end
 
+-- Units of the columns by the letters that their names begin with; strains have none.
+local units = { { "displacement", "m" }, { "centre", "m" }, { "lowest", "m" }, { "height", "m" }, { "force", "N" }, { "S", "Pa" },
+                { "kinetic", "J" }, { "stored", "J" }, { "dissipated", "J" }, { "damping", "J" }, { "external", "J" }, { "created", "J" } }
+local function unit_of(name)
+  for _, u in ipairs(units) do
+    if name:find("^" .. u[1]) then return u[2] end
+  end
+end
+
 -- Keeps reading(a) of every step, or every so many seconds; with a folder, in curve.csv and a VTK series named `stem` too.
 -- Returns the curve.
 function sheet.observe(a, names, out, stem, reading, every)
@@ -76,11 +85,12 @@ function sheet.observe(a, names, out, stem, reading, every)
   a:every(every or "step", function() curve[#curve + 1] = now() end)
   if fabric.checking() then curve[1] = now() end -- the row of the start, for what a deck does with a curve
   if not out then return curve end
-  local columns = {}
+  local columns, headings = {}, {}
   for _, name in ipairs(names) do
     columns[name] = function() return now()[name] end
+    headings[name] = unit_of(name)
   end
-  a:record(out .. "/curve.csv", { columns = columns, order = names, every = every })
+  a:record(out .. "/curve.csv", { columns = columns, order = names, every = every, units = headings })
   a:vtk(out .. "/" .. stem, { every = every })
   return curve
 end

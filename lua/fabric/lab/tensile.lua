@@ -1,6 +1,8 @@
 -- fabric.lab.tensile: a pull from the file to stress and strain, its branches and marks.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local check = require "fabric.lab.check"
+local outliers = require "fabric.lab.outliers"
 local fail = define.fail
 
 local function largest(values)
@@ -13,9 +15,26 @@ end
 
 local function record_of(t)
   if t.file and t.record then fail "tensile: expected either file or record, got both" end
-  if t.record then return t.record end
+  if t.record then
+    local n, m = check.numbers("tensile", "record.displacement", t.record.displacement), check.numbers("tensile", "record.force", t.record.force)
+    if n ~= m or n == 0 then
+      fail(("tensile: field 'record': expected displacement and force of one length, got %d and %d numbers"):format(n, m))
+    end
+    return t.record
+  end
   if not t.file then fail "tensile: field 'file': expected a file (or record: a table of displacement and force), got nil" end
-  return fabric.lab.read { file = t.file, columns = t.columns, units = t.units }
+  return fabric.lab.read { file = t.file, columns = t.columns, units = t.units, vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width }
+end
+
+-- A rupture stays: the last rows of the loading lie below the part of the peak that counts as failed. A force that comes back was a
+-- reading, or a slip in the grips.
+local last_rows = 5
+local function stays_down(S, kept)
+  local tail, peak = {}, 0
+  for _, s in ipairs(S) do peak = math.max(peak, s) end
+  for i = math.max(1, #S - last_rows + 1), #S do tail[#tail + 1] = S[i] end
+  table.sort(tail)
+  return (tail[(#tail + 1) // 2] or 0) < kept * peak
 end
 
 -- Yield and failure are looked for on the virgin loading, all cycles joined.
@@ -28,7 +47,29 @@ local function mark(test, t)
   end
   test.loading = { first = rows[1], last = rows[#rows] }
   local marks = fabric.lab.marks { E = E, S = S, kept = t.kept, softening = t.softening }
-  test.failure, test.yield = rows[marks.failure], rows[marks.yield]
+  test.failure, test.yield = stays_down(S, t.kept) and rows[marks.failure] or nil, rows[marks.yield]
+end
+
+-- The record without the rows whose force stands alone; which they were.
+local function without_outliers(record, t)
+  local bad = t.outliers ~= "keep" and outliers.find(record.force) or {}
+  if #bad == 0 then return record, bad end
+  local out, is_bad, n = {}, {}, #record.force
+  for _, row in ipairs(bad) do is_bad[row] = true end
+  for name, values in pairs(record) do
+    out[name] = values
+    if type(values) == "table" and #values == n then
+      out[name] = {}
+      for row, value in ipairs(values) do
+        if not is_bad[row] then table.insert(out[name], value) end
+      end
+    end
+  end
+  if t.outliers == "drop" then return out, bad end
+  local first = bad[1]
+  fabric.warn(("tensile: %s%d of %d readings of the force stand alone and are left out (place %d: %.4g N between %.4g and %.4g); outliers='keep' leaves them in")
+    :format(t.file and t.file .. ": " or "", #bad, n, first, record.force[first], record.force[first - 1], record.force[first + 1]))
+  return out, bad
 end
 
 -- A pull counts positive and begins at zero.
@@ -43,7 +84,8 @@ local function check_record(record, t)
       fail(("tensile: %s%s runs from %.4g to %.4g %s: a pull counts positive; change the sign of the record"):format(from, name, low, high, unit))
     end
     local first = values[1]
-    if math.abs(first) > 0.02 * (high - low) then
+    local meant = name == "force" and t.pretension and math.abs(first) <= t.pretension
+    if not meant and math.abs(first) > 0.02 * (high - low) then
       fabric.warn(("tensile: %s%s begins at %.4g %s, of a range of %.4g: take it off with zero=true?"):format(from, name, first, unit, high - low))
     end
   end
@@ -64,6 +106,8 @@ local function tensile(t)
   local record = record_of(t)
   if t.zero then record = zeroed(record) end
   check_record(record, t)
+  local bad
+  record, bad = without_outliers(record, t)
   local peak = record.force[largest(record.force)]
   local test = fabric.lab.reduce {
     displacement = record.displacement, force = record.force, gauge_length = t.gauge_length, width = t.width,
@@ -76,6 +120,7 @@ local function tensile(t)
   test.branches = fabric.lab.branches { displacement = record.displacement, tolerance = t.tolerance or 0.01 * reach }
   mark(test, t)
   if record.strain then test.measured_strain = record.strain end
+  if #bad > 0 then test.outliers = bad end
   return test
 end
 
@@ -86,6 +131,7 @@ define {
     { name = "record", kind = "table", optional = true, sentence = "{displacement=, force=} in SI, instead of a file" },
     { name = "columns", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
+    { name = "vocabulary", kind = "table|text", optional = true, sentence = "as in fabric.lab.read" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
     { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of one ply" },
@@ -93,17 +139,22 @@ define {
     { name = "compliance", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "of frame and load cell" },
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips, over the largest force so far" },
     { name = "zero", kind = "boolean", default = false, sentence = "displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell" },
+    { name = "pretension", kind = "number", unit = "N", above = 0, optional = true,
+      sentence = "a record that begins with a force up to this was meant to, as under the pretension of a standard" },
     { name = "slack", kind = "number|text", unit = "m", choices = { "none", "contact" }, default = "none",
       sentence = "displacement at first contact, or 'contact': found where the force rises above `contact`" },
     { name = "contact", kind = "number", unit = "N", above = 0, optional = true, sentence = "default 1 % of the largest force" },
     { name = "tolerance", kind = "number", unit = "m", above = 0, optional = true,
       sentence = "smallest way back that is a reversal; default 1 % of the largest displacement" },
-    { name = "kept", kind = "number", above = 0, high = 1, default = 0.8, sentence = "failed below this part of the peak" },
+    { name = "kept", kind = "number", above = 0, high = 1, default = 0.8, sentence = "failed below this part of the peak, if the force stays there" },
+    { name = "outliers", kind = "text", choices = { "tell", "drop", "keep" }, default = "tell",
+      sentence = "readings of the force that stand alone (a display that drops a digit): left out and told, left out without a word, or kept" },
     { name = "softening", kind = "number", above = 0, high = 1, default = 0.5,
       sentence = "yielded below this part of the largest tangent" },
   },
   sentence = "A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading "
-    .. "(first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area.",
+    .. "(first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the "
+    .. "record of what was left out, or nil).",
   example = "local t = require 'fabric'.lab.tensile{ record={ displacement={0, 1e-3, 2e-3, 1e-3, 0}, force={0, 2, 5, 1, 0} },\n"
     .. "  gauge_length=0.0762, width=0.0254, thickness=0.38e-3, plies=2 }\n"
     .. "assert(t.branches[2].kind == 'unloading' and t.loading.last == 3 and not t.failure)",

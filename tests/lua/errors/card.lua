@@ -136,3 +136,13 @@ wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ warp={poisson=3}
   "deck.lua:1: model: card 'blend': field 'warp.poisson': expected nu12 nu21 < 1, got 3 x 0.42 = 1.26")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ warp={unloading=1e6} } }",
   "deck.lua:1: model: card 'blend': field 'warp.loading': expected a modulus D not above unloading (1 MPa) up to the tested E11 = 0.2641, got D = 8 MPa at E11 = 0 (P/Du = 0)")
+
+-- provenance of a card
+for _, kind in ipairs { "woven", "svk", "linear" } do
+  wrong("fabric." .. kind, "fabric." .. kind .. "{ density=500, thickness=4e-4, provenance='typed' }",
+    "deck.lua:1: " .. kind .. ": field 'provenance': expected a table, got 'typed'")
+end
+wrong("card:with", "card:with{ provenance={ ['warp.loadign']='typed' } }",
+  "deck.lua:1: with: field 'provenance': unknown field 'warp.loadign', did you mean 'warp.loading'?")
+wrong("card:with", "card:with{ provenance={ ['warp.loading']='guessed' } }",
+  "deck.lua:1: with: field 'provenance': expected words that begin with fitted, measured, copied, typed or assumed for 'warp.loading', got 'guessed'")

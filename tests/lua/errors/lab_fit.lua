@@ -41,6 +41,17 @@ wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=-1 }",
 wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, warp=5 }",
   "deck.lua:1: card: field 'warp': expected a table, got 5")
 
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, assume='yes' }",
+  "deck.lua:1: card: field 'assume': expected a table or true or false, got 'yes'")
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, assume={ ['warp.loadign']={1e6} } }",
+  "deck.lua:1: card: field 'assume': expected warp, weft or shear with .loading, .unloading or (yarns) .poisson, thickness or density, got 'warp.loadign'")
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, warp={ loading={1e6} }, weft={ loading={1e6} }, shear={ loading={1e5} } }",
+  "deck.lua:1: card: field 'warp': expected a ratio in poisson={ warp=, weft= }; give assume=true to take it by rule (share/doc/laboratory.md), or assume={ ['warp.poisson']=... }")
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, weft={ loading={1e6} } }",
+  "deck.lua:1: card: field 'warp': there is no test of it; give assume=true to take it by rule (share/doc/laboratory.md), or assume={ ['warp.loading']=... }")
+wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, assume=true }",
+  "deck.lua:1: card: field 'warp': expected a result of fabric.lab.fit for one direction at least")
+
 -- fabric.lab.fit
 wrong("fabric.lab.fit", "fabric.lab.fit{ tesst={} }",
   "deck.lua:1: fit: unknown field 'tesst', did you mean 'tests'?")
@@ -53,7 +64,7 @@ wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, degree='auot' }",
 wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, degree=0 }",
   "deck.lua:1: fit: field 'degree': expected an integer from 1 to 8 or 'auto' or 'monotone', got 0")
 wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, find_slack='yes' }",
-  "deck.lua:1: fit: field 'find_slack': expected true or false, got 'yes'")
+  "deck.lua:1: fit: field 'find_slack': expected 'either' or true or false, got 'yes'")
 wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, upto='failuer' }",
   "deck.lua:1: fit: field 'upto': expected 'failure' or 'yield', got 'failuer', did you mean 'failure'?")
 wrong("fabric.lab.fit", "fabric.lab.fit{ tests={}, count=2.5 }",
@@ -176,3 +187,33 @@ wrong("fabric.lab.band", "fabric.lab.band{ specimens={ {1, 'x'} } }",
   "deck.lua:1: band: field 'specimens[1]': expected a table of numbers, got 'x' at place 2")
 wrong("fabric.lab.least_squares", "fabric.lab.least_squares{ start={1}, low={0, 1}, high={2}, evaluate=print }",
   "deck.lua:1: least_squares: field 'low': expected low and high for each of 1 parameters")
+
+-- fabric.lab.spread
+wrong("fabric.lab.spread", "fabric.lab.spread{ tesst={} }",
+  "deck.lua:1: spread: unknown field 'tesst', did you mean 'tests'?")
+wrong("fabric.lab.spread", "fabric.lab.spread{ tests=tests_ }",
+  "deck.lua:1: spread: field 'tests': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.spread", "fabric.lab.spread{ tests=5 }",
+  "deck.lua:1: spread: field 'tests': expected a table, got 5")
+wrong("fabric.lab.spread", "fabric.lab.spread{ tests={ {}, {} } }",
+  "deck.lua:1: spread: field 'tests': expected at least 3 specimens, got 2")
+wrong("fabric.lab.spread", "fabric.lab.spread{ tests={}, level='1' }",
+  "deck.lua:1: spread: field 'level': expected a number above 0 to 0.999, got '1'")
+wrong("fabric.lab.spread", "fabric.lab.spread{ tests={}, points=2.5 }",
+  "deck.lua:1: spread: field 'points': expected an integer from 5 to 1000, got 2.5")
+wrong("fabric.lab.spread", "fabric.lab.spread{ tests={}, points=2 }",
+  "deck.lua:1: spread: field 'points': expected an integer from 5 to 1000, got 2")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={ 5 } }",
+  "deck.lua:1: fit: field 'tests[1]': expected a result of fabric.lab.tensile or shear_from_bias, got 5")
+wrong("fabric.lab.fit", "fabric.lab.fit{ tests={ { E={0, 0.1}, S={0} } } }",
+  "deck.lua:1: fit: field 'tests[1]': expected E and S of one length, got 2 and 1 numbers")
+wrong("fabric.lab.backbone", "fabric.lab.backbone{ curves={ {E={0, 0.1}, S={0, 1}} }, degrees={0} }",
+  "deck.lua:1: backbone: field 'degrees': expected whole numbers from 1 to 20, got 0")
+
+-- fabric.lab.student
+wrong("fabric.lab.student", "fabric.lab.student()",
+  "deck.lua:1: student: argument 'probability': expected a number above 0 to below 1, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.student", "fabric.lab.student('x', 4)",
+  "deck.lua:1: student: argument 'probability': expected a number above 0 to below 1, got 'x'")
+wrong("fabric.lab.student", "fabric.lab.student(1, 4)",
+  "deck.lua:1: student: argument 'probability': expected a number above 0 to below 1, got 1")

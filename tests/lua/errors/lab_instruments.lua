@@ -15,6 +15,20 @@ wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={10, 20}, fo
 wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01}, force={1, 2}, width=0.1, length=0.3, thickness=1e-3 }",
   "deck.lua:1: bias_shear: field 'force': expected 1 numbers, one per displacement, got 2")
 
+wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01, 0.02, 0.015}, force={1, 2, 1}, width=0.1, length=0.3, thickness=1e-3 }",
+  "deck.lua:1: bias_shear: field 'displacement': expected rising values, got 0.015 m at place 3 after 0.02: end the record at the reversal, or give cut=true")
+wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01}, force={1}, width=0.1, length=0.3, thickness=1e-3, limit=91 }",
+  "deck.lua:1: bias_shear: field 'limit': expected a number above 0 to 90 in degrees, got 91")
+wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01}, force={1}, width=0.1, length=0.3, thickness=1e-3, cut=1 }",
+  "deck.lua:1: bias_shear: field 'cut': expected true or false, got 1")
+
+wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01}, card='denim', width=0.1, length=0.3 }",
+  "deck.lua:1: bias_shear: field 'card': expected a card, got 'denim'")
+wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01}, width=0.1, length=0.3 }",
+  "deck.lua:1: bias_shear: field 'force': expected either force or card")
+wrong("fabric.lab.bias_shear", "fabric.lab.bias_shear{ displacement={0.01}, force={1}, width=0.1, length=0.3 }",
+  "deck.lua:1: bias_shear: field 'thickness': expected a positive number in m, got nil")
+
 -- fabric.lab.fast
 wrong("fabric.lab.fast", "fabric.lab.fast{ alogn={} }",
   "deck.lua:1: fast: unknown field 'alogn', did you mean 'along'?")

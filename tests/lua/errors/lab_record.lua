@@ -25,6 +25,24 @@ wrong("fabric.lab.branches", "fabric.lab.branches{ displacement={0.01, 0.01}, to
 wrong("fabric.lab.branches", "fabric.lab.branches{ displacement={0.01, 0.01}, tolerance=-1 }",
   "deck.lua:1: branches: field 'tolerance': expected a positive number in m, got -1")
 
+-- fabric.lab.compare
+wrong("fabric.lab.compare", "fabric.lab.compare{ E={0, 1}, S={0, 1} }",
+  "deck.lua:1: compare: argument 'test': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, 5)",
+  "deck.lua:1: compare: argument 'test': expected a table, got 5")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, 5)",
+  "deck.lua:1: compare: argument 'options': expected a table {x, y, slack, all, file, title}, got 5")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { slack='much' })",
+  "deck.lua:1: compare: field 'options.slack': expected a number, got 'much'")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { all=1 })",
+  "deck.lua:1: compare: field 'options.all': expected true or false, got 1")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { title=1 })",
+  "deck.lua:1: compare: field 'options.title': expected a string, got 1")
+wrong("fabric.lab.compare", "fabric.lab.compare({}, {})",
+  "deck.lua:1: compare: field 'measured': expected lists E and S, or displacement and force, as the test has them")
+wrong("fabric.lab.compare", "fabric.lab.compare({ E={2, 3}, S={0, 1} }, { E={0, 1}, S={0, 1} })",
+  "deck.lua:1: compare: expected measured points within the test's E, 0 to 1; they lie at 2 to 3")
+
 -- fabric.lab.density
 wrong("fabric.lab.density", "fabric.lab.density{ mass={0.01, 0.01} }",
   "deck.lua:1: density: field 'area': expected a positive number in m^2, got nil (missing, or a misspelt variable)")
@@ -52,6 +70,9 @@ wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x', rows=2, columns
   "deck.lua:1: photograph: field 'pitch': expected a positive number in pixels, got '1'")
 wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x', rows=2, columns=2, pitch=0.01, radius=0.01, width=2, height=2, F={1, 'two'} }",
   "deck.lua:1: photograph: field 'F': expected a table of numbers, got 'two' at place 2")
+
+wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x.foo', rows=2, columns=2, pitch=10, radius=4, width=100, height=100 }",
+  "deck.lua:1: photograph: field 'file': expected a name ending in .png, got 'x.foo'")
 
 -- fabric.lab.poisson
 wrong("fabric.lab.poisson", "fabric.lab.poisson{ specimesn={} }",
@@ -92,6 +113,19 @@ wrong("fabric.lab.read", "fabric.lab.read{ file='x', columns=5 }",
   "deck.lua:1: read: field 'columns': expected a table {displacement=, force=, time=, strain=}, got 5")
 wrong("fabric.lab.read", "fabric.lab.read{ file='x', separator='auot' }",
   "deck.lua:1: read: field 'separator': expected 'auto' or ',' or ';' or 'tab' or 'blank', got 'auot', did you mean 'auto'?")
+
+wrong("fabric.lab.read", "fabric.lab.read{ file='x', width='1' }",
+  "deck.lua:1: read: field 'width': expected a positive number in m, got '1'")
+wrong("fabric.lab.read", "fabric.lab.read{ file='x', width=0 }",
+  "deck.lua:1: read: field 'width': expected a positive number in m, got 0")
+wrong("fabric.lab.read", "fabric.lab.read{ file='x', vocabulary=5 }",
+  "deck.lua:1: read: field 'vocabulary': expected a table or a string, got 5")
+wrong("fabric.lab.read", "fabric.lab.read{ file='x', vocabulary={ force={ 5 } } }",
+  "deck.lua:1: read: field 'vocabulary': field 'force': expected words, got 5 at place 1")
+wrong("fabric.lab.read", "fabric.lab.read{ file='x', columns={ force=true } }",
+  "deck.lua:1: read: field 'columns.force': expected a heading or a place, got true")
+wrong("fabric.lab.read", "fabric.lab.read{ file='x', units={ load='N' } }",
+  "deck.lua:1: read: field 'units': expected displacement, force, time or strain, got 'load'")
 
 -- fabric.lab.reduce
 wrong("fabric.lab.reduce", "fabric.lab.reduce{ displacemetn={0.01, 0.01} }",
@@ -158,6 +192,11 @@ wrong("fabric.lab.tensile", "fabric.lab.tensile{ gauge_length=0.01, width=0.01, 
   "deck.lua:1: tensile: field 'plies': expected an integer of at least 1, got 2.5")
 wrong("fabric.lab.tensile", "fabric.lab.tensile{ gauge_length=0.01, width=0.01, thickness=0.01, plies=2, slack='noen' }",
   "deck.lua:1: tensile: field 'slack': expected a number in m or 'none' or 'contact', got 'noen', did you mean 'none'?")
+
+wrong("fabric.lab.tensile", "fabric.lab.tensile{ vocabulary=5, gauge_length=0.1, width=0.01, thickness=0.001, plies=1 }",
+  "deck.lua:1: tensile: field 'vocabulary': expected a table or a string, got 5")
+wrong("fabric.lab.tensile", "fabric.lab.tensile{ gauge_length=0.1, width=0.01, thickness=0.001, plies=1, outliers='dorp' }",
+  "deck.lua:1: tensile: field 'outliers': expected 'tell' or 'drop' or 'keep', got 'dorp', did you mean 'drop'?")
 
 -- fabric.lab.track
 wrong("fabric.lab.track", "fabric.lab.track{ filse={} }",

@@ -71,7 +71,7 @@ wrong("analysis:record", "run:record()",
 wrong("analysis:record", "run:record(7)",
   "deck.lua:1: record: argument 'path': expected a string, got 7")
 wrong("analysis:record", "run:record('x', 5)",
-  "deck.lua:1: record: argument 'options': expected a table {every, columns, order}, got 5")
+  "deck.lua:1: record: argument 'options': expected a table {every, columns, order, units}, got 5")
 wrong("analysis:record", "run:record('x', { every='stpe' })",
   "deck.lua:1: record: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
 wrong("analysis:record", "run:record('x', { every=-1 })",
@@ -202,6 +202,12 @@ wrong("analysis:record", "run:record('x.csv', { columns={ t=1 } })",
   "deck.lua:1: record: field 'options.columns': expected name = function(a), got 1")
 wrong("analysis:record", "run:record('x.csv', { columns={ t=print }, order={'u'} })",
   "deck.lua:1: record: field 'options.order': no column 'u'")
+wrong("analysis:record", "run:record('x.csv', { columns={ t=print }, units={ T='s' } })",
+  "deck.lua:1: record: field 'options.units': no column 'T'")
+wrong("analysis:record", "run:record('x.csv', { columns={ t=print }, units={ t=1 } })",
+  "deck.lua:1: record: field 'options.units': expected name = 'unit' or '' for none, got 1 for 't'")
+wrong("analysis:record", "run:record('x.csv', { columns={ t=print }, units={ t='(s)' } })",
+  "deck.lua:1: record: field 'options.units': expected a unit without brackets, got '(s)' for 't'")
 wrong("analysis:record", "run:record('/dev/null/x.csv', { columns={ t=function(a) return a.time end } })",
   "deck.lua:1: record: cannot make the folder '/dev/null': Not a directory")
 wrong("analysis:vtk", "run:vtk '/dev/null/x'",

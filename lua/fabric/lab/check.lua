@@ -1,0 +1,56 @@
+-- What the laboratory's functions ask of the tables they are given, told at the deck's line.
+local fail = require "fabric.define".fail
+local check = {}
+
+-- A list of finite numbers.
+function check.numbers(call, field, list)
+  if type(list) ~= "table" then fail(("%s: field '%s': expected a table of numbers, got %s"):format(call, field, tostring(list))) end
+  for i = 1, #list do
+    local v = list[i]
+    if type(v) ~= "number" or v ~= v or v == math.huge or v == -math.huge then
+      fail(("%s: field '%s': expected finite numbers, got %s at place %d"):format(call, field, tostring(v), i))
+    end
+  end
+  return #list
+end
+
+-- A test: E, S of one length, branches within them.
+function check.test(call, i, test, field)
+  field = field or ("tests[%d]"):format(i)
+  if type(test) ~= "table" then
+    fail(("%s: field '%s': expected a result of fabric.lab.tensile or shear_from_bias, got %s"):format(call, field, tostring(test)))
+  end
+  local n, m = check.numbers(call, field .. ".E", test.E), check.numbers(call, field .. ".S", test.S)
+  if n ~= m or n == 0 then fail(("%s: field '%s': expected E and S of one length, got %d and %d numbers"):format(call, field, n, m)) end
+  if type(test.branches) ~= "table" or #test.branches == 0 then
+    fail(("%s: field '%s.branches': expected a list of {kind=, first=, last=}, got %s"):format(call, field, tostring(test.branches)))
+  end
+  for k, branch in ipairs(test.branches) do
+    local good = type(branch) == "table" and type(branch.kind) == "string" and math.type(branch.first) == "integer" and math.type(branch.last) == "integer"
+      and branch.first >= 1 and branch.last <= n and branch.first <= branch.last + 1
+    if not good then
+      fail(("%s: field '%s.branches': expected {kind=, first=, last=} with rows from 1 to %d at place %d"):format(call, field, n, k))
+    end
+  end
+  for _, mark in ipairs { "failure", "yield" } do
+    local row = test[mark]
+    if row ~= nil and (math.type(row) ~= "integer" or row < 1 or row > n) then
+      fail(("%s: field '%s.%s': expected a row from 1 to %d, got %s"):format(call, field, mark, n, tostring(row)))
+    end
+  end
+end
+
+-- A grid of markers: rows, columns and positions, of which lost ones are not numbers.
+function check.grid(call, field, grid)
+  if type(grid) ~= "table" then fail(("%s: field '%s': expected a result of fabric.lab.tracks, got %s"):format(call, field, tostring(grid))) end
+  for _, name in ipairs { "rows", "columns" } do
+    if not math.tointeger(grid[name]) then
+      fail(("%s: field '%s.%s': expected an integer, got %s"):format(call, field, name, tostring(grid[name])))
+    end
+  end
+  for _, name in ipairs { "x", "y" } do
+    if type(grid[name]) ~= "table" then fail(("%s: field '%s.%s': expected a table of numbers, got %s"):format(call, field, name, tostring(grid[name]))) end
+  end
+end
+
+return check

@@ -1,0 +1,142 @@
+-- fabric.lab.compare: a measured curve beside that of a test, point by point.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local curve = require "fabric.lab.curve"
+local fail = define.fail
+
+local labels = { E = "Green-Lagrange strain E", E12 = "E12", E12_centre = "E12", displacement = "displacement", S = "second Piola-Kirchhoff stress",
+  S12 = "S12", force = "force" }
+local units = { displacement = "mm", S = "MPa", S12 = "MPa", force = "N" }
+
+-- Lists of a measured table, up to failure and in virgin loading alone where its branches say which rows that is.
+local function measured_lists(t, xname, yname)
+  local x, y = t.measured[xname], t.measured[yname]
+  if type(x) ~= "table" or type(y) ~= "table" or #x ~= #y or #x < 2 then
+    fail(("compare: field 'measured': expected lists %s and %s of one length (a result of fabric.lab.tensile, or a record)"):format(xname, yname))
+  end
+  for _, list in ipairs { x, y } do
+    for i, v in ipairs(list) do
+      if type(v) ~= "number" then fail(("compare: field 'measured': expected numbers, got %s at place %d"):format(tostring(v), i)) end
+    end
+  end
+  if t.all or type(t.measured.branches) ~= "table" then return x, y end
+  local out_x, out_y, stop = {}, {}, t.measured.failure or #x
+  for _, branch in ipairs(t.measured.branches) do
+    if branch.kind == "loading" then
+      for i = branch.first, math.min(branch.last, stop) do out_x[#out_x + 1], out_y[#out_y + 1] = x[i], y[i] end
+    end
+  end
+  return out_x, out_y
+end
+
+-- Lists of a test: its curve's rows, or lists like the measured ones.
+local function test_lists(t, xname, yname)
+  local rows = t.test.curve or t.test
+  if type(rows) == "table" and type(rows[1]) == "table" then
+    local x, y = {}, {}
+    for i, row in ipairs(rows) do
+      x[i], y[i] = tonumber(row[xname]), tonumber(row[yname])
+      if not x[i] or not y[i] then
+        fail(("compare: field 'test': expected %s and %s in each row of the curve, row %d has none"):format(xname, yname, i))
+      end
+    end
+    return x, y
+  end
+  local x, y = type(rows) == "table" and rows[xname], type(rows) == "table" and rows[yname]
+  if type(x) ~= "table" or type(y) ~= "table" or #x ~= #y then
+    fail(("compare: field 'test': expected a result of a test with a curve, or lists %s and %s"):format(xname, yname))
+  end
+  return x, y
+end
+
+-- The pair of columns to lay over each other: given, or the first that both have.
+local pairs_of_columns = { { "E", "S" }, { "displacement", "force" } }
+local function columns_of(t)
+  if t.x or t.y then
+    if not (t.x and t.y) then fail "compare: field 'y': expected both x and y, or neither" end
+    return t.x, t.y
+  end
+  local rows = t.test.curve or t.test
+  local first = type(rows) == "table" and (type(rows[1]) == "table" and rows[1] or rows) or {}
+  for _, pair in ipairs(pairs_of_columns) do
+    if t.measured[pair[1]] and t.measured[pair[2]] and first[pair[1]] and first[pair[2]] then return pair[1], pair[2] end
+  end
+  fail "compare: field 'measured': expected lists E and S, or displacement and force, as the test has them"
+end
+
+local function from_slack(t, xname, x, y)
+  if t.slack == 0 then return x, y end
+  local out_x, out_y = {}, {}
+  for i = 1, #x do
+    if xname == "E" then
+      out_x[i], out_y[i] = curve.from_contact(x[i], y[i], 1 + t.slack)
+    else
+      out_x[i], out_y[i] = x[i] - t.slack, y[i]
+    end
+  end
+  return out_x, out_y
+end
+
+local function draw(t, xname, yname, x, y, tx, ty)
+  fabric.plot { file = t.file, title = t.title or "measured and simulated", xlabel = labels[xname] or xname, xunit = units[xname],
+    ylabel = labels[yname] or yname, yunit = units[yname], curves = { { x = x, y = y, label = "measured", style = "points" },
+      { x = tx, y = ty, label = "simulated" } } }
+end
+
+local function compare(measured, test, options)
+  local t = { measured = measured, test = test }
+  for name, value in pairs(options or {}) do t[name] = value end
+  t.slack = t.slack or 0
+  local xname, yname = columns_of(t)
+  local x, y = from_slack(t, xname, measured_lists(t, xname, yname))
+  local tx, ty = test_lists(t, xname, yname)
+  local ex, ey = curve.envelope(tx, ty)
+  local out = { x = {}, measured = {}, simulated = {}, residual = {}, outside = 0, columns = { xname, yname }, slack = t.slack }
+  local peak, squares = 0, 0
+  for _, value in ipairs(y) do peak = math.max(peak, math.abs(value)) end
+  for i = 1, #x do
+    local model = curve.interpolate(ex, ey, x[i])
+    if model then
+      local n = #out.x + 1
+      out.x[n], out.measured[n], out.simulated[n], out.residual[n] = x[i], y[i], model, y[i] - model
+      squares = squares + out.residual[n] ^ 2
+      if not out.largest or math.abs(out.residual[n]) > math.abs(out.largest.residual) then out.largest = { x = x[i], residual = out.residual[n] } end
+    else
+      out.outside = out.outside + 1
+    end
+  end
+  if #out.x == 0 then
+    fail(("compare: expected measured points within the test's %s, %.4g to %.4g; they lie at %.4g to %.4g"):format(xname, ex[1], ex[#ex],
+      math.min(x[1], x[#x]), math.max(x[1], x[#x])))
+  end
+  out.peak, out.rms = peak, math.sqrt(squares / #out.x) / peak
+  out.worst = math.abs(out.largest.residual) / peak
+  out.text = ("%d points, %d outside of the test; measured less simulated: rms %.2f %%, largest %.2f %% of the peak (%s %.4g)"):format(#out.x, out.outside,
+    100 * out.rms, 100 * out.worst, xname, out.largest.x)
+  if t.file then draw(t, xname, yname, x, y, tx, ty) end
+  return out
+end
+
+define {
+  name = "fabric.lab.compare",
+  positional = true,
+  arguments = {
+    { name = "measured", kind = "table", sentence = "result of fabric.lab.tensile or shear_from_bias, or a record with lists of the columns" },
+    { name = "test", kind = "table", sentence = "result of a virtual test (fabric.lab.uniaxial and so on), its curve, or lists likewise" },
+    { name = "options", kind = "fields", optional = true, sentence = "what is laid over each other, and where the figure goes", rows = {
+      { name = "x", kind = "text", optional = true, sentence = "column of both; default E, else displacement" },
+      { name = "y", kind = "text", optional = true, sentence = "column of both; default S, else force" },
+      { name = "slack", kind = "number", optional = true,
+        sentence = "of first contact: a stretch as in fit.specimens[i].slack where x is E, else of the unit of x; default 0" },
+      { name = "all", kind = "boolean", optional = true, sentence = "unloading too; default: virgin loading up to failure" },
+      { name = "file", kind = "text", optional = true, sentence = "of the figure with both curves: .svg, .png or .pdf" },
+      { name = "title", kind = "text", optional = true, sentence = "of the figure" },
+    } },
+  },
+  sentence = "A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less "
+    .. "simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), text.",
+  example = "local lab = require 'fabric'.lab\n"
+    .. "local c = lab.compare({ displacement={0, 1, 2}, force={0, 1.1, 2} }, { displacement={0, 2}, force={0, 2} })\n"
+    .. "assert(#c.x == 3 and math.abs(c.worst - 0.05) < 1e-12 and c.largest.x == 1)",
+  run = compare,
+}

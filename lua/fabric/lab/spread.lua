@@ -1,0 +1,103 @@
+-- fabric.lab.spread: how much specimens differ, and where the next one will lie.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local curve = require "fabric.lab.curve"
+local check = require "fabric.lab.check"
+local fail = define.fail
+
+-- Mean stress of a specimen in each of n equally wide bins of strain up to `reach`, between its rising points where a bin has no row.
+local function binned(points, rising, reach, n)
+  local sum, count, out = {}, {}, {}
+  for i, E in ipairs(points.E) do
+    local k = math.ceil(E / reach * n)
+    if k >= 1 and k <= n then sum[k], count[k] = (sum[k] or 0) + points.S[i], (count[k] or 0) + 1 end
+  end
+  for k = 1, n do out[k] = count[k] and sum[k] / count[k] or curve.interpolate(rising.E, rising.S, (k - 0.5) * reach / n) end
+  return out
+end
+
+-- Mean and standard deviation of the values at place k of some specimens, and how many there are.
+local function moments(values, k, without)
+  local sum, n, squares = 0, 0, 0
+  for i, list in ipairs(values) do
+    if i ~= without and list[k] then sum, n = sum + list[k], n + 1 end
+  end
+  if n < 2 then return sum / n, 0, n end
+  for i, list in ipairs(values) do
+    if i ~= without and list[k] then squares = squares + (list[k] - sum / n) ^ 2 end
+  end
+  return sum / n, math.sqrt(squares / (n - 1)), n
+end
+
+-- Each specimen held out in turn: the part of its points that lies in the prediction band of the others.
+local function left_out(values, n, level)
+  local out = {}
+  for held = 1, #values do
+    local inside, total = 0, 0
+    for k = 1, n do
+      local mean, s, count = moments(values, k, held)
+      local y = values[held][k]
+      if y and count >= 2 then
+        local half = fabric.lab.student(0.5 + level / 2, count - 1) * s * math.sqrt(1 + 1 / count)
+        total = total + 1
+        if math.abs(y - mean) <= half then inside = inside + 1 end
+      end
+    end
+    out[held] = total > 0 and inside / total or 0 / 0
+  end
+  return out
+end
+
+local function spread(t)
+  if #t.tests < 3 then fail(("spread: field 'tests': expected at least 3 specimens, got %d"):format(#t.tests)) end
+  local points, reach = {}, math.huge
+  for i = 1, #t.tests do
+    local test = t.tests[i]
+    check.test("spread", i, test)
+    local loading = curve.loading(test)
+    points[i] = {}
+    points[i].E, points[i].S = curve.envelope(loading.E, loading.S)
+    reach = math.min(reach, points[i].E[#points[i].E] or 0)
+  end
+  if not (reach > 0) then fail "spread: field 'tests': expected specimens that were all stretched" end
+  local values = {}
+  for i, test in ipairs(t.tests) do values[i] = binned(curve.loading(test), points[i], reach, t.points) end
+  local out = { E = {}, S = {}, deviation = {}, low = {}, high = {}, next_low = {}, next_high = {}, level = t.level, reach = reach, specimens = #t.tests }
+  for k = 1, t.points do
+    local mean, s, n = moments(values, k)
+    if n >= 3 then
+      local q, place = fabric.lab.student(0.5 + t.level / 2, n - 1), #out.E + 1
+      out.E[place], out.S[place], out.deviation[place] = (k - 0.5) * reach / t.points, mean, s
+      out.low[place], out.high[place] = mean - q * s / math.sqrt(n), mean + q * s / math.sqrt(n)
+      out.next_low[place], out.next_high[place] = mean - q * s * math.sqrt(1 + 1 / n), mean + q * s * math.sqrt(1 + 1 / n)
+    end
+  end
+  out.left_out = left_out(values, t.points, t.level)
+  local sum = 0
+  for _, part in ipairs(out.left_out) do sum = sum + part end
+  out.coverage = sum / #out.left_out
+  local last = #out.E
+  out.text = ("%d specimens to E = %.3g: at the end %.4g MPa, one specimen differs by %.1f %% (deviation); %g %% of the next specimens lie within %.4g to %.4g "
+    .. "MPa, the mean within %.4g to %.4g; a specimen left out lies in the band of the others with %.0f %% of its points"):format(#t.tests, reach,
+    out.S[last] / 1e6, 100 * out.deviation[last] / out.S[last], 100 * t.level, out.next_low[last] / 1e6, out.next_high[last] / 1e6, out.low[last] / 1e6,
+    out.high[last] / 1e6, 100 * out.coverage)
+  return out
+end
+
+define {
+  name = "fabric.lab.spread",
+  arguments = {
+    { name = "tests", kind = "table", sentence = "three specimens and more: results of fabric.lab.tensile or shear_from_bias" },
+    { name = "level", kind = "number", above = 0, high = 0.999, default = 0.95, sentence = "of confidence" },
+    { name = "points", kind = "integer", low = 5, high = 1000, default = 50, sentence = "bins of strain, equally wide" },
+  },
+  sentence = "How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and "
+    .. "next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), coverage "
+    .. "(their mean), reach, text.",
+  example = "local tests = {}\nfor i, scale in ipairs{ 1, 1.1, 0.95, 1.02 } do\n  local E, S = {}, {}\n"
+    .. "  for k = 1, 100 do E[k] = k/1000; S[k] = scale*1e7*E[k] end\n"
+    .. "  tests[i] = { E=E, S=S, branches={ {kind='loading', first=1, last=100} } }\nend\n"
+    .. "local s = require 'fabric'.lab.spread{ tests=tests }\n"
+    .. "assert(s.next_low[20] < s.low[20] and s.low[20] < s.S[20] and s.coverage > 0.7)",
+  run = spread,
+}
