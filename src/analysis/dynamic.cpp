@@ -7,9 +7,10 @@
 
 #include "analysis/explicit.hpp"
 #include "analysis/implicit.hpp"
-#include "analysis/number.hpp"
 #include "analysis/settings.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::analysis {
 
@@ -114,7 +115,7 @@ assembly::NodalRates Dynamic::initial_rates() const {
     for (const auto n : model_->mesh().set(given.set)) {
       const model::RigidVelocity here = given.at(X[n]);
       const Vec3 v = here.linear + here.spin.cross(X[n] - here.centre);
-      const Vec3 w = here.spin.cross(Eigen::Map<const Vec3>(d.data() + 3 * n));
+      const Vec3 w = here.spin.cross(at(d, n));
       for (int i = 0; i < 3; ++i) {
         rates.x[3 * n + i] = v[i];
         rates.d[3 * n + i] = w[i];

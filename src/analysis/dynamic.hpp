@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "analysis/run.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::analysis {
 
@@ -51,9 +52,7 @@ class Dynamic : public Run {
   double damping_work() const override { return now_.damping_work; }
   double driven_work() const override;
   Vec3 inertia(mesh::Index node) const override;
-  Vec3 velocity(mesh::Index node) const override {
-    return Eigen::Map<const Vec3>(rates().x.data() + 3 * node);
-  }
+  Vec3 velocity(mesh::Index node) const override { return at(rates().x, node); }
   // What the trapezoid makes of gamma, hht: W_ext - W_int - W_damp - change of kinetic energy in a step.
   bool damps() const {
     const bool implicit = options_.scheme == Scheme::implicit_steps;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/number.hpp"
 #include "analysis/step_control.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/ordered_sum.hpp"
 
 namespace fabricsh::analysis {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/number.hpp"
+#include "base/number.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::analysis {
 
@@ -130,7 +131,7 @@ Blame find_blame(assembly::Assembly& assembly, const mesh::Mesh& mesh, const sol
   } else if (last.worst >= 0) {
     blame.node = assembly.node_of_unknown(last.worst);
     blame.rotation = assembly.turns(last.worst);
-    blame.x = Eigen::Map<const Vec3>(x.data() + 3 * blame.node);
+    blame.x = at(x, blame.node);
     about = elements_about(mesh, blame.node);
   }
   blame.inverted = assembly.inverted_element();

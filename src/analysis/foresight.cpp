@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/number.hpp"
+#include "base/number.hpp"
 #include "fabric/check_parts.hpp"
 
 namespace fabricsh::analysis {

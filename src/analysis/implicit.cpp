@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "analysis/newmark.hpp"
-#include "analysis/number.hpp"
 #include "analysis/stiffness_damping.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/ordered_sum.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::analysis {
 
@@ -159,7 +160,7 @@ class Implicit::Problem final : public solver::Problem {
     for (const auto& m : assembly_.freedoms().motions) {
       if (m.component > 2) continue;
       const Vec3 along = assembly_.freedoms().nodes[m.node].frame.row(m.component).transpose();
-      Eigen::Map<Vec3> v(memory.motion.v.x.data() + 3 * m.node), a(memory.motion.a.x.data() + 3 * m.node);
+      auto v = at(memory.motion.v.x, m.node), a = at(memory.motion.a.x, m.node);
       v += ((m.value(time_) - m.value(time_ - h)) / h - v.dot(along)) * along;
       a -= a.dot(along) * along;
     }
@@ -291,10 +292,9 @@ void Implicit::commit(StepReport& report) {
   const auto& rotary = assembly_->rotary_inertia(scaled_);
   const auto old_d = old.subspan(n);
   for (std::size_t k = 0; k < state.nodes(); ++k) {
-    const auto at = [k](std::span<const double> v) { return Eigen::Map<const Vec3>(v.data() + 3 * k); };
-    const Vec3 from = at(old_d), to = at(state.d()), turned = carry(arc(from, to), from, to);
-    damped += damping * rotary[k] * (carry(at(before.v.d), from, to) + at(after.v.d)).dot(turned) / 2;
-    inertia += rotary[k] * (carry(at(before.a.d), from, to) + at(after.a.d)).dot(turned) / 2;
+    const Vec3 from = at(old_d, k), to = at(state.d(), k), turned = carry(arc(from, to), from, to);
+    damped += damping * rotary[k] * (carry(at(before.v.d, k), from, to) + at(after.v.d, k)).dot(turned) / 2;
+    inertia += rotary[k] * (carry(at(before.a.d, k), from, to) + at(after.a.d, k)).dot(turned) / 2;
   }
   // What moves the driven freedoms overcomes their inertia and damping: its own account (see driven_work).
   for (const auto& m : assembly_->freedoms().motions) {
@@ -321,10 +321,7 @@ void Implicit::commit(StepReport& report) {
 
 // Of a driven displacement's direction.
 double Implicit::along(const assembly::DrivenFreedom& m, std::span<const double> v) const {
-  return assembly_->freedoms()
-      .nodes[m.node]
-      .frame.row(m.component)
-      .dot(Eigen::Map<const Vec3>(v.data() + 3 * m.node));
+  return assembly_->freedoms().nodes[m.node].frame.row(m.component).dot(at(v, m.node));
 }
 
 double Implicit::kinetic() const { return free_kinetic() + driven_kinetic(); }

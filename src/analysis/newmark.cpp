@@ -2,14 +2,11 @@
 
 #include <cmath>
 
+#include "tensor/node_view.hpp"
+
 namespace fabricsh::analysis {
 
 namespace {
-
-Eigen::Map<const Vec3> at(std::span<const double> v, std::size_t n) {
-  return Eigen::Map<const Vec3>(v.data() + 3 * n);
-}
-Eigen::Map<Vec3> at(std::vector<double>& v, std::size_t n) { return Eigen::Map<Vec3>(v.data() + 3 * n); }
 
 struct Pair {
   Vec3 v, a;

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "analysis/foresight.hpp"
-#include "analysis/number.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::analysis {
 

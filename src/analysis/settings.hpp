@@ -1,9 +1,9 @@
 // The settings that may change while a run is under way: those that static runs and runs in motion share.
 #pragma once
-#include "analysis/number.hpp"
 #include "analysis/run.hpp"
 #include "base/archive.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::analysis {
 

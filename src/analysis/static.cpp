@@ -5,10 +5,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "analysis/number.hpp"
 #include "analysis/problem.hpp"
 #include "analysis/settings.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::analysis {
 

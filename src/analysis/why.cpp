@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "analysis/failure.hpp"
-#include "analysis/number.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::analysis {
 

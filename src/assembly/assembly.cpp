@@ -6,6 +6,7 @@
 
 #include "assembly/batch.hpp"
 #include "base/error.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::assembly {
 
@@ -24,11 +25,6 @@ Vec3 first_axis(const Vec3& d) {
   if (a2 > a3) j = 2;
   const Vec3 e2 = d.cross(Vec3::Unit(j)).normalized();
   return e2.cross(d);
-}
-
-Eigen::Map<Vec3> at(std::span<double> v, Index n) { return Eigen::Map<Vec3>(v.data() + 3 * n); }
-Eigen::Map<const Vec3> at(std::span<const double> v, Index n) {
-  return Eigen::Map<const Vec3>(v.data() + 3 * n);
 }
 
 // Of the angle whose square is x: cos, sin / angle, (cos - 1) / x. Below x = 0.01, where the steps of
@@ -287,7 +283,7 @@ void Assembly::follower(double time, std::vector<double>& out) const {
 double Assembly::spring_energy() const { return loads_->spring_energy(std::as_const(*state_).x(), X_); }
 
 Vec3 Assembly::director_force(Index node, std::span<const double> on_d) const {
-  const Vec3 internal = at(std::span<const double>(force_d_), node);
+  const Vec3 internal = at(force_d_, node);
   return on_d.empty() ? Vec3(-internal) : Vec3(at(on_d, node) - internal);
 }
 
@@ -345,7 +341,7 @@ double Assembly::rounding_floor(const solver::SparseMatrix& K) const {
 
 Vec3 Assembly::support_force(Index n, std::span<const double> external) const {
   const NodeFreedoms& node = freedoms_.nodes[n];
-  Vec3 f = at(std::span<const double>(force_x_), n) - at(external, n);
+  Vec3 f = at(force_x_, n) - at(external, n);
   if (!led_.empty() && !led_[n].empty()) f += tied_force(n, external);
   f = node.frame * f;
   for (int c = 0; c < 3; ++c)

@@ -4,15 +4,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::assembly {
 
 namespace {
-
-Eigen::Map<const Vec3> at(std::span<const double> v, Index n) {
-  return Eigen::Map<const Vec3>(v.data() + 3 * n);
-}
-Eigen::Map<Vec3> at(std::span<double> v, Index n) { return Eigen::Map<Vec3>(v.data() + 3 * n); }
 
 Mat3 cross_matrix(const Vec3& a) {
   Mat3 m;

@@ -6,15 +6,11 @@
 #include "assembly/assembly.hpp"
 #include "assembly/batch.hpp"
 #include "base/error.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::assembly {
 
 namespace {
-
-Eigen::Map<Vec3> at(std::span<double> v, Index n) { return Eigen::Map<Vec3>(v.data() + 3 * n); }
-Eigen::Map<const Vec3> at(std::span<const double> v, Index n) {
-  return Eigen::Map<const Vec3>(v.data() + 3 * n);
-}
 
 int corners(const std::array<Index, 4>& nodes) { return nodes[3] < 0 ? 3 : 4; }
 
@@ -192,9 +188,9 @@ void Assembly::spread_rates(std::span<const double> rates, std::span<const doubl
     } else {
       for (int c = 0; c < 5; ++c) v[c] = rate(free.equation[c]);
     }
-    at(std::span<double>(out.x), n) = free.frame.transpose() * v.head<3>();
+    at(out.x, n) = free.frame.transpose() * v.head<3>();
     const Vec3 dn = at(d, n), b1 = at(std::as_const(*state_).b1(), n);
-    at(std::span<double>(out.d), n) =
+    at(out.d, n) =
         free.turn_axis ? Vec3(v[3] * free.turn_axis->cross(dn)) : Vec3(v[3] * b1 + v[4] * dn.cross(b1));
   }
 }
@@ -237,7 +233,7 @@ void Assembly::working_forces(std::span<const double> dead, WorkingForces& out) 
   if (loads_->pushes()) loads_->add_follower(loads_->aimed(), s.x(), out.on_x, 1);
   bool turns = false;
   for (const Index n : driven_nodes_) {
-    at(std::span<double>(out.on_x), n) += support_force(n, dead);
+    at(out.on_x, n) += support_force(n, dead);
     turns = turns || freedoms_.nodes[n].turn_axis;
   }
   out.on_d.clear();
@@ -245,8 +241,7 @@ void Assembly::working_forces(std::span<const double> dead, WorkingForces& out) 
   out.on_d.assign(3 * X_.size(), 0);
   if (loads_->on_directors()) loads_->add_director_loads(s.d(), out.on_d);
   for (const Index n : driven_nodes_)
-    if (freedoms_.nodes[n].turn_axis)
-      at(std::span<double>(out.on_d), n) += at(std::span<const double>(force_d_), n);
+    if (freedoms_.nodes[n].turn_axis) at(out.on_d, n) += at(force_d_, n);
 }
 
 void Assembly::keep(Archive& archive) {

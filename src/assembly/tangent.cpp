@@ -5,6 +5,7 @@
 #include "assembly/assembly.hpp"
 #include "assembly/batch.hpp"
 #include "base/error.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::assembly {
 
@@ -181,10 +182,10 @@ void Assembly::scatter_with_care(const Batch& batch, int lane, const double* K, 
 double Assembly::lead_of(Index motion, std::span<const double> lead) const {
   const DrivenFreedom& m = freedoms_.motions[motion];
   if (m.component < 3) return lead[motion];
-  const Eigen::Map<const Vec3> d(std::as_const(*state_).d().data() + 3 * m.node),
-      b1(state_->b1().data() + 3 * m.node);
+  const auto& s = std::as_const(*state_);
+  const Vec3 d = at(s.d(), m.node), b1 = at(s.b1(), m.node);
   const Vec3 rate = freedoms_.nodes[m.node].turn_axis->cross(d);
-  return lead[motion] * rate.dot(m.component == 3 ? Vec3(b1) : Vec3(d.cross(b1)));
+  return lead[motion] * rate.dot(m.component == 3 ? b1 : Vec3(d.cross(b1)));
 }
 
 // One number into K, or through a driven column into the product.

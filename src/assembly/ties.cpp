@@ -6,6 +6,7 @@
 
 #include "assembly/assembly.hpp"
 #include "assembly/batch.hpp"
+#include "tensor/node_view.hpp"
 
 namespace fabricsh::assembly {
 
@@ -13,11 +14,6 @@ namespace {
 
 using element::shell4_dofs;
 using Column = Eigen::Matrix<double, 5, 1>;
-
-Eigen::Map<Vec3> at(std::span<double> v, Index n) { return Eigen::Map<Vec3>(v.data() + 3 * n); }
-Eigen::Map<const Vec3> at(std::span<const double> v, Index n) {
-  return Eigen::Map<const Vec3>(v.data() + 3 * n);
-}
 
 // Second variation of a vector r of a body that turns, exp(theta) r, on a force f: theta . (sym(r f^T) -
 // (r.f) 1) theta.

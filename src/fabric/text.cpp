@@ -1,15 +1,12 @@
 #include "fabric/text.hpp"
 
 #include <cmath>
-#include <cstdio>
+
+#include "base/number.hpp"
 
 namespace fabricsh::fabric {
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
+std::string number(double x) { return fabricsh::number(x, 4); }
 
 std::string pressure(double pa) {
   const double size = std::fabs(pa);
@@ -18,10 +15,6 @@ std::string pressure(double pa) {
   return number(pa) + " Pa";
 }
 
-std::string percent(double ratio) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%", 100 * ratio);
-  return text;
-}
+std::string percent(double ratio) { return fabricsh::number(100 * ratio, 3) + " %"; }
 
 }  // namespace fabricsh::fabric

@@ -4,7 +4,7 @@
 
 namespace fabricsh::fabric {
 
-std::string number(double x);       // "0.3414"
+std::string number(double x);       // "0.3414": four digits
 std::string pressure(double pa);    // "12 MPa", "8 Pa"
 std::string percent(double ratio);  // "59 %"
 

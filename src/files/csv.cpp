@@ -9,10 +9,10 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "files/atomic.hpp"
 #include "files/checksum.hpp"
 #include "files/gate.hpp"
-#include "files/number.hpp"
 
 namespace fabricsh::files {
 
@@ -86,10 +86,6 @@ CsvWriter::CsvWriter(const std::string& path, const std::vector<std::string>& co
     : path_(path), columns_(columns.size()), place_(place) {
   check_columns(path, columns);
   remove_leftovers(path);
-  if (!Gate::of_process().exists(path))
-    throw Error("cannot go on with '" + path +
-                "': the table that the run left is gone; put it back, or run the deck "
-                "without --restart");
   file_ = Gate::of_process().open_to_write(path, O_RDWR | O_APPEND);
   struct stat about {};
   regular_ = is_regular(file_, about);
@@ -110,7 +106,7 @@ void CsvWriter::row(std::span<const double> values) {
     throw Error("table '" + path_ + "': expected " + std::to_string(columns_) + " values in a row, got " +
                 std::to_string(values.size()));
   check_place();
-  append(line_of(values, number));
+  append(line_of(values, full_number));
 }
 
 void CsvWriter::keep(std::size_t n) {

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "files/atomic.hpp"
 #include "files/gnuplot.hpp"
-#include "files/number.hpp"
 
 namespace fabricsh::files {
 
@@ -84,7 +84,7 @@ std::string block(std::size_t index, const Curve& curve) {
   std::string text = "$curve" + std::to_string(index) + " << END_OF_CURVE\n";
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]))
-      text += number(curve.x[i]) + " " + number(curve.y[i]);
+      text += full_number(curve.x[i]) + " " + full_number(curve.y[i]);
     text += "\n";
   }
   return text + "END_OF_CURVE\n";
@@ -157,7 +157,7 @@ void check(const Figure& f) {
 
 std::string axis(const std::string& name, const Axis& a) {
   const auto end = [](const std::optional<double>& value) {
-    return value ? number(*value) : std::string("*");
+    return value ? full_number(*value) : std::string("*");
   };
   return "set " + name + "label " + quoted(a.label) + "\nset " + name + "range [" + end(a.low) + ":" +
          end(a.high) + "]\n" + (a.logarithmic ? "set logscale " + name + "\n" : "");

@@ -1,8 +1,8 @@
 // A mesh as Gmsh 4.1 text. A node belongs to one entity in Gmsh, and sets overlap; so each set is a physical
 // group of points: one entity per set, with a point element at each of its nodes.
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "files/mesh_file.hpp"
-#include "files/number.hpp"
 
 namespace fabricsh::files {
 
@@ -17,7 +17,7 @@ std::string line(std::initializer_list<std::int64_t> numbers) {
 std::int64_t size_of(std::size_t count) { return static_cast<std::int64_t>(count); }
 
 std::string place(const Vec3& x) {
-  return short_number(x.x()) + " " + short_number(x.y()) + " " + short_number(x.z());
+  return exact_number(x.x()) + " " + exact_number(x.y()) + " " + exact_number(x.z());
 }
 
 std::string names(const mesh::Mesh& mesh) {

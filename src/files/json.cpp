@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "files/number.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::files {
 
@@ -109,7 +109,7 @@ void Json::write(std::string& out, std::size_t depth) const {
   else if (const auto* whole = std::get_if<std::int64_t>(&value_))
     out += std::to_string(*whole);
   else if (const auto* real = std::get_if<double>(&value_))
-    out += std::isfinite(*real) ? short_number(*real) : "null";
+    out += std::isfinite(*real) ? exact_number(*real) : "null";
   else if (const auto* string = std::get_if<std::string>(&value_))
     out += quoted(*string);
   else if (const auto* items = std::get_if<Items>(&value_))

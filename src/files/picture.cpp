@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "files/atomic.hpp"
 #include "files/child.hpp"
-#include "files/number.hpp"
 
 namespace fabricsh::files {
 
@@ -53,9 +53,9 @@ std::string picture_text(const Picture& p) {
   std::string text = line("png", p.png);
   for (const Panel& panel : p.panels) text += line("panel", panel.vtu) + line("label", panel.label);
   text += line("columns", std::to_string(p.columns)) + line("title", p.title) + line("array", p.array) +
-          line("component", p.component) + line("factor", number(p.factor)) + line("bar", p.bar);
-  if (p.fixed_range) text += line("low", number(p.low)) + line("high", number(p.high));
-  return text + line("azimuth", number(p.azimuth)) + line("elevation", number(p.elevation)) +
+          line("component", p.component) + line("factor", full_number(p.factor)) + line("bar", p.bar);
+  if (p.fixed_range) text += line("low", full_number(p.low)) + line("high", full_number(p.high));
+  return text + line("azimuth", full_number(p.azimuth)) + line("elevation", full_number(p.elevation)) +
          line("width", std::to_string(p.width)) + line("height", std::to_string(p.height)) +
          line("edges", p.edges ? "1" : "0") + line("axes", p.axes ? "1" : "0");
 }

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "files/gate.hpp"
-#include "files/number.hpp"
 #include "files/source.hpp"
 
 namespace fabricsh::files {
@@ -98,7 +98,7 @@ void PvdSeries::frame(double time, const Grid& grid) {
   const std::string path = frame_path(frames());
   const FileSum file = write_vtu(path, grid, Sync::no, Folder::expect);
   place_.frames.push_back(
-      {"    <DataSet timestep=\"" + short_number(time) + "\" file=\"" + xml(file_name(path)) + "\"/>\n",
+      {"    <DataSet timestep=\"" + exact_number(time) + "\" file=\"" + xml(file_name(path)) + "\"/>\n",
        file});
   try {
     write_index(Folder::expect);

@@ -6,16 +6,13 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::history {
 
 namespace {
 
-std::string text(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.10g", x);
-  return buffer;
-}
+std::string text(double x) { return number(x, 10); }
 
 void require(bool good, const std::string& message) {
   if (!good) throw Error(message);

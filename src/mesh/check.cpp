@@ -9,6 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "base/number.hpp"
 #include "mesh/orientation.hpp"
 
 namespace fabricsh::mesh {
@@ -25,11 +26,7 @@ std::string listed(const char* noun, const std::vector<Index>& ids) {
   return ids.size() > 5 ? text + " and " + std::to_string(ids.size() - 5) + " more" : text;
 }
 
-std::string shown(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
+std::string shown(double x) { return number(x, 4); }
 
 double degrees(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * (180 / std::numbers::pi);

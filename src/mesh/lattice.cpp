@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::mesh {
 
@@ -16,11 +17,7 @@ namespace {
   throw Error(std::string(call) + ": field '" + field + "': expected " + expected + ", got " + got);
 }
 
-std::string shown(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", x);
-  return text;
-}
+std::string shown(double x) { return number(x, 10); }
 
 }  // namespace
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::model {
@@ -82,11 +82,7 @@ mesh::Index farthest(const mesh::Mesh& mesh, const mesh::NodeSet& nodes, const V
   });
 }
 
-std::string metres(double length) {
-  std::ostringstream s;
-  s << length << " m";
-  return s.str();
-}
+std::string metres(double length) { return number(length) + " m"; }
 
 // Partners in b of the nodes of a: the nearest to each one's place after the translation of the centroids.
 mesh::NodeSet partners(const mesh::Mesh& mesh, const Tie& tie) {
