@@ -60,6 +60,58 @@ with("width = 25.4e%-3, ", "")
 refused "laboratory.lua: field 'width': expected a length in m, got nil"
 remove "laboratory.lua"
 refused "laboratory.lua"
+write("laboratory.lua", about)
+
+-- whatever there is makes a card: no bias tests, one direction alone, no markers; what is missing is assumed, and named with its test
+local function without(pattern)
+  for _, name in ipairs(fabric.folder(place)) do
+    if name:find(pattern) then remove(name) end
+  end
+  return folder.reduce(place)
+end
+local function says(result, field, words) assert((result.card.provenance[field] or "nothing"):find(words, 1, true) == 1, field) end
+local part = without "^bias"
+assert(not part.shear and part.card.warp.loading[1] == clean.card.warp.loading[1] and #part.further == 2)
+says(part, "shear.loading", "assumed: straight, 0.09 of")
+assert(part.further[1].field == "shear.loading" and part.further[1].test:find "a bias pull")
+part = without "^weft"
+assert(not part.weft and #part.further == 5)
+says(part, "weft.loading", "assumed: as the warp's")
+part = without "markers"
+says(part, "warp.poisson", "assumed: 0.4")
+says(part, "warp.unloading", "fitted to 2 specimens")
+
+-- three pulls to rupture, and a bias pull without markers
+for i = 1, 3 do
+  local rows = { "Extension (mm),Load (N)" }
+  for k = 0, 200 do rows[#rows + 1] = ("%.5f,%.4f"):format(k * 0.05, (1 + 0.02 * i) * (k * 0.5 + 0.005 * k ^ 2)) end
+  for k = 1, 7 do rows[#rows + 1] = ("%.5f,%g"):format(10 + 0.05 * k, 3 / k) end
+  write("warp-" .. i .. ".csv", table.concat(rows, "\n") .. "\n")
+end
+write("bias-1.csv", "Extension (mm),Load (N)\n0,0\n2,1\n4,1.5\n6,2.2\n8,3\n10,4.1\n12,5.5\n14,7.5\n16,10\n18,14\n20,19\n")
+part = folder.reduce(place)
+assert(part.warp.tests[1].failure == 201 and not part.warp.fit.unloading and part.warp.spread and part.shear.without_markers)
+says(part, "warp.unloading", "assumed: 4 times the steepest tangent")
+says(part, "shear.loading", "fitted to 1 specimen")
+assert(part.card:check().ok and part.shear.fit.tested <= math.sin(math.rad(30)) / 2 + 1e-9)
+local report = require "fabric.lab.report"
+local figures, rows = report.write(part, place .. "/out")
+assert(figures.warp.residual < 0.02 and figures.shear and not figures.weft and #report.contradictions(figures) == 0)
+local html = io.open(place .. "/out/report.html"):read "a"
+for _, words in ipairs { "What further tests would settle", "weft.loading<td>pulls along the weft", "assumed: as the warp's", "specimens to E = " } do
+  assert(html:find(words, 1, true), words)
+end
+local found
+for _, row in ipairs(rows) do found = found or row[1] == "weft ratio" and row[5]:find "^assumed: 0.4" end
+assert(found)
+-- a card that its specimens contradict is said to be one
+local stiff = part.card.warp.loading
+for i, d in ipairs(stiff) do stiff[i] = 2 * d end
+part.card = part.card:with { warp = { loading = stiff, unloading = 2 * part.card.warp.unloading } }
+figures = report.write(part, place .. "/out")
+assert(report.contradictions(figures)[1]:find "^The data contradict the card in warp: over %d+ %% of the strain")
+local ok, message = pcall(folder.reduce)
+assert(not ok and message:find("^" .. arg[0]:gsub("%p", "%%%0") .. ":%d+: laboratory: expected the name of a folder, got nil$"), message)
 assert(os.execute("rm -r '" .. place .. "'"))
 
 -- One replicate of four that only loads: the loading keeps its band, the unloading that of the three others.

@@ -103,7 +103,8 @@ local decides, systematic = 0.9, 0.5
 local function either(t, curves)
   local with, with_text = polynomial(t, curves, true)
   local without, text = polynomial(t, curves, false)
-  if not (with and without) then return with or without, with and with_text or text end
+  if not with then return without, text end
+  if not without then return with, with_text .. "\nthere was slack: without it no polynomial has a positive tangent" end
   local r1, r0 = residual_of(with), residual_of(without)
   local best, other = without, with
   if r1 < decides * r0 then best, other, text = with, without, with_text end
@@ -115,24 +116,23 @@ local function either(t, curves)
   return best, text .. line .. "nothing tells which is right" .. (beside and ", the band holds both" or ""), beside
 end
 
--- A polynomial whose mean misses the toe (the first fifth of the strain) by more than a seventh of the stress there, and by more than the
--- scatter explains, does not see it.
-local toe, missed, sure = 0.2, 0.15, 4
+-- The part of the stress in the toe (the first fifth of the strain) by which a polynomial misses it, where that is more than a seventh and more
+-- than the noise, which neighbouring residuals show: the polynomial does not see such a toe. Nil where it does.
+local toe, missed = 0.2, 0.15
 local function misses_toe(chosen, curves)
   local worst = 0
   for i, points in ipairs(curves) do
     local specimen = chosen.specimens[i]
     local seen = residuals(points, specimen)
-    local sum, squares, level, n = 0, 0, 0, 0
+    local squares, steps, level, n = 0, 0, 0, 0
     for k, e in ipairs(seen.E) do
       if e < toe * specimen.reach then
-        sum, squares, level, n = sum + seen.rest[k], squares + seen.rest[k] ^ 2, level + seen.S[k], n + 1
+        squares, level, n = squares + seen.rest[k] ^ 2, level + seen.S[k], n + 1
+        steps = steps + (k > 1 and (seen.rest[k] - seen.rest[k - 1]) ^ 2 / 2 or 0)
       end
     end
-    if n >= 5 then
-      local mean = sum / n
-      local deviation = math.sqrt(math.max(0, squares / n - mean ^ 2) / n)
-      if math.abs(mean) > sure * deviation then worst = math.max(worst, math.abs(mean) * n / math.abs(level)) end
+    if n >= 5 and squares > 2 * steps then -- more of it is alike than is noise
+      worst = math.max(worst, math.sqrt((squares - steps) / n) * n / math.abs(level))
     end
   end
   return worst > missed and worst or nil

@@ -167,6 +167,11 @@ local function overlay(result, name, out)
   return { files = files, residual = rest, outside = outside_of(part.spread, E, S) }
 end
 
+-- What stands in the place of a fit where there was no test.
+local function assumed_fit(part)
+  return { loading = part.loading, degree = type(part.loading[1]) == "number" and #part.loading or nil }
+end
+
 local function parameters(result)
   local rows = {}
   local provenance = result.card.provenance or {}
@@ -174,9 +179,9 @@ local function parameters(result)
     rows[#rows + 1] = { what, ("%.4g"):format(value), low and ("%.4g to %.4g"):format(low, high) or "", unit, provenance[field] or "" }
   end
   for _, name in ipairs(names) do
-    local part = result[name] or { fit = { loading = result.card[name].loading, degree = type(result.card[name].loading[1]) == "number" and #result.card[name].loading } }
-    local fit, ratio = part.fit, part.ratio
-    local band = fit.band or { low = {}, high = {} }
+    local fit, ratio = assumed_fit(result.card[name]), nil
+    if result[name] then fit, ratio = result[name].fit, result[name].ratio end
+    local band = fit.band or {}
     for i, d in ipairs(fit.degree and fit.loading or {}) do
       add(("%s d%d"):format(name, i - 1), "MPa", d / u.MPa, band.low and band.low[i] / u.MPa, band.low and band.high[i] / u.MPa, name .. ".loading")
     end

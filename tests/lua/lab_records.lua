@@ -1,0 +1,200 @@
+-- Records as frames of other countries write them, readings that stand alone, toes, specimens that differ, and a measured curve beside a simulated one.
+local fabric = require "fabric"
+local lab = fabric.lab
+local draw = require "fabric.lab.random" (17)
+local said = {}
+fabric.warn = function(words) said[#said + 1] = words end
+
+local function close(got, want, relative, what)
+  assert(math.abs(got - want) <= relative * math.abs(want), ("%s: %g, want %g"):format(what or "value", got, want))
+end
+local function fails(words, f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
+end
+local function read(text, more)
+  local path = os.tmpname() .. ".csv"
+  local f <close> = assert(io.open(path, "w"))
+  f:write(text)
+  f:flush()
+  local t = { file = path }
+  for k, v in pairs(more or {}) do t[k] = v end
+  local ok, record = pcall(lab.read, t)
+  os.remove(path)
+  if not ok then error(record, 0) end
+  return record
+end
+
+-- Zwick, Instron, Shimadzu, Mesdan, in their languages, as UTF-8, Latin 1 and Shift-JIS
+for _, heading in ipairs {
+  "Pr\u{fc}fzeit;Standardweg;Standardkraft\ns;mm;N", "Pr\xfcfzeit;Weg;Kraft\ns;mm;N", "Zeit (s);Verl\u{e4}ngerung (mm);Pr\u{fc}fkraft (N)",
+  "Tempo (s);Spostamento (mm);Forza (N)", "tempo [s];Allungamento [mm];Carico [N]", "Czas [s];Przemieszczenie [mm];Si\u{142}a [N]",
+  "CZAS (s);WYD\u{141}U\u{17b}ENIE (mm);OBCI\u{104}\u{17b}ENIE (N)", "Temps (s);Allongement (mm);Charge (N)",
+  "\u{6642}\u{9593};\u{5909}\u{4f4d};\u{8a66}\u{9a13}\u{529b}\nsec;mm;N", "\u{6642}\u{9593}(\u{79d2});\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}(mm);\u{8377}\u{91cd}(N)",
+  "\x8e\x9e\x8a\xd4;\x83X\x83g\x83\x8d\x81[\x83N;\x8e\x8e\x8c\xb1\x97\xcd\nsec;mm;N", "Time (sec);Stroke (mm);Force (N)",
+} do
+  local r = read(heading .. "\n0;0;0\n1;2,5;3,5\n2;5;7\n")
+  assert(r.time[2] == 1 and math.abs(r.displacement[2] - 2.5e-3) < 1e-18 and r.force[2] == 3.5, heading)
+end
+
+-- strains alone, forces per width
+local r = read("Elongation (%),Load (N/5cm)\n0,0\n2,100\n4,210\n", { gauge_length = 0.2, width = 0.03 })
+close(r.displacement[2], 4e-3, 1e-15)
+close(r.force[2], 60, 1e-15)
+assert(r.from_strain and math.abs(r.strain[2] - 0.02) < 1e-17)
+fails("a strain but no displacement: expected field 'gauge_length' in m", read, "Dehnung (%),Kraft (N)\n0,0\n2,100\n4,210\n")
+fails("column 'Load' is a force per width: expected field 'width' of the specimen in m", read, "Extension (mm),Load (N/mm)\n0,0\n2,100\n4,210\n")
+-- the extension in mm is the displacement, the one in per cent the strain
+r = read "Extension (%),Extension (mm),Load (N)\n0,0,0\n2,4,100\n4,8,210\n"
+assert(r.displacement[3] == 8e-3 and math.abs(r.strain[3] - 0.04) < 1e-17)
+
+-- words of one's own, from a table or a file, go before those of the house
+local mine = { displacement = { "hub" }, force = { "zug" }, units = { force = { dyn = 1e-5 }, displacement = { furlong = 201.168 } } }
+r = read("Zugweg,hub (furlong),zug (dyn)\n9,0,0\n9,2,3\n9,4,5\n", { vocabulary = mine, columns = { force = 3 } })
+close(r.displacement[2], 402.336, 1e-15)
+close(r.force[3], 5e-5, 1e-15)
+local file = os.tmpname() .. ".lua"
+do
+  local f <close> = io.open(file, "w")
+  f:write "return { displacement = { 'hub' }, force = { 'zug' } }"
+end
+assert(read("Hub (mm),Zug (N)\n0,0\n2,3\n4,5\n", { vocabulary = file }).force[3] == 5)
+do
+  local f <close> = io.open(file, "w")
+  f:write "return os.getenv 'HOME'"
+end
+fails("expected 'return { force={...}, ... }'", read, "Hub (mm),Zug (N)\n0,0\n2,3\n4,5\n", { vocabulary = file })
+os.remove(file)
+fails("expected displacement, force, time, strain or units, got 'load'", read, "Hub (mm),Zug (N)\n0,0\n2,3\n", { vocabulary = { load = { "zug" } } })
+fails("field 'units.force': expected a positive number for each unit, got dyn = -1", read, "Hub (mm),Zug (N)\n0,0\n2,3\n",
+  { vocabulary = { units = { force = { dyn = -1 } } } })
+
+-- A pull S = 8 MPa E + 400 MPa E^2 read off a display that now and then shows another digit, alone or for some rows.
+local size = { gauge_length = 0.1, width = 0.02, thickness = 1e-3, plies = 1 }
+local function tensile(record, more)
+  local t = { record = record }
+  for k, v in pairs(size) do t[k] = v end
+  for k, v in pairs(more or {}) do t[k] = v end
+  return lab.tensile(t)
+end
+local function pull(n, slack, scale)
+  local record = { displacement = {}, force = {} }
+  for i = 0, n do
+    local u = 0.02 * i / n
+    local e = math.max(0, (u - (slack or 0)) / (0.1 + (slack or 0)))
+    local E = e + e ^ 2 / 2
+    record.displacement[i + 1] = u
+    record.force[i + 1] = (scale or 1) * (8e6 * E + 4e8 * E ^ 2) * 2e-5 * (1 + e) + 0.02 * draw.normal()
+  end
+  return record
+end
+local clean = pull(600)
+said = {}
+assert(not tensile(clean).outliers and #said == 0)
+local dropped = { displacement = clean.displacement, force = table.move(clean.force, 1, #clean.force, 1, {}) }
+local wrong = { 200, 301, 302, 303, 304, 450, 451, 580 }
+for _, row in ipairs(wrong) do dropped.force[row] = dropped.force[row] / 10 end
+local test = tensile(dropped)
+assert(#said == 1 and said[1]:find("8 of 601 readings of the force stand alone and are left out (place 200: ", 1, true), said[1])
+assert(#test.outliers == #wrong and #test.E == 601 - #wrong and #test.force == #test.E)
+for i, row in ipairs(wrong) do assert(test.outliers[i] == row) end
+assert(not tensile(dropped, { outliers = "drop" }).failure and #said == 1)
+assert(#tensile(dropped, { outliers = "keep" }).E == 601)
+-- none of it is found in a rupture, a reversal, or a hold in which the force falls
+local turned = { displacement = {}, force = {} }
+for i = 1, 450 do
+  local row = i <= 400 and i or 800 - i
+  turned.displacement[i], turned.force[i] = clean.displacement[row], i <= 400 and clean.force[row] or clean.force[400] - 3 * (clean.force[400] - clean.force[row])
+end
+assert(not tensile(turned).outliers)
+local broken = { displacement = clean.displacement, force = table.move(clean.force, 1, #clean.force, 1, {}) }
+for i = 500, 601 do broken.force[i] = 0.1 * clean.force[499] + 0.02 * draw.normal() end
+test = tensile(broken)
+assert(not test.outliers and test.failure == 499, test.failure)
+-- a force that falls and comes back is no rupture
+local slipped = { displacement = clean.displacement, force = table.move(clean.force, 1, #clean.force, 1, {}) }
+for i = 500, 560 do slipped.force[i] = 0.6 * clean.force[i] end
+assert(not tensile(slipped).failure)
+
+-- The toe: slack that is there is found; what is no polynomial leaves it open, and the band holds both answers.
+local function tests_of(slack)
+  local tests = {}
+  for i = 1, 3 do tests[i] = tensile(pull(200, slack and slack + 2e-4 * i, 1 + 0.02 * draw.normal())) end
+  return tests
+end
+local found = lab.fit { tests = tests_of(1e-3), find_slack = "either" }
+assert(found.text:find "there was slack" and found.specimens[1].slack > 5e-3, found.text)
+local open = {}
+for i = 1, 3 do
+  local record = pull(200)
+  for k, u in ipairs(record.displacement) do record.force[k] = (60 + 0.2 * i) * (u / 0.02) ^ 0.7 * (1 - math.exp(-(u / 1.5e-3) ^ 2)) end -- no quartic
+  open[i] = tensile(record)
+end
+local without, with = lab.fit { tests = open, degree = 4 }, lab.fit { tests = open, degree = 4, find_slack = true }
+local either = lab.fit { tests = open, degree = 4, find_slack = "either" }
+assert(either.text:find "nothing tells which is right, the band holds both", either.text)
+for _, D in ipairs { without.loading[1], with.loading[1] } do assert(either.band.low[1] <= D and D <= either.band.high[1]) end
+local scattered = lab.fit { tests = { tensile(pull(200, 0, 0.7)), tensile(pull(200, 0, 1)), tensile(pull(200, 0, 1.3)) } }
+assert(scattered.text:find "D%(0%) is loosely determined: [%d.]+ MPa, " and scattered.loose, scattered.text)
+assert(not lab.fit({ tests = { tensile(pull(200)), tensile(pull(200)) }, degree = 2 }).loose)
+-- a curve that is straight for long and then steep is no quartic at its toe: measured points instead
+local late = {}
+for i = 1, 3 do
+  local record = pull(200)
+  for k, u in ipairs(record.displacement) do record.force[k] = (1 + 0.01 * i) * (1000 * u + 1e-3 * math.exp(600 * u)) end
+  late[i] = tensile(record)
+end
+local points = lab.fit { tests = late, find_slack = "either" }
+assert(points.text:find "misses the toe by %d+ %% of the stress there: a monotone curve instead" and type(points.loading[1]) == "table", points.text)
+
+-- How specimens differ: with four and more of them the band of the others holds one left out 95 times in 100.
+local inside, n = 0, 0
+for trial = 1, 60 do
+  local tests = {}
+  for i = 1, 5 do
+    local E, S, scale = {}, {}, 1 + 0.05 * draw.normal()
+    for k = 1, 60 do E[k], S[k] = k / 500, scale * 1e7 * k / 500 end
+    tests[i] = { E = E, S = S, branches = { { kind = "loading", first = 1, last = 60 } } }
+  end
+  local s = lab.spread { tests = tests, points = 10 }
+  inside, n = inside + s.coverage, n + 1
+  if trial == 1 then
+    local sum, squares = 0, 0
+    for _, t in ipairs(tests) do sum = sum + t.S[60] / 5 end
+    for _, t in ipairs(tests) do squares = squares + (t.S[60] - sum) ^ 2 / 4 end
+    local relative = math.sqrt(squares) / sum
+    close(s.deviation[10] / s.S[10], relative, 1e-12, "deviation")
+    close((s.high[10] - s.S[10]) / s.S[10], 2.776445 * relative / math.sqrt(5), 1e-6, "band of the mean")
+    close((s.next_high[10] - s.S[10]) / s.S[10], 2.776445 * relative * math.sqrt(1.2), 1e-6, "band of the next")
+  end
+end
+assert(math.abs(inside / n - 0.95) < 0.03, inside / n) -- 300 left out: two standard errors
+
+-- A measured curve beside a test's: slack, points between, residuals, a figure.
+local card = fabric.card "blend"
+local run = lab.uniaxial { card = card, direction = "warp", grips = "free", steps = 40 }
+local slack = 0.01
+local measured = { E = {}, S = {} }
+for i = 1, 50 do
+  local E = 0.25 * i / 50
+  local S = 8e6 * E + 413e6 * E ^ 2
+  measured.E[i], measured.S[i] = ((1 + 2 * E) * (1 + slack) ^ 2 - 1) / 2, 1.02 * S / (1 + slack)
+end
+local figure = os.tmpname() .. ".svg"
+local c = lab.compare(measured, run, { slack = slack, file = figure, title = "warp" })
+os.remove(figure)
+assert(#c.x == 50 and c.outside == 0 and c.columns[1] == "E")
+close(c.worst, 0.02 / 1.02, 0.01, "largest residual") -- between the test's points
+close(c.residual[50], 0.02 / 1.02 * measured.S[50] * (1 + slack), 0.02, "residual")
+assert(c.text:find "50 points, 0 outside of the test; measured less simulated: rms", c.text)
+local own = lab.compare({ displacement = { 0, 0.01, 0.03 }, force = { 0, run.curve[20].force, 5 } }, run.curve)
+assert(own.columns[1] == "displacement" and own.outside == 1)
+fails("expected measured points within the test's E", lab.compare, { E = { 2, 3 }, S = { 1, 2 } }, run)
+
+-- The force of a card by the kinematics of a bias pull is the inverse of the shear from a force.
+local d = {}
+for i = 1, 100 do d[i] = 0.03 * i / 100 end
+local made = lab.bias_shear { displacement = d, card = card, width = 0.1, length = 0.3, limit = 60 }
+local back = lab.bias_shear { displacement = d, force = made.force, width = 0.1, length = 0.3, thickness = card.thickness, limit = 60 }
+local S12 = fabric.point(card):path({ E12 = back.E12 }, { "S12" }).S12
+for i = 10, 100 do close(back.S12[i], S12[i], 2e-3, "shear at place " .. i) end -- half angles between rows
