@@ -246,6 +246,7 @@ Mechanism find_mechanism(const model::Model& model, const assembly::Assembly& as
   for (const Mode& mode : free)
     for (const double time : times) look_at_loads(motions, assembly, mode, time, found);
   if (free.size() == 1) found.words = motions.words(free.front());
+  found.ways = static_cast<int>(free.size());
   if (free.size() > 1) found.words = "move as a whole in " + std::to_string(free.size()) + " ways";
   return found;
 }

@@ -23,6 +23,7 @@ std::string bending_warning(const model::Model& model, const assembly::Assembly&
 // The ways in which the sheet can move as a rigid body, as its supports and springs let it.
 struct Mechanism {
   std::string words;    // "turn about the line through (0, 0.1, 0) m along (1, 0, 0)"; empty: there is none
+  int ways = 0;         // in how many
   bool driven = false;  // do the loads of a time do work on it
   // A small support against it: N/m along a global axis, 0 x to 2 z, in all; it yields by half the sheet's
   // size under all of the load.

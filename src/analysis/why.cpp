@@ -95,6 +95,11 @@ std::string switch_text(const Failure& f) {
 
 void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
   const auto& m = f.mechanism;
+  if (m.ways > 1) {  // no single support takes them away
+    all.push_back("supports that leave no part free (they leave the sheet free to " + m.words +
+                  "), or fabric.dynamic with damping");
+    return;
+  }
   std::string support = "a support that takes it away";
   if (m.driven) {
     std::ostringstream stiffness;

@@ -179,7 +179,7 @@ std::vector<Entry> rows() {
        Style::property,
        {},
        "The mesh of its model, as it was before the run.",
-       sample_run() + "assert(#a.mesh.nodes == #a:field 'displacement')",
+       sample_run() + "assert(#a.mesh.elements == #a:field 'E11')",
        mesh_of_run},
   };
 }

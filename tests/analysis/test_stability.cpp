@@ -35,6 +35,7 @@ TEST_CASE("a strut's tangent has no negative pivot below Euler's load, one above
     int notices = 0;
     std::string said;
     auto sink = std::make_shared<Notices>([&](const std::string& text) {
+      if (text.find("pivot") == std::string::npos) return;
       ++notices;
       said = text;
     });
