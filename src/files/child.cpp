@@ -1,5 +1,6 @@
 #include "files/child.hpp"
 
+#include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -47,7 +48,8 @@ std::string words(std::FILE* file) {
   return text;
 }
 
-// 0 or the system's reason; the child's number.
+// 0 or the system's reason; the child's number. It leads a group of its own, so that Ctrl-C at the terminal
+// comes to us alone and who runs under it goes when it is told to.
 int spawn(const std::vector<std::string>& arguments, std::FILE* input, std::FILE* out, std::FILE* said,
           pid_t& child) {
   posix_spawn_file_actions_t actions;
@@ -59,7 +61,11 @@ int spawn(const std::vector<std::string>& arguments, std::FILE* input, std::FILE
   std::vector<char*> pointers;
   for (std::string& word : copies) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  const int reason = posix_spawnp(&child, pointers[0], &actions, nullptr, pointers.data(), environ);
+  posix_spawnattr_t group;
+  posix_spawnattr_init(&group);
+  posix_spawnattr_setflags(&group, POSIX_SPAWN_SETPGROUP);
+  const int reason = posix_spawnp(&child, pointers[0], &actions, &group, pointers.data(), environ);
+  posix_spawnattr_destroy(&group);
   posix_spawn_file_actions_destroy(&actions);
   return reason;
 }
@@ -77,8 +83,12 @@ ChildResult run_child(const std::vector<std::string>& arguments, const std::stri
   if (reason == ENOENT) return {false, false, {}, {}};
   if (reason == 0) {
     const CountedChild counted(child);
-    while (waitpid(child, &status, 0) < 0)
-      if (errno != EINTR) reason = errno;
+    while (reason == 0 && waitpid(child, &status, 0) < 0) {
+      if (errno != EINTR)
+        reason = errno;
+      else
+        kill(-child, SIGTERM);  // a signal that is for us: whoever sent it waits for no picture
+    }
   }
   if (reason != 0)
     throw Error(who + ": " + arguments[0] + " does not start: " + std::generic_category().message(reason));

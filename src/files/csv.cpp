@@ -86,6 +86,10 @@ CsvWriter::CsvWriter(const std::string& path, const std::vector<std::string>& co
     : path_(path), columns_(columns.size()), place_(place) {
   check_columns(path, columns);
   remove_leftovers(path);
+  if (!Gate::of_process().exists(path))
+    throw Error("cannot go on with '" + path +
+                "': the table that the run left is gone; put it back, or run the deck "
+                "without --restart");
   file_ = Gate::of_process().open_to_write(path, O_RDWR | O_APPEND);
   struct stat about {};
   regular_ = is_regular(file_, about);

@@ -26,7 +26,7 @@ void check_csv(const std::string& text) {
   std::string line;
   std::getline(lines, line);
   const auto commas = std::count(line.begin(), line.end(), ',');
-  REQUIRE(line.starts_with("time,"));
+  REQUIRE(line.starts_with("time (s),"));
   while (std::getline(lines, line)) {
     REQUIRE(std::count(line.begin(), line.end(), ',') == commas);
     const char* at = line.c_str();
