@@ -187,7 +187,7 @@ std::vector<std::string> advice(const Failure& f) {
   advise_on_tangent(f, all);
   if (!f.tries.empty()) advise_on_iterations(f, all);
   advise_on_cloth(f, all);
-  if (!f.mechanism.driven && !f.mechanism.words.empty()) advise_on_mechanism(f, all);
+  if (!f.mechanism.driven && f.mechanism.ways == 1) advise_on_mechanism(f, all);
   if (all.empty())
     all.push_back(f.dynamic ? "a smaller step, or scheme=\"explicit\""
                             : "a smaller step, more max_cuts, stabilise=true, or method=\"either\"");

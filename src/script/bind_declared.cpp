@@ -23,18 +23,18 @@ struct Declared {
 
 void add_word(std::string& words, const std::string& more) { words += (words.empty() ? "" : ", ") + more; }
 
-std::string history_words(const model::History& h) {
-  if (h.is_constant()) return brief_number(h.value(0));
+std::string history_words(const model::History& h, const std::string& unit) {
+  if (h.is_constant()) return brief_number(h.value(0)) + " " + unit;
   if (h.kinks().empty()) return "function of time";
-  return brief_number(h.value(h.kinks().front())) + " to " + brief_number(h.value(h.kinks().back())) +
-         " at " + brief_number(h.kinks().back()) + " s";
+  return brief_number(h.value(h.kinks().front())) + " to " + brief_number(h.value(h.kinks().back())) + " " +
+         unit + " at " + brief_number(h.kinks().back()) + " s";
 }
 
 std::string component_words(const model::Components& components, const std::string& unit) {
   std::string words;
   for (std::size_t i = 0; i < 3; ++i)
-    if (components[i]) add_word(words, std::string(axes[i]) + " " + history_words(*components[i]));
-  return words + " " + unit;
+    if (components[i]) add_word(words, std::string(axes[i]) + " " + history_words(*components[i], unit));
+  return words;
 }
 
 std::string oblique(const Mat3& frame) {
@@ -67,7 +67,7 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
     all.push_back({"move", s.set, component_words(s.displacement, "m") + oblique(s.frame)});
   for (const auto& t : m.turns())
     all.push_back({"turn", t.set,
-                   history_words(t.angle) + " degrees about " + vector_words(t.axis) +
+                   history_words(t.angle, "degrees") + " about " + vector_words(t.axis) +
                        (t.centre ? " through " + vector_words(*t.centre) : "")});
   for (const auto& s : m.springs()) {
     std::string words;
@@ -91,7 +91,7 @@ void add_loads(const Model& m, std::vector<Declared>& all) {
     all.push_back({"moment", f.set, component_words(f.total, "N m") + oblique(f.frame)});
   for (const auto& t : m.tractions())
     all.push_back({"traction", t.set, component_words(t.intensity, "N/m^2 or N/m") + oblique(t.frame)});
-  for (const auto& p : m.pressures()) all.push_back({"pressure", p.set, history_words(p.value) + " Pa"});
+  for (const auto& p : m.pressures()) all.push_back({"pressure", p.set, history_words(p.value, "Pa")});
   if (m.gravity()[0] || m.gravity()[1] || m.gravity()[2])
     all.push_back({"gravity", "all", component_words(m.gravity(), "m/s^2")});
   for (const auto& v : m.velocities()) {
