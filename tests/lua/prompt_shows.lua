@@ -76,7 +76,7 @@ static: the ledger's error is 5.78883 % of the external work at time 0.75 s, aft
   fix   all     z rotation
   fix   bottom  x y
   fix   top     x
-  move  top     y 0 to 0.018 at 1 s m]] },
+  move  top     y 0 to 0.018 m at 1 s]] },
   { "a.model, a.mesh", "<model: rectangle 1x3, 8 nodes, 3 elements; card blend, 0.38 mm, 224.2 g/m2; warp 90 degrees; 1 thickness point; "
     .. "3 supports, 1 motion, no loads>\t<mesh 1x3, 8 nodes, 25.4 x 76.2 mm>" },
   { "{ 'a\\nb', ('x'):rep(99) }", '{"a b", "' .. ("x"):rep(57) .. '..."}' },
