@@ -66,7 +66,7 @@ end
 refused("a pipe", "not a regular file", io.open, here .. "pipe")
 refused("a folder", "it is a folder", io.open, here .. "folder")
 refused("a zero byte", "zero byte", io.open, here .. "..\0x/secret/key.csv")
-refused("a name with zero byte by a binding", outside, fabric.table, { file = here .. "..\0x/secret/key.csv" })
+refused("a name with zero byte by a binding", "zero byte", fabric.table, { file = here .. "..\0x/secret/key.csv" })
 refused("an image", outside, fabric.lab.track, { files = { root .. "secret/key.png", root .. "secret/key.png" }, rows = 2, columns = 2, scale = 1 })
 refused("the names in a folder", outside, fabric.folder, root .. "secret")
 refused("the names in a linked folder", link, fabric.folder, here .. "way")
