@@ -1,4 +1,5 @@
 // model:list: what a model was told, call by call.
+#include <algorithm>
 #include <numbers>
 
 #include "model/model.hpp"
@@ -30,11 +31,18 @@ std::string history_words(const model::History& h, const std::string& unit) {
          unit + " at " + brief_number(h.kinks().back()) + " s";
 }
 
+// The unit once where all of them are plain numbers, else behind each number.
 std::string component_words(const model::Components& components, const std::string& unit) {
   std::string words;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (components[i]) add_word(words, std::string(axes[i]) + " " + history_words(*components[i], unit));
-  return words;
+  const bool plain =
+      std::all_of(components.begin(), components.end(), [](const auto& h) { return !h || h->is_constant(); });
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!components[i]) continue;
+    add_word(words,
+             std::string(axes[i]) + " " +
+                 (plain ? brief_number(components[i]->value(0)) : history_words(*components[i], unit)));
+  }
+  return plain ? words + " " + unit : words;
 }
 
 std::string oblique(const Mat3& frame) {
