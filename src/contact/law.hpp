@@ -1,0 +1,56 @@
+// The law of contact: energy and pressure by the gap between two midsurfaces.
+//
+//   stiffness -dp/dd is a piecewise linear function of the gap d, zero from the gap d0 on: so the potential
+//   has two continuous derivatives. Without a measured curve it rises from zero to kappa over the first fifth
+//   of the way from d0 to the floor d_f and stays there; a measured compression curve gives its own.
+//   Below the last quarter above the floor a guard joins, g (1 - y)^3 / y with y = (d - d_f)/(a quarter of
+//   the way): it has two continuous derivatives where it begins and rises without bound at the floor.
+#pragma once
+#include <utility>
+#include <vector>
+
+namespace fabricsh::contact {
+
+struct LawData {
+  double gap = 0;    // d0, m: where contact begins; ignored where there is a curve
+  double floor = 0;  // d_f, m: what the fibres alone fill
+  double stiffness =
+      0;  // kappa, Pa/m: of the linear part; with a curve the most that is allowed, 0: no bound
+  // Measured compression: gap (m) ascending, pressure (Pa) descending and positive. Empty: linear.
+  std::vector<std::pair<double, double>> curve = {};
+};
+
+struct Answer {
+  double contact = 0, guard = 0;  // energies per area, J/m2
+  double pressure = 0;            // -d(contact + guard)/dd, Pa
+  double stiffness = 0;           // -d pressure/dd, Pa/m
+};
+
+class Law {
+ public:
+  Law() = default;
+  // Errors: floor not below the gap, a value not positive and finite, a curve that is not strictly monotone
+  // or reaches down to the floor.
+  explicit Law(const LawData& data);
+
+  double gap() const { return gap_; }            // m
+  double floor() const { return floor_; }        // m
+  double guard_gap() const { return guard_; }    // m: where the guard begins
+  double stiffest() const { return stiffest_; }  // Pa/m, without the guard
+  // At a gap d (m). At and below the floor everything is infinite: such a state cannot be.
+  Answer operator()(double d) const;
+  // The same law with all lengths times `scale` (0 to 1) and the same stiffness: for neighbours in a sheet
+  // that are closer in the reference than the gap.
+  Answer scaled(double d, double scale) const;
+
+ private:
+  struct Knot {
+    double gap, stiffness, pressure, energy;
+  };
+  void add(double gap, double stiffness);
+  void add_curve(const LawData& data);
+  std::vector<Knot> knots_;  // descending gaps; stiffness constant below the last
+  double gap_ = 0, floor_ = 0, guard_ = 0, guard_energy_ = 0, stiffest_ = 0;
+};
+
+}  // namespace fabricsh::contact

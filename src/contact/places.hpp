@@ -1,0 +1,58 @@
+// The places at which a pair touches; shared by what needs forces, stiffness and friction of them.
+#pragma once
+#include "contact/pair.hpp"
+
+namespace fabricsh::contact {
+
+// A place counts plain + modulated * (the modulation of the pair) times.
+struct Place {
+  Touch touch;
+  double plain = 1, modulated = 0;
+};
+
+// Calls visit(place) for each place of the pair whose gap (the touch's distance less the offset) is below
+// `reach`, m. Returns the smallest gap. What a facet has beside itself (edges, corners) is never nearer than
+// the facet, so a facet out of reach needs no further look.
+template <class Visit>
+double visit_places(const Pair& pair, const Corners& x, double reach, Visit visit) {
+  const auto within = [&](const Touch& touch, double plain, double modulated) {
+    if (touch.distance - pair.offset < reach) visit(Place{touch, plain, modulated});
+    return touch.distance - pair.offset;
+  };
+  switch (pair.kind) {
+    case Kind::facet: {
+      const FacetTouch nearest = point_triangle(x);
+      const double gap = within(nearest.touch, 1, 0);
+      if (gap >= reach) return gap;
+      for (int k = 1; k <= 3; ++k) {
+        const int edge = pair.edge[std::size_t(k - 1)], corner = pair.corner[std::size_t(k - 1)];
+        if (edge != 0) within(point_segment(x, 0, k % 3 + 1, (k + 1) % 3 + 1), edge, 0);
+        if (corner != 0) within(point_point(x, 0, k), corner, 0);
+      }
+      return gap;
+    }
+    case Kind::plane:
+      return within(point_plane(x), 1, 0);
+    case Kind::edges: {
+      const Touch touch = segment_segment(x);
+      if (touch.feature == Feature::crossing) return within(touch, 0, 1);
+      return touch.distance - pair.offset;
+    }
+    case Kind::wrap: {
+      const double gap = within(segment_segment(x), 0, 1);
+      if (gap >= reach) return gap;
+      within(point_segment(x, 0, 2, 3), 0.5, -0.5);
+      within(point_segment(x, 1, 2, 3), 0.5, -0.5);
+      return gap;
+    }
+    case Kind::segment:
+      return within(point_segment(x, 0, 1, 2), 1, 0);
+    case Kind::centre:
+      break;
+  }
+  return within(point_point(x, 0, 1), 1, 0);
+}
+
+inline bool modulates(Kind kind) { return kind == Kind::edges || kind == Kind::wrap; }
+
+}  // namespace fabricsh::contact

@@ -1,0 +1,221 @@
+#include "contact/touch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fabricsh::contact {
+namespace {
+
+// Completes a touch whose weights are known.
+void measure(const Corners& x, Touch& touch) {
+  Vec3 r = Vec3::Zero();
+  for (std::size_t i = 0; i < 4; ++i)
+    if (touch.weight[i] != 0) r += touch.weight[i] * x[i];
+  touch.distance = r.norm();
+  if (touch.distance > 0) touch.normal = r / touch.distance;
+}
+
+// The closest point's parameter on a segment, from 0 to 1.
+double along(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 u = b - a;
+  const double length = u.squaredNorm();
+  return length > 0 ? std::clamp(u.dot(p - a) / length, 0.0, 1.0) : 0;
+}
+
+void set_parameter(Touch& touch, int k, int plus, int minus) {
+  touch.plus[std::size_t(k)] = static_cast<std::int8_t>(plus);
+  touch.minus[std::size_t(k)] = static_cast<std::int8_t>(minus);
+}
+
+// A point inside a triangle, or the region outside it that it falls into [ericson2005, sec. 5.1.5].
+struct Region {
+  int on = 0;           // 0: the face
+  bool corner = false;  // `on` is a corner; else the corner opposite to an edge
+  double v = 0, w = 0;  // weights of the second and third corner on the face
+};
+
+Region region(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
+               d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return {1, true};
+  if (d3 >= 0 && d4 <= d3) return {2, true};
+  if (d6 >= 0 && d5 <= d6) return {3, true};
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {3, false};
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {2, false};
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return {1, false};
+  const double sum = va + vb + vc;
+  return {0, false, vb / sum, vc / sum};
+}
+
+// Parameters of the closest points of two lines, and whether both lie inside their segments.
+struct Crossing {
+  double s = 0, t = 0;
+  bool inside = false;
+};
+
+Crossing crossing(const Vec3& u, const Vec3& v, const Vec3& r) {
+  const double a = u.dot(u), b = u.dot(v), c = v.dot(v), e = u.dot(r), f = v.dot(r);
+  const double det = a * c - b * b;
+  if (!(det > 1e-14 * a * c)) return {};
+  const double s = (b * f - c * e) / det, t = (a * f - b * e) / det;
+  return {s, t, s > 0 && s < 1 && t > 0 && t < 1};
+}
+
+}  // namespace
+
+Touch point_point(const Corners& x, int p, int q) {
+  Touch touch;
+  touch.weight[std::size_t(p)] = 1;
+  touch.weight[std::size_t(q)] = -1;
+  measure(x, touch);
+  return touch;
+}
+
+Touch point_segment(const Corners& x, int p, int a, int b) {
+  const double t = along(x[std::size_t(p)], x[std::size_t(a)], x[std::size_t(b)]);
+  if (t <= 0) return point_point(x, p, a);
+  if (t >= 1) return point_point(x, p, b);
+  Touch touch;
+  touch.feature = Feature::point_edge;
+  touch.weight[std::size_t(p)] = 1;
+  touch.weight[std::size_t(a)] = -(1 - t);
+  touch.weight[std::size_t(b)] = -t;
+  set_parameter(touch, 0, a, b);
+  measure(x, touch);
+  return touch;
+}
+
+FacetTouch point_triangle(const Corners& x) {
+  const Region at = region(x[0], x[1], x[2], x[3]);
+  if (at.corner) return {point_point(x, 0, at.on), at.on};
+  if (at.on != 0) return {point_segment(x, 0, at.on % 3 + 1, (at.on + 1) % 3 + 1), at.on};
+  Touch touch;
+  touch.feature = Feature::face;
+  touch.weight = {1, -(1 - at.v - at.w), -at.v, -at.w};
+  set_parameter(touch, 0, 1, 2);
+  set_parameter(touch, 1, 1, 3);
+  measure(x, touch);
+  return {touch, 0};
+}
+
+Touch point_plane(const Corners& x) {
+  const Vec3 u = x[2] - x[1], v = x[3] - x[1], r = x[0] - x[1];
+  const double a = u.dot(u), b = u.dot(v), c = v.dot(v), e = u.dot(r), f = v.dot(r), det = a * c - b * b;
+  const double s = (c * e - b * f) / det, t = (a * f - b * e) / det;
+  Touch touch;
+  touch.feature = Feature::face;
+  touch.weight = {1, -(1 - s - t), -s, -t};
+  set_parameter(touch, 0, 1, 2);
+  set_parameter(touch, 1, 1, 3);
+  touch.normal = u.cross(v).normalized();
+  touch.distance = touch.normal.dot(r);
+  return touch;
+}
+
+Touch segment_segment(const Corners& x) {
+  const Crossing at = crossing(x[1] - x[0], x[3] - x[2], x[0] - x[2]);
+  if (at.inside) {
+    Touch touch;
+    touch.feature = Feature::crossing;
+    touch.weight = {1 - at.s, at.s, -(1 - at.t), -at.t};
+    set_parameter(touch, 0, 1, 0);
+    set_parameter(touch, 1, 2, 3);
+    measure(x, touch);
+    return touch;
+  }
+  Touch best = point_segment(x, 0, 2, 3);
+  const auto better = [&](const Touch& other) {
+    if (other.distance < best.distance) best = other;
+  };
+  better(point_segment(x, 1, 2, 3));
+  for (const int p : {2, 3}) {
+    Touch other = point_segment(x, p, 0, 1);
+    other.normal = -other.normal;
+    for (double& w : other.weight) w = -w;
+    std::swap(other.plus, other.minus);
+    better(other);
+  }
+  return best;
+}
+
+double squared_point_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  return (p - a - along(p, a, b) * (b - a)).squaredNorm();
+}
+
+double squared_point_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Region at = region(p, a, b, c);
+  const Vec3* corner[] = {&a, &b, &c};
+  if (at.corner) return (p - *corner[at.on - 1]).squaredNorm();
+  if (at.on != 0) return squared_point_segment(p, *corner[at.on % 3], *corner[(at.on + 1) % 3]);
+  return (p - a - at.v * (b - a) - at.w * (c - a)).squaredNorm();
+}
+
+double squared_segment_segment(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = d - c, r = a - c;
+  const Crossing at = crossing(u, v, r);
+  if (at.inside) return (r + at.s * u - at.t * v).squaredNorm();
+  return std::min(std::min(squared_point_segment(a, c, d), squared_point_segment(b, c, d)),
+                  std::min(squared_point_segment(c, a, b), squared_point_segment(d, a, b)));
+}
+
+Slides slides(const Corners& x, const Touch& touch) {
+  Slides out;
+  for (auto& row : out) row.fill(Vec3::Zero());
+  const int n = touch.freedoms();
+  if (n == 0) return out;
+  // The closest points satisfy r . r,k = 0. With r linear in the parameters its derivative is
+  // (r,k . r,l) dxi_l/dx_j = -(dw_j/dxi_k r + w_j r,k).
+  const Vec3 r = touch.distance * touch.normal;
+  std::array<Vec3, 2> direction;
+  std::array<std::array<Vec3, 4>, 2> right;
+  for (std::size_t k = 0; k < std::size_t(n); ++k) {
+    direction[k] = x[std::size_t(touch.plus[k])] - x[std::size_t(touch.minus[k])];
+    for (std::size_t j = 0; j < 4; ++j) right[k][j] = -touch.weight[j] * direction[k];
+    right[k][std::size_t(touch.plus[k])] -= r;
+    right[k][std::size_t(touch.minus[k])] += r;
+  }
+  const double a = direction[0].squaredNorm();
+  if (n == 1) {
+    for (std::size_t j = 0; j < 4; ++j) out[0][j] = right[0][j] / a;
+    return out;
+  }
+  const double b = direction[0].dot(direction[1]), c = direction[1].squaredNorm(), det = a * c - b * b;
+  for (std::size_t j = 0; j < 4; ++j) {
+    out[0][j] = (c * right[0][j] - b * right[1][j]) / det;
+    out[1][j] = (a * right[1][j] - b * right[0][j]) / det;
+  }
+  return out;
+}
+
+Vector12 distance_gradient(const Touch& touch) {
+  Vector12 g;
+  for (int i = 0; i < 4; ++i) g.segment<3>(3 * i) = touch.weight[std::size_t(i)] * touch.normal;
+  return g;
+}
+
+Matrix12 distance_hessian(const Corners& x, const Touch& touch) {
+  // Of r.r/2: w_i w_j I + sum over k of (dw_i/dxi_k r + w_i r,k) dxi_k/dx_j. Less the gradient's square, over
+  // the distance, it is the distance's own.
+  const Slides slide = slides(x, touch);
+  const Vec3 r = touch.distance * touch.normal;
+  const Mat3 across = Mat3::Identity() - touch.normal * touch.normal.transpose();
+  Matrix12 h = Matrix12::Zero();
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      Mat3 block = touch.weight[i] * touch.weight[j] * across;
+      for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
+        const auto plus = std::size_t(touch.plus[k]), minus = std::size_t(touch.minus[k]);
+        Vec3 left = touch.weight[i] * (x[plus] - x[minus]);
+        if (i == plus) left += r;
+        if (i == minus) left -= r;
+        block += left * slide[k][j].transpose();
+      }
+      h.block<3, 3>(3 * int(i), 3 * int(j)) = block;
+    }
+  // Nearly cancelling terms leave a rounding error that is not symmetric.
+  return 0.5 / touch.distance * (h + h.transpose());
+}
+
+}  // namespace fabricsh::contact
