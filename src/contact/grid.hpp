@@ -1,0 +1,82 @@
+// Points sorted into the cells of a uniform grid; those of a cell in ascending order.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tensor/vec.hpp"
+
+namespace fabricsh::contact {
+
+struct Box {
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  void add(const Vec3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  Box grown(double by) const { return {low - Vec3::Constant(by), high + Vec3::Constant(by)}; }
+  bool meets(const Box& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+};
+
+class Grid {
+ public:
+  // `place(i)`: position of point i of `count`. Points outside `room` are left out; `cell` is the cells'
+  // width (m), made larger where the room has more than eight cells a point.
+  template <class Place>
+  Grid(const Box& room, double cell, std::size_t count, Place place) : room_(room) {
+    const Vec3 size = (room.high - room.low).cwiseMax(1e-30);
+    double most = 8 * double(count) + 64;
+    while (std::max(1.0, size.x() / cell) * std::max(1.0, size.y() / cell) * std::max(1.0, size.z() / cell) >
+           most)
+      cell *= 1.5;
+    cell_ = cell;
+    for (int k = 0; k < 3; ++k) cells_[k] = std::int64_t(size[k] / cell) + 1;
+    start_.assign(std::size_t(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
+    std::vector<std::int64_t> in(count, -1);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 p = place(i);
+      if (!Box{p, p}.meets(room)) continue;
+      in[i] = number(at(p, 0), at(p, 1), at(p, 2));
+      ++start_[std::size_t(in[i]) + 1];
+    }
+    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    points_.resize(start_.back());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for (std::size_t i = 0; i < count; ++i)
+      if (in[i] >= 0) points_[next[std::size_t(in[i])]++] = std::int32_t(i);
+  }
+
+  // Calls visit(point) for every point in the cells that the box reaches.
+  template <class Visit>
+  void in(const Box& box, Visit visit) const {
+    if (!box.meets(room_)) return;
+    std::int64_t from[3], to[3];
+    for (int k = 0; k < 3; ++k) {
+      from[k] = at(box.low, k);
+      to[k] = at(box.high, k);
+    }
+    for (std::int64_t c = from[2]; c <= to[2]; ++c)
+      for (std::int64_t b = from[1]; b <= to[1]; ++b) {
+        const auto first = std::size_t(number(from[0], b, c)), last = std::size_t(number(to[0], b, c));
+        for (std::size_t i = start_[first]; i < start_[last + 1]; ++i) visit(points_[i]);
+      }
+  }
+
+ private:
+  std::int64_t at(const Vec3& p, int k) const {
+    const double place = std::clamp((p[k] - room_.low[k]) / cell_, 0.0, double(cells_[k] - 1));
+    return std::int64_t(place);
+  }
+  std::int64_t number(std::int64_t a, std::int64_t b, std::int64_t c) const {
+    return (c * cells_[1] + b) * cells_[0] + a;
+  }
+  Box room_;
+  double cell_ = 1;
+  std::int64_t cells_[3] = {1, 1, 1};
+  std::vector<std::size_t> start_;
+  std::vector<std::int32_t> points_;
+};
+
+}  // namespace fabricsh::contact

@@ -1,0 +1,290 @@
+#include "contact/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace fabricsh::contact {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) { throw Error("contact: " + what); }
+
+void check_radius(const char* what, double radius) {
+  if (!(radius > 0) || !std::isfinite(radius))
+    refuse(std::string(what) + ": radius: expected a positive length in m, got " + std::to_string(radius));
+}
+
+double area_of(const std::vector<Vec3>& x, const Triangle& t) {
+  const Vec3& a = x[std::size_t(t[0])];
+  return 0.5 * (x[std::size_t(t[1])] - a).cross(x[std::size_t(t[2])] - a).norm();
+}
+
+std::int8_t small(std::ptrdiff_t count) {
+  return static_cast<std::int8_t>(std::clamp<std::ptrdiff_t>(count, -127, 127));
+}
+
+}  // namespace
+
+Split split(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements) {
+  Split out;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const auto& id = elements[e];
+    const auto at = [&](std::size_t i) -> const Vec3& { return nodes[std::size_t(id[i])]; };
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+      out.triangles.push_back({std::int32_t(id[a]), std::int32_t(id[b]), std::int32_t(id[c])});
+      out.element.push_back(std::int32_t(e));
+    };
+    if (id[3] < 0) {
+      add(0, 1, 2);
+      continue;
+    }
+    const double first = (at(2) - at(0)).norm(), second = (at(3) - at(1)).norm();
+    const bool tie = std::fabs(first - second) <= 1e-9 * (first + second);
+    if (tie ? e % 2 == 0 : first < second) {
+      add(0, 1, 2);
+      add(0, 2, 3);
+    } else {
+      add(0, 1, 3);
+      add(1, 2, 3);
+    }
+  }
+  return out;
+}
+
+Scene::Scene(std::vector<Vec3> nodes) : nodes_(nodes.size()), reference_(std::move(nodes)) {
+  area_.resize(nodes_);
+  at_point_.resize(nodes_);
+}
+
+int Scene::add_cloth(std::span<const std::array<mesh::Index, 4>> elements) {
+  for (const auto& element : elements)
+    for (std::size_t i = 0; i < 4; ++i)
+      if (element[i] >= mesh::Index(nodes_) || (element[i] < 0 && i < 3))
+        refuse("cloth: expected nodes from 0 to " + std::to_string(nodes_) + ", got " +
+               std::to_string(element[i]));
+  const Split cut = split(std::span(reference_).first(nodes_), elements);
+  return add_triangles({}, cut.triangles, cut.element);
+}
+
+int Scene::add_rigid(Surface surface, std::span<const Vec3> vertices) {
+  surface.first_vertex = std::int32_t(reference_.size());
+  surface.vertices = std::int32_t(vertices.size());
+  for (const Vec3& v : vertices) {
+    if (!v.allFinite()) refuse("a rigid surface has a vertex that is not finite");
+    surface.points.push_back(std::int32_t(reference_.size()));
+    reference_.push_back(v);
+  }
+  area_.resize(reference_.size());
+  at_point_.resize(reference_.size());
+  surface.first_edge = std::int32_t(edges_.size());
+  surface.first_triangle = std::int32_t(triangles_.size());
+  surfaces_.push_back(std::move(surface));
+  return int(surfaces_.size()) - 1;
+}
+
+int Scene::add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius) {
+  if (!(radius >= 0) || !std::isfinite(radius))
+    refuse("solid: radius: expected 0 or a positive length in m, got " + std::to_string(radius));
+  const auto first = std::int32_t(reference_.size()), count = std::int32_t(vertices.size());
+  for (const Vec3& v : vertices) {
+    if (!v.allFinite()) refuse("solid: expected finite vertices");
+    reference_.push_back(v);
+  }
+  area_.resize(reference_.size());
+  at_point_.resize(reference_.size());
+  std::vector<Triangle> moved(triangles.begin(), triangles.end());
+  for (Triangle& t : moved)
+    for (std::int32_t& id : t) {
+      if (id < 0 || id >= count)
+        refuse("solid: expected vertices from 0 to " + std::to_string(count - 1) + ", got " +
+               std::to_string(id));
+      id += first;
+    }
+  Surface surface;
+  surface.shape = Shape::solid;
+  surface.radius = radius;
+  surface.first_vertex = first;
+  surface.vertices = count;
+  const std::vector<std::int32_t> element(moved.size(), -1);
+  return add_triangles(std::move(surface), moved, element);
+}
+
+int Scene::add_ball(const Vec3& centre, double radius) {
+  check_radius("ball", radius);
+  Surface surface;
+  surface.shape = Shape::ball;
+  surface.radius = radius;
+  return add_rigid(std::move(surface), std::array<Vec3, 1>{centre});
+}
+
+int Scene::add_rod(const Vec3& from, const Vec3& to, double radius) {
+  check_radius("rod", radius);
+  if (!((to - from).norm() > 0)) refuse("rod: expected two different ends");
+  Surface surface;
+  surface.shape = Shape::rod;
+  surface.radius = radius;
+  const int number = add_rigid(std::move(surface), std::array<Vec3, 2>{from, to});
+  EdgeRow row;
+  row.a = surfaces_.back().first_vertex;
+  row.b = row.a + 1;
+  row.surface = number;
+  row.length = (to - from).norm();
+  edges_.push_back(row);
+  at_edge_.emplace_back();
+  surfaces_.back().edges = 1;
+  return number;
+}
+
+int Scene::add_wall(const Vec3& point, const Vec3& normal) {
+  if (!(normal.norm() > 0) || !normal.allFinite()) refuse("wall: expected a normal that is not zero");
+  const Vec3 n = normal.normalized(), u = n.unitOrthogonal(), v = n.cross(u);
+  Surface surface;
+  surface.shape = Shape::wall;
+  return add_rigid(std::move(surface), std::array<Vec3, 3>{point, point + u, point + v});
+}
+
+int Scene::add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides) {
+  check_radius("disc", radius);
+  if (!(edge >= 0 && edge < radius))
+    refuse("disc: edge: expected from 0 to less than the radius of " + std::to_string(radius) + " m, got " +
+           std::to_string(edge));
+  if (!(normal.norm() > 0)) refuse("disc: expected a normal that is not zero");
+  if (sides < 3) refuse("disc: expected at least 3 sides, got " + std::to_string(sides));
+  const Vec3 n = normal.normalized(), u = n.unitOrthogonal(), v = n.cross(u);
+  std::vector<Vec3> vertices = {centre};
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    vertices.push_back(centre + (radius - edge) * (std::cos(angle) * u + std::sin(angle) * v));
+    triangles.push_back({0, i + 1, (i + 1) % sides + 1});
+  }
+  return add_solid(vertices, triangles, edge);
+}
+
+int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
+                         std::span<const std::int32_t> element) {
+  surface.first_triangle = std::int32_t(triangles_.size());
+  surface.triangles = std::int32_t(triangles.size());
+  const auto number = std::int32_t(surfaces_.size());
+  double total = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    TriangleRow row;
+    row.nodes = triangles[i];
+    row.surface = number;
+    row.element = element[i];
+    row.area = area_of(reference_, row.nodes);
+    if (!(row.area > 0)) refuse("triangle " + std::to_string(i + 1) + " of a surface has no area");
+    total += row.area;
+    for (const std::int32_t node : row.nodes) {
+      area_[std::size_t(node)] += row.area / 3;
+      at_point_[std::size_t(node)].push_back(std::int32_t(triangles_.size()));
+      surface.points.push_back(node);
+    }
+    triangles_.push_back(row);
+  }
+  std::sort(surface.points.begin(), surface.points.end());
+  surface.points.erase(std::unique(surface.points.begin(), surface.points.end()), surface.points.end());
+  surface.mean_area = surface.points.empty() ? 0 : total / double(surface.points.size());
+  add_edges(surface);
+  count_places(surface);
+  surfaces_.push_back(std::move(surface));
+  return number;
+}
+
+// Edges in ascending order of their ends.
+void Scene::add_edges(Surface& surface) {
+  struct Side {
+    Edge ends;
+    std::int32_t triangle, corner;
+  };
+  std::vector<Side> sides;
+  for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t)
+    for (std::int32_t k = 0; k < 3; ++k) {
+      const Triangle& n = triangles_[std::size_t(t)].nodes;
+      const auto [a, b] = std::minmax(n[std::size_t((k + 1) % 3)], n[std::size_t((k + 2) % 3)]);
+      sides.push_back({{a, b}, t, k});
+    }
+  std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends < b.ends; });
+  surface.first_edge = std::int32_t(edges_.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i == 0 || sides[i].ends != sides[i - 1].ends) {
+      EdgeRow row;
+      row.a = sides[i].ends[0];
+      row.b = sides[i].ends[1];
+      row.surface = std::int32_t(surfaces_.size());
+      row.length = (reference_[std::size_t(row.a)] - reference_[std::size_t(row.b)]).norm();
+      edges_.push_back(row);
+      at_edge_.emplace_back();
+    }
+    TriangleRow& t = triangles_[std::size_t(sides[i].triangle)];
+    t.edge_row[std::size_t(sides[i].corner)] = std::int32_t(edges_.size()) - 1;
+    edges_.back().area += t.area / 3;
+    at_edge_.back().push_back(sides[i].triangle);
+  }
+  surface.edges = std::int32_t(edges_.size()) - surface.first_edge;
+}
+
+// Facets less the edges that m of them share, m - 1 times, plus what is missing at corners: so that a place
+// counts once, wherever on a smooth surface it lies. The first triangle of an edge or a corner looks after
+// it.
+void Scene::count_places(const Surface& surface) {
+  for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t) {
+    TriangleRow& row = triangles_[std::size_t(t)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& at_edge = at_edge_[std::size_t(row.edge_row[k])];
+      if (at_edge.front() == t) row.edge[k] = small(1 - std::ptrdiff_t(at_edge.size()));
+    }
+  }
+  for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t node = triangles_[std::size_t(t)].nodes[k];
+      const auto& at = at_point_[std::size_t(node)];
+      const auto first =
+          std::lower_bound(at.begin(), at.end(), surface.first_triangle);  // a node of two surfaces
+      if (*first != t) continue;
+      std::ptrdiff_t count = 1;
+      for (auto other = first; other != at.end() && *other < surface.first_triangle + surface.triangles;
+           ++other) {
+        const TriangleRow& o = triangles_[std::size_t(*other)];
+        --count;
+        for (std::size_t j = 0; j < 3; ++j)
+          if (o.nodes[j] != node) count -= o.edge[j];
+      }
+      triangles_[std::size_t(t)].corner[k] = small(count);
+    }
+}
+
+int Scene::interaction_number(std::int32_t first, std::int32_t second) const {
+  for (std::size_t i = 0; i < interactions_.size(); ++i) {
+    const Interaction& it = interactions_[i];
+    if ((it.first == first && it.second == second) || (it.first == second && it.second == first))
+      return int(i);
+  }
+  return -1;
+}
+
+const Interaction* Scene::between(std::int32_t first, std::int32_t second) const {
+  const int number = interaction_number(first, second);
+  return number < 0 ? nullptr : &interactions_[std::size_t(number)];
+}
+
+void Scene::meet(int first, int second, const Law& law, double friction) {
+  const int count = int(surfaces_.size());
+  if (first < 0 || second < 0 || first >= count || second >= count)
+    refuse("expected surfaces from 0 to " + std::to_string(count - 1) + ", got " + std::to_string(first) +
+           " and " + std::to_string(second));
+  if (surfaces_[std::size_t(first)].shape != Shape::cloth &&
+      surfaces_[std::size_t(second)].shape != Shape::cloth)
+    refuse("at least one of the two surfaces must be cloth");
+  if (!(friction >= 0) || !std::isfinite(friction))
+    refuse("friction: expected a number from 0 on, got " + std::to_string(friction));
+  if (between(first, second) != nullptr) refuse("the two surfaces are in contact already");
+  Interaction it{first, second, law, friction};
+  if (surfaces_[std::size_t(first)].shape != Shape::cloth) std::swap(it.first, it.second);  // cloth first
+  interactions_.push_back(std::move(it));
+}
+
+}  // namespace fabricsh::contact

@@ -1,0 +1,115 @@
+// The surfaces that may touch: cloth, solids of triangles, balls, rods and walls, as points, edges and
+// triangles in one numbering, and which of them meet under which law.
+//
+//   Points: the nodes of the cloth first, in the model's numbering, then the vertices of rigid shapes. A ball
+//   is one point with a radius, a rod one segment with a radius, a wall three points of its plane, a solid
+//   triangles with a radius (a rounded disc, say, or 0). So rigid shapes are moved by moving their vertices,
+//   and a force on a shape is the forces on its vertices.
+//
+// What counts how often is said in share/doc/contact.md.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "contact/intersect.hpp"
+#include "contact/law.hpp"
+#include "contact/pair.hpp"
+#include "mesh/mesh.hpp"
+
+namespace fabricsh::contact {
+
+// Quadrilaterals cut along the shorter reference diagonal (even ones by the parity of the element's number),
+// triangles as they are; counter-clockwise as the elements. `element[i]`: which element triangle i is of.
+struct Split {
+  std::vector<Triangle> triangles;
+  std::vector<std::int32_t> element;
+};
+Split split(std::span<const Vec3> nodes, std::span<const std::array<mesh::Index, 4>> elements);
+
+enum class Shape : std::uint8_t { cloth, solid, ball, rod, wall };
+
+struct Surface {
+  Shape shape = Shape::cloth;
+  double radius = 0;                               // m
+  std::int32_t first_vertex = 0, vertices = 0;     // of a rigid shape
+  std::int32_t first_edge = 0, edges = 0;          // rows of Scene::edges
+  std::int32_t first_triangle = 0, triangles = 0;  // rows of Scene::triangles
+  std::vector<std::int32_t> points;                // ascending
+  double mean_area = 0;                            // m2 a point
+};
+
+struct EdgeRow {
+  std::int32_t a = 0, b = 0, surface = 0;
+  double length = 0;  // m, reference
+  double area = 0;    // m2: a third of its triangles'
+};
+
+struct TriangleRow {
+  Triangle nodes{};
+  std::int32_t surface = 0, element = 0;
+  double area = 0;                         // m2, reference
+  std::array<std::int32_t, 3> edge_row{};  // opposite to each corner
+  std::array<std::int8_t, 3> edge{},
+      corner{};  // counts of the edges and corners that this triangle looks after
+};
+
+struct Interaction {
+  std::int32_t first = 0, second = 0;  // surfaces; the same twice: a cloth with itself
+  Law law;
+  double friction = 0;
+};
+
+class Scene {
+ public:
+  // `nodes`: reference positions of all nodes of the model, m.
+  explicit Scene(std::vector<Vec3> nodes);
+
+  // Each returns the surface's number. Errors: an unknown node, a triangle without area, a radius that is not
+  // positive and finite (a solid's may be 0), a wall's normal of no length, a rod of no length.
+  int add_cloth(std::span<const std::array<mesh::Index, 4>> elements);
+  int add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius);
+  int add_ball(const Vec3& centre, double radius);
+  int add_rod(const Vec3& from, const Vec3& to, double radius);
+  int add_wall(const Vec3& point, const Vec3& normal);
+  // A flat disc with a rounded edge: `radius` (m) over all, `edge` the rounding's radius, `sides` of the
+  // polygon that stands for the circle.
+  int add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides = 128);
+
+  // Two surfaces, at least one of them cloth, meet under a law. Errors: unknown surfaces, two rigid ones,
+  // friction below 0 or not finite, a pair that meets already.
+  void meet(int first, int second, const Law& law, double friction);
+
+  const std::vector<Vec3>& reference() const { return reference_; }
+  std::size_t nodes() const { return nodes_; }  // of the cloth; rigid vertices follow
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+  const std::vector<EdgeRow>& edges() const { return edges_; }
+  const std::vector<TriangleRow>& triangles() const { return triangles_; }
+  double area(std::int32_t point) const { return area_[std::size_t(point)]; }  // m2
+  const std::vector<Interaction>& interactions() const { return interactions_; }
+  // The interaction of two surfaces, or null.
+  const Interaction* between(std::int32_t first, std::int32_t second) const;
+  int interaction_number(std::int32_t first, std::int32_t second) const;
+  std::span<const std::int32_t> triangles_at_edge(std::int32_t edge) const {
+    return at_edge_[std::size_t(edge)];
+  }
+  std::span<const std::int32_t> triangles_at_point(std::int32_t point) const {
+    return at_point_[std::size_t(point)];
+  }
+
+ private:
+  int add_triangles(Surface surface, std::span<const Triangle> triangles,
+                    std::span<const std::int32_t> element);
+  int add_rigid(Surface surface, std::span<const Vec3> vertices);
+  void add_edges(Surface& surface);
+  void count_places(const Surface& surface);
+  std::size_t nodes_ = 0;
+  std::vector<Vec3> reference_;
+  std::vector<double> area_;
+  std::vector<Surface> surfaces_;
+  std::vector<EdgeRow> edges_;
+  std::vector<TriangleRow> triangles_;
+  std::vector<std::vector<std::int32_t>> at_edge_, at_point_;
+  std::vector<Interaction> interactions_;
+};
+
+}  // namespace fabricsh::contact

@@ -1,0 +1,323 @@
+#include "contact/search.hpp"
+
+#include <omp.h>
+
+#include "contact/grid.hpp"
+
+namespace fabricsh::contact {
+namespace {
+
+constexpr double neighbour_share = 0.9;  // of the distance in the reference that neighbours may come near
+constexpr double crossing_share = 0.5;   // of the area that two crossing edges stand for, see the theory page
+constexpr double shared = 0.5;  // two cloths press on each other from both sides; nodes and facets on a ball
+
+using Rows = std::vector<Candidate>;
+
+class Search {
+ public:
+  Search(const Scene& scene, std::span<const Vec3> x, double skin) : scene_(scene), x_(x), skin_(skin) {
+    const auto& surfaces = scene.surfaces();
+    number_.assign(surfaces.size() * surfaces.size(), -1);
+    reach_.assign(surfaces.size(), 0);
+    for (std::size_t i = 0; i < scene.interactions().size(); ++i) {
+      const Interaction& it = scene.interactions()[i];
+      const auto a = std::size_t(it.first), b = std::size_t(it.second);
+      number_[a * surfaces.size() + b] = number_[b * surfaces.size() + a] = int(i);
+      const double reach = it.law.gap() + surfaces[a].radius + surfaces[b].radius + skin;
+      reach_[a] = std::max(reach_[a], reach);
+      reach_[b] = std::max(reach_[b], reach);
+    }
+    measure();
+  }
+
+  Rows run() {
+    Rows out;
+    if (scene_.interactions().empty()) return out;
+    meshes(out);
+    simple_shapes(out);
+    return out;
+  }
+
+ private:
+  const Vec3& at(std::int32_t p) const { return x_[std::size_t(p)]; }
+  const Vec3& reference(std::int32_t p) const { return scene_.reference()[std::size_t(p)]; }
+  const Surface& surface(std::int32_t s) const { return scene_.surfaces()[std::size_t(s)]; }
+  bool cloth(std::int32_t s) const { return surface(s).shape == Shape::cloth; }
+  int number(std::int32_t a, std::int32_t b) const {
+    return number_[std::size_t(a) * scene_.surfaces().size() + std::size_t(b)];
+  }
+
+  // The room that the cloth takes, and how large its edges are.
+  void measure() {
+    double sum = 0, count = 0;
+    for (std::size_t s = 0; s < scene_.surfaces().size(); ++s) {
+      const Surface& it = scene_.surfaces()[s];
+      if (it.shape != Shape::cloth && it.shape != Shape::solid) continue;
+      for (const std::int32_t p : it.points) {
+        if (it.shape == Shape::cloth) room_.add(at(p));
+        points_.push_back(p);
+        owner_.push_back(std::int32_t(s));
+      }
+      if (it.shape != Shape::cloth) continue;
+      for (std::int32_t e = it.first_edge; e < it.first_edge + it.edges; ++e) {
+        const EdgeRow& row = scene_.edges()[std::size_t(e)];
+        half_ = std::max(half_, 0.5 * (at(row.a) - at(row.b)).norm());
+        sum += row.length;
+        count += 1;
+        cloth_edges_.push_back(e);
+      }
+    }
+    double most = 0;
+    for (const double reach : reach_) most = std::max(most, reach);
+    room_ = room_.grown(most);
+    cell_ = std::max(count > 0 ? sum / count : 1, 1e-12);
+  }
+
+  Box box_of(std::initializer_list<std::int32_t> points, double reach) const {
+    Box box;
+    for (const std::int32_t p : points) box.add(at(p));
+    return box.grown(reach);
+  }
+
+  // Work on `count` rows in parallel; what they find is joined in their order.
+  template <class Work>
+  void join(std::size_t count, Rows& out, Work work) const {
+    const auto threads = std::size_t(omp_get_max_threads());
+    std::vector<Rows> found(threads);
+#pragma omp parallel num_threads(int(threads))
+    {
+      const auto me = std::size_t(omp_get_thread_num()), all = std::size_t(omp_get_num_threads());
+      std::vector<std::int32_t> near;
+      for (std::size_t i = count * me / all; i < count * (me + 1) / all; ++i) work(i, near, found[me]);
+    }
+    for (const Rows& rows : found) out.insert(out.end(), rows.begin(), rows.end());
+  }
+
+  void meshes(Rows& out) const {
+    const Grid points(room_, cell_, points_.size(), [&](std::size_t i) { return at(points_[i]); });
+    join(scene_.triangles().size(), out, [&](std::size_t t, std::vector<std::int32_t>& near, Rows& rows) {
+      near.clear();
+      const TriangleRow& row = scene_.triangles()[t];
+      const double reach = reach_[std::size_t(row.surface)];
+      if (reach == 0) return;
+      const Box box = box_of({row.nodes[0], row.nodes[1], row.nodes[2]}, reach);
+      points.in(box, [&](std::int32_t i) {
+        const Vec3& p = at(points_[std::size_t(i)]);
+        if (Box{p, p}.meets(box)) near.push_back(i);
+      });
+      std::sort(near.begin(), near.end());
+      for (const std::int32_t i : near)
+        facet(points_[std::size_t(i)], owner_[std::size_t(i)], std::int32_t(t), rows);
+    });
+    const Grid middles(room_, cell_, cloth_edges_.size(), [&](std::size_t i) {
+      const EdgeRow& row = scene_.edges()[std::size_t(cloth_edges_[i])];
+      return Vec3(0.5 * (at(row.a) + at(row.b)));
+    });
+    join(scene_.edges().size(), out, [&](std::size_t e, std::vector<std::int32_t>& near, Rows& rows) {
+      near.clear();
+      const EdgeRow& row = scene_.edges()[e];
+      const double reach = reach_[std::size_t(row.surface)];
+      if (reach == 0 || surface(row.surface).shape == Shape::rod) return;
+      const Box box = box_of({row.a, row.b}, reach);
+      middles.in(box.grown(half_), [&](std::int32_t i) {
+        const std::int32_t other = cloth_edges_[std::size_t(i)];
+        if (cloth(row.surface) && other <= std::int32_t(e)) return;
+        const EdgeRow& it = scene_.edges()[std::size_t(other)];
+        if (box.meets(box_of({it.a, it.b}, 0))) near.push_back(other);
+      });
+      std::sort(near.begin(), near.end());
+      for (const std::int32_t other : near) edges(std::int32_t(e), other, rows);
+    });
+  }
+
+  // 1, or what the law's lengths shrink to for neighbours; 0 for pairs that share a node.
+  double scale(double reference_distance, const Law& law) const {
+    return std::min(1.0, neighbour_share * reference_distance / law.gap());
+  }
+  double facet_scale(std::int32_t p, const Triangle& t, const Law& law) const {
+    if (p == t[0] || p == t[1] || p == t[2]) return 0;
+    return scale(
+        std::sqrt(squared_point_triangle(reference(p), reference(t[0]), reference(t[1]), reference(t[2]))),
+        law);
+  }
+  bool keep(Candidate& row, const Law& law, Rows& rows) const {
+    const double gap = gap_of(row, corners_of(row, x_));
+    if (gap >= law.gap() * row.pair.scale + skin_) return false;
+    rows.push_back(row);
+    return true;
+  }
+
+  void facet(std::int32_t p, std::int32_t owner, std::int32_t t, Rows& rows) const {
+    const TriangleRow& row = scene_.triangles()[std::size_t(t)];
+    const int which = number(owner, row.surface);
+    if (which < 0) return;
+    const Law& law = scene_.interactions()[std::size_t(which)].law;
+    Candidate out;
+    out.point = {p, row.nodes[0], row.nodes[1], row.nodes[2]};
+    out.interaction = which;
+    out.pair.kind = Kind::facet;
+    out.pair.edge = row.edge;
+    out.pair.corner = row.corner;
+    out.pair.offset = surface(owner).radius + surface(row.surface).radius;
+    if (owner == row.surface) {
+      out.pair.scale = facet_scale(p, row.nodes, law);
+      if (out.pair.scale == 0) return;
+    }
+    if (!cloth(row.surface))
+      out.pair.area = scene_.area(p);
+    else if (cloth(owner))
+      out.pair.area = shared * scene_.area(p);
+    else
+      out.pair.area = shared * std::min(scene_.area(p), surface(row.surface).mean_area);
+    if (!keep(out, law, rows)) return;
+    if (owner == row.surface) uncount_neighbours(rows.back(), row, law);
+  }
+
+  // Beside a neighbour's facet nothing is taken off: places there count more than once rather than not at
+  // all.
+  void uncount_neighbours(Candidate& out, const TriangleRow& row, const Law& law) const {
+    const auto neighbour = [&](std::span<const std::int32_t> triangles) {
+      for (const std::int32_t t : triangles) {
+        const TriangleRow& other = scene_.triangles()[std::size_t(t)];
+        if (other.surface == row.surface && facet_scale(out.point[0], other.nodes, law) < 1) return true;
+      }
+      return false;
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (out.pair.edge[k] != 0 && neighbour(scene_.triangles_at_edge(row.edge_row[k]))) out.pair.edge[k] = 0;
+      if (out.pair.corner[k] != 0 && neighbour(scene_.triangles_at_point(row.nodes[k])))
+        out.pair.corner[k] = 0;
+    }
+  }
+
+  void edges(std::int32_t e, std::int32_t f, Rows& rows) const {
+    const EdgeRow& a = scene_.edges()[std::size_t(e)];
+    const EdgeRow& b = scene_.edges()[std::size_t(f)];
+    const int which = number(a.surface, b.surface);
+    if (which < 0) return;
+    const Law& law = scene_.interactions()[std::size_t(which)].law;
+    Candidate out;
+    out.point = {a.a, a.b, b.a, b.b};
+    out.interaction = which;
+    out.pair.kind = Kind::edges;
+    out.pair.offset = surface(a.surface).radius + surface(b.surface).radius;
+    if (a.surface == b.surface) {
+      if (a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b) return;
+      out.pair.scale = scale(
+          std::sqrt(squared_segment_segment(reference(a.a), reference(a.b), reference(b.a), reference(b.b))),
+          law);
+      if (out.pair.scale == 0) return;
+    }
+    const double width = std::min(a.area / a.length, b.area / b.length);
+    const double end = law.gap() * out.pair.scale + out.pair.offset;
+    out.pair.area = crossing_share * width * width;
+    out.pair.fading = {true, std::min(0.5, end / a.length), std::min(0.5, end / b.length)};
+    keep(out, law, rows);
+  }
+
+  // Balls, rods and walls against every cloth that they meet.
+  void simple_shapes(Rows& out) const {
+    for (std::size_t i = 0; i < scene_.interactions().size(); ++i) {
+      const Interaction& it = scene_.interactions()[i];
+      const Surface& shape = surface(it.second);
+      const Surface& sheet = surface(it.first);
+      if (shape.shape == Shape::cloth || shape.shape == Shape::solid) continue;
+      const std::int32_t v = shape.first_vertex;
+      Candidate row;
+      row.interaction = std::int32_t(i);
+      row.pair.offset = shape.radius;
+      nodes(it, sheet, shape, row, out);
+      if (shape.shape == Shape::rod) wraps(it, sheet, v, row, out);
+      if (shape.shape != Shape::wall)
+        for (std::int32_t k = 0; k < shape.vertices; ++k) facets(it, sheet, v + k, row, out);
+    }
+  }
+
+  void nodes(const Interaction& it, const Surface& sheet, const Surface& shape, Candidate row,
+             Rows& out) const {
+    const std::int32_t v = shape.first_vertex;
+    const bool wall = shape.shape == Shape::wall;
+    row.pair.kind = wall ? Kind::plane : shape.shape == Shape::rod ? Kind::segment : Kind::centre;
+    const double reach = it.law.gap() + shape.radius + skin_;
+    const Box box = wall ? Box{} : shape.vertices == 1 ? box_of({v}, reach) : box_of({v, v + 1}, reach);
+    const Vec3 normal = wall ? Vec3((at(v + 1) - at(v)).cross(at(v + 2) - at(v)).normalized()) : Vec3::Zero();
+    join(sheet.points.size(), out, [&](std::size_t i, std::vector<std::int32_t>&, Rows& rows) {
+      const std::int32_t p = sheet.points[i];
+      if (wall ? normal.dot(at(p) - at(v)) >= reach : !box.meets(Box{at(p), at(p)})) return;
+      Candidate found = row;
+      found.point[0] = p;
+      for (std::int32_t k = 0; k < shape.vertices; ++k) found.point[std::size_t(k + 1)] = v + k;
+      found.pair.area = (wall ? 1 : shared) * scene_.area(p);
+      keep(found, it.law, rows);
+    });
+  }
+
+  void wraps(const Interaction& it, const Surface& sheet, std::int32_t v, Candidate row, Rows& out) const {
+    row.pair.kind = Kind::wrap;
+    const Box box = box_of({v, v + 1}, it.law.gap() + row.pair.offset + skin_);
+    join(std::size_t(sheet.edges), out, [&](std::size_t i, std::vector<std::int32_t>&, Rows& rows) {
+      const EdgeRow& e = scene_.edges()[std::size_t(sheet.first_edge) + i];
+      if (!box.meets(box_of({e.a, e.b}, 0))) return;
+      Candidate found = row;
+      found.point = {e.a, e.b, v, v + 1};
+      found.pair.area = shared * e.area;
+      keep(found, it.law, rows);
+    });
+  }
+
+  void facets(const Interaction& it, const Surface& sheet, std::int32_t v, Candidate row, Rows& out) const {
+    row.pair.kind = Kind::facet;
+    const Box box = box_of({v}, it.law.gap() + row.pair.offset + skin_);
+    join(std::size_t(sheet.triangles), out, [&](std::size_t i, std::vector<std::int32_t>&, Rows& rows) {
+      const TriangleRow& t = scene_.triangles()[std::size_t(sheet.first_triangle) + i];
+      if (!box.meets(box_of({t.nodes[0], t.nodes[1], t.nodes[2]}, 0))) return;
+      Candidate found = row;
+      found.point = {v, t.nodes[0], t.nodes[1], t.nodes[2]};
+      found.pair.area = shared * t.area;
+      keep(found, it.law, rows);
+    });
+  }
+
+  const Scene& scene_;
+  std::span<const Vec3> x_;
+  double skin_;
+  std::vector<int> number_;
+  std::vector<double> reach_;                 // of each surface, m
+  std::vector<std::int32_t> points_, owner_;  // points of cloths and solids
+  std::vector<std::int32_t> cloth_edges_;
+  Box room_;
+  double half_ = 0, cell_ = 1;  // m: half of the longest edge, a cell
+};
+
+}  // namespace
+
+std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin) {
+  return Search(scene, x, skin).run();
+}
+
+Corners corners_of(const Candidate& candidate, std::span<const Vec3> x) {
+  Corners out;
+  for (std::size_t i = 0; i < 4; ++i)
+    out[i] = candidate.point[i] < 0 ? Vec3(Vec3::Zero()) : x[std::size_t(candidate.point[i])];
+  return out;
+}
+
+double gap_of(const Candidate& candidate, const Corners& x) {
+  const double offset = candidate.pair.offset;
+  switch (candidate.pair.kind) {
+    case Kind::facet:
+      return std::sqrt(squared_point_triangle(x[0], x[1], x[2], x[3])) - offset;
+    case Kind::plane:
+      return point_plane(x).distance - offset;
+    case Kind::edges:
+    case Kind::wrap:
+      return std::sqrt(squared_segment_segment(x[0], x[1], x[2], x[3])) - offset;
+    case Kind::segment:
+      return std::sqrt(squared_point_segment(x[0], x[1], x[2])) - offset;
+    case Kind::centre:
+      break;
+  }
+  return (x[0] - x[1]).norm() - offset;
+}
+
+}  // namespace fabricsh::contact

@@ -1,0 +1,325 @@
+// Forces of contact on whole surfaces: closed forms, what counts once, the same bits for any list and any
+// number of threads, stiffness by slope, how far a step may go.
+#include <omp.h>
+
+#include <cstring>
+#include <iostream>
+
+#include "base/hash.hpp"
+#include "catch.hpp"
+#include "contact/sheets.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::contact;
+using namespace fabricsh::test;
+
+namespace {
+
+std::uint64_t bits(const std::vector<Vec3>& f, const Totals& t) {
+  std::string bytes(reinterpret_cast<const char*>(f.data()), f.size() * sizeof(Vec3));
+  for (const double x : {t.contact, t.guard, t.lost, t.gap})
+    bytes.append(reinterpret_cast<const char*>(&x), sizeof x);
+  return hash(bytes);
+}
+
+// Two wavy sheets on a ball, all of it touching here and there, with a motion.
+struct Heap {
+  Sheets sheets;
+  Scene scene = [this] {
+    sheets.add(0.1, 20, Vec3::Zero());
+    sheets.add(0.1, 17, Vec3(0.003, 0.002, 0.00035));
+    Scene out = sheets.scene();
+    const int ball = out.add_ball(Vec3(0.05, 0.05, -0.0304), 0.03);
+    for (const int s : {0, 1}) out.meet(s, s, blend_law(), 0.3);
+    out.meet(0, 1, blend_law(), 0.2);
+    for (const int s : {0, 1}) out.meet(s, ball, blend_law(), 0.4);
+    return out;
+  }();
+  std::vector<Vec3> x, v;
+  std::vector<double> inverse_mass;
+  Heap() : x(scene.reference()), v(x.size()), inverse_mass(x.size(), 1e5) {
+    Random random(1);
+    for (std::size_t i = 0; i < scene.nodes(); ++i)
+      x[i].z() += 8e-5 * std::sin(90 * x[i].x()) + random(-4e-5, 4e-5);
+    for (Vec3& u : v) {
+      u = random.vector(1);
+      u.z() *= 0.1;  // so that nothing comes to its floor
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("contact: aligned layers press exactly as the law says, whatever is shared", "[contact]") {
+  for (const int n : {1, 2, 7}) {
+    const Law law = blend_law();
+    const double d = 0.31e-3, side = 0.05;
+    Sheets sheets;
+    for (int layer = 0; layer < 4; ++layer) sheets.add(side, n, Vec3(0, 0, layer * d));
+    Scene scene = sheets.scene();
+    for (int layer = 0; layer + 1 < 4; ++layer) scene.meet(layer, layer + 1, law, 0);
+    Contact contact(scene);
+    auto f = none(scene.reference().size());
+    const Totals totals = contact.add_forces(scene.reference(), f);
+    const std::size_t each = f.size() / 4;
+    const double whole = side * side * law(d).pressure;
+    CHECK(sum(f, 0, each).z() == Approx(-whole).epsilon(1e-12));
+    CHECK(std::fabs(sum(f, each, 2 * each).z()) < 1e-12 * whole);
+    CHECK(sum(f, 3 * each, 4 * each).z() == Approx(whole).epsilon(1e-12));
+    CHECK(totals.contact == Approx(3 * side * side * law(d).contact).epsilon(1e-12));
+    CHECK(totals.gap == Approx(d - law.floor()).epsilon(1e-10));
+    for (std::size_t i = 0; i < each; ++i)
+      CHECK(f[i].z() == Approx(-scene.area(std::int32_t(i)) * law(d).pressure).epsilon(1e-11));
+  }
+}
+
+TEST_CASE("contact: layers out of line press no more than a fifth too much, from crossing edges",
+          "[contact]") {
+  const Law law = blend_law();
+  const double d = 0.31e-3;
+  for (const double shift : {0.1, 0.3, 0.5}) {
+    Sheets sheets;
+    sheets.add(0.1, 20, Vec3::Zero());
+    sheets.add(0.05, 13, Vec3(0.02 + shift * 0.005, 0.021, d));  // over the inside of the first
+    Scene scene = sheets.scene();
+    scene.meet(0, 1, law, 0);
+    Contact contact(scene);
+    auto f = none(scene.reference().size());
+    contact.add_forces(scene.reference(), f);
+    const double excess = sum(f, 441, f.size()).z() / (0.05 * 0.05 * law(d).pressure) - 1;
+    INFO("excess " << excess);
+    std::cout << "layers out of line by " << shift << ": pressure exceeds the law's by " << 100 * excess
+              << " %\n";
+    CHECK(excess > -0.12);
+    CHECK(excess < 0.2);
+  }
+}
+
+TEST_CASE("contact: a node over a flat surface of many facets counts once wherever it is", "[contact]") {
+  const Law law = blend_law();
+  Sheets sheets;
+  sheets.add(0.001, 1, Vec3::Zero());
+  Scene scene = sheets.scene();
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+  const int n = 30;  // finer than the reach of contact
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) vertices.emplace_back(1e-4 * (i - 10), 1e-4 * (j - 10), 0);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i;
+      triangles.push_back({a, a + 1, a + n + 2});
+      triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  scene.meet(0, scene.add_solid(vertices, triangles, 0), law, 0);
+  Random random(2);
+  for (int k = 0; k < 40; ++k) {
+    const double d = random(0.2e-3, 0.37e-3);
+    std::vector<Vec3> x = scene.reference();
+    for (std::size_t i = 0; i < 4; ++i)
+      x[i] += Vec3(k == 0 ? 0 : random(-2e-4, 2e-4), k == 0 ? 0 : random(-2e-4, 2e-4), d);
+    double energy = 0, force = 0;
+    for (const Candidate& c : find_pairs(scene, x, 0)) {
+      if (c.pair.kind != Kind::facet || c.point[0] != 0) continue;
+      const Force one = pair_force(law, c.pair, corners_of(c, x));
+      energy += one.contact;
+      force += one.on[0].z();
+    }
+    // Hundreds of facets, edges and corners within reach cancel to one.
+    CHECK(energy == Approx(scene.area(0) * law(x[0].z()).contact).epsilon(1e-10));
+    CHECK(force == Approx(scene.area(0) * law(x[0].z()).pressure).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("contact: a sheet at rest on a wall has the pressure of its weight", "[contact]") {
+  const Law law = blend_law();
+  Sheets sheets;
+  sheets.add(0.05, 6, Vec3::Zero());
+  Scene scene = sheets.scene();
+  const Vec3 normal = Vec3(1, 2, 3).normalized();
+  const int wall = scene.add_wall(Vec3(0.3, 0.1, -0.2), normal);
+  scene.meet(wall, 0, law, 0);
+  const double p = 0.23 * 9.81, d = gap_at(law, p);  // areal mass times gravity
+  std::vector<Vec3> x = scene.reference();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), normal);
+  for (std::size_t i = 0; i < scene.nodes(); ++i) x[i] = Vec3(0.3, 0.1, -0.2) + turn * x[i] + d * normal;
+  Contact contact(scene);
+  auto f = none(x.size());
+  contact.add_forces(x, f);
+  for (std::size_t i = 0; i < scene.nodes(); ++i) {
+    CHECK((f[i] - scene.area(std::int32_t(i)) * p * normal).norm() < 1e-8 * p * scene.area(std::int32_t(i)));
+    CHECK(contact.gaps()[i] + law.floor() == Approx(d).epsilon(1e-9));
+    CHECK(contact.pressures()[i] == Approx(p).epsilon(1e-8));
+  }
+  CHECK(sum(f, 0, f.size()).norm() < 1e-12 * p);  // the wall takes it
+}
+
+TEST_CASE("contact: the same bits for any skin and any number of threads", "[contact]") {
+  const Heap heap;
+  const Motion motion{heap.v, heap.inverse_mass, 1e-6};
+  std::vector<std::uint64_t> found;
+  for (const int threads : {1, 2, 4})
+    for (const double skin : {0.3e-3, 1e-3, 1.5e-3, 2.2e-3}) {
+      omp_set_num_threads(threads);
+      Contact contact(heap.scene, {skin, skin / 2.5});
+      std::vector<Vec3> x = heap.x;
+      std::string all;
+      for (int step = 0; step < 25; ++step) {  // the lists age, are refined and made anew at different steps
+        auto f = none(x.size());
+        const Totals totals = contact.add_forces(x, f, &motion);
+        REQUIRE(totals.touching > 50);
+        REQUIRE(totals.lost > 0);
+        all += std::to_string(bits(f, totals));
+        for (std::size_t i = 0; i < heap.scene.nodes(); ++i) x[i] += 5e-6 * heap.v[i];
+      }
+      found.push_back(hash(all));
+    }
+  omp_set_num_threads(omp_get_num_procs());
+  for (const std::uint64_t h : found) CHECK(h == found[0]);
+}
+
+TEST_CASE("contact: forces of cloth on cloth and on bodies balance", "[contact]") {
+  const Heap heap;
+  const Motion motion{heap.v, heap.inverse_mass, 1e-6};
+  for (const bool slides : {false, true}) {
+    Contact contact(heap.scene);
+    auto f = none(heap.x.size());
+    contact.add_forces(heap.x, f, slides ? &motion : nullptr);
+    double size = 0;
+    Vec3 moment = Vec3::Zero();
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      size += f[i].norm();
+      moment += heap.x[i].cross(f[i]);
+    }
+    CHECK(sum(f, 0, f.size()).norm() < 1e-12 * size);
+    // Friction acts across the distance of the midsurfaces, so its moment is a couple; pressing has none.
+    if (!slides) CHECK(moment.norm() < 1e-12 * size);
+  }
+}
+
+TEST_CASE("contact: stiffness is the derivative of the forces, friction's unsymmetric part included",
+          "[contact]") {
+  const Heap heap;
+  Contact contact(heap.scene);
+  const std::size_t n = heap.x.size();
+  Random random(4);
+  std::vector<Vec3> start = heap.x, by(n), product = none(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    start[i] += random.vector(1e-4);
+    by[i] = random.vector(1);
+  }
+  const double creep = 1e-6;
+  contact.stiffness(
+      heap.x,
+      [&](const std::array<std::int32_t, 4>& p, const Matrix12& k) {
+        for (int i = 0; i < 4; ++i)
+          for (int j = 0; j < 4; ++j)
+            if (p[std::size_t(i)] >= 0 && p[std::size_t(j)] >= 0)
+              product[std::size_t(p[std::size_t(i)])] +=
+                  k.block<3, 3>(3 * i, 3 * j) * by[std::size_t(p[std::size_t(j)])];
+      },
+      start, creep);
+  const auto error = [&](double h) {
+    auto up = none(n), down = none(n);
+    for (const double sign : {1.0, -1.0}) {
+      std::vector<Vec3> x = heap.x;
+      for (std::size_t i = 0; i < n; ++i) x[i] += sign * h * by[i];
+      contact.add_forces(x, sign > 0 ? up : down);
+      contact.add_friction(x, start, creep, sign > 0 ? up : down);
+    }
+    double sum = 0, size = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      sum += ((up[i] - down[i]) / (2 * h) + product[i]).squaredNorm();
+      size += product[i].squaredNorm();
+    }
+    return std::sqrt(sum / size);
+  };
+  // Hundreds of pairs: within the smallest steps none changes its pieces.
+  CHECK(error(1e-9) < 1e-4);
+  CHECK(error(2.5e-8) < 1e-2);
+}
+
+TEST_CASE("contact: a sheet with nothing near lists nothing and feels nothing", "[contact]") {
+  Sheets sheets;
+  sheets.add(0.1, 20, Vec3::Zero());
+  Scene scene = sheets.scene();
+  scene.meet(0, 0, blend_law(), 0.3);
+  Contact contact(scene);
+  auto f = none(scene.reference().size());
+  std::vector<Vec3> x = scene.reference();
+  for (int step = 0; step < 100; ++step) {
+    for (Vec3& p : x) p += Vec3(0.01, 0.02, -0.05);  // it flies as a whole: the lists last
+    const Totals totals = contact.add_forces(x, f);
+    CHECK(totals.touching == 0);
+    CHECK(totals.gap == blend_law().gap() - blend_law().floor());
+  }
+  CHECK(sum(f, 0, f.size()).norm() == 0);
+  CHECK(contact.listed() == 0);
+  CHECK(contact.searches() == 1);
+}
+
+TEST_CASE("contact: a sheet thicker than its elements rests in its reference and resists being folded up",
+          "[contact]") {
+  Sheets sheets;
+  sheets.add(0.002, 20, Vec3::Zero());  // elements of 0.1 mm, contact from 0.38 mm
+  Scene scene = sheets.scene();
+  scene.meet(0, 0, blend_law(), 0);
+  Contact contact(scene);
+  const auto totals = [&](double shrink) {
+    std::vector<Vec3> x = scene.reference();
+    for (Vec3& p : x) p.x() *= shrink;
+    auto f = none(x.size());
+    return contact.add_forces(x, f);
+  };
+  CHECK(totals(1).touching == 0);
+  CHECK(totals(0.95).touching == 0);
+  CHECK(totals(0.8).contact > 0);
+}
+
+TEST_CASE("contact: a step stops before cloth passes cloth, a ball, a rod and a wall", "[contact]") {
+  const Law law = blend_law();
+  Sheets sheets;
+  sheets.add(0.05, 5, Vec3::Zero());
+  sheets.add(0.05, 7, Vec3(0.001, 0.002, 0.01));
+  Scene scene = sheets.scene();
+  scene.meet(0, 1, law, 0);
+  scene.meet(0, scene.add_ball(Vec3(0.023, 0.027, -0.006), 0.002), law, 0);
+  scene.meet(0, scene.add_rod(Vec3(-1, 0.012, -0.004), Vec3(1, 0.013, -0.004), 0.001), law, 0);
+  scene.meet(0, scene.add_wall(Vec3(0, 0, -0.02), Vec3::UnitZ()), law, 0);
+  Contact contact(scene);
+  // (who moves, how far along z, the clear way before the floor is reached)
+  struct Case {
+    std::size_t from, to;
+    double by, clear;
+  };
+  const std::size_t first = 36, all = scene.reference().size();
+  for (const Case& c : {Case{first, scene.nodes(), -0.02, 0.01}, Case{0, first, 0.02, 0.01},
+                        Case{scene.nodes(), scene.nodes() + 1, 0.02, 0.004}, Case{0, first, -0.02, 0.003},
+                        Case{scene.nodes() + 3, all, 0.03, 0.02}}) {
+    std::vector<Vec3> by = none(all);
+    for (std::size_t i = c.from; i < c.to; ++i) by[i].z() = c.by;
+    const double share = contact.safe_share(scene.reference(), by), way = share * std::fabs(c.by);
+    INFO("moves " << c.from << " to " << c.to << " by " << c.by);
+    CHECK(way < c.clear - law.floor());
+    CHECK(way > 0.89 * (c.clear - law.floor()));
+  }
+  CHECK(contact.safe_share(scene.reference(), std::vector<Vec3>(all, Vec3(1, 2, 3))) == 1);
+}
+
+TEST_CASE("contact: overlaps at the start are found, pair by pair", "[contact]") {
+  Sheets sheets;
+  sheets.add(0.05, 4, Vec3::Zero());
+  sheets.add(0.05, 4, Vec3(0.003, 0.004, 0.1));
+  Scene scene = sheets.scene();
+  scene.meet(0, 1, blend_law(), 0);
+  const Contact contact(scene);
+  CHECK(contact.overlaps(scene.reference()).empty());
+  std::vector<Vec3> x = scene.reference();
+  for (std::size_t i = 25; i < 50; ++i) x[i].z() = 0.1e-3;
+  for (const auto& o : contact.overlaps(x)) CHECK(o.gap <= blend_law().floor());
+  CHECK(contact.overlaps(x).size() > 25);
+  for (std::size_t i = 25; i < 50; ++i) x[i].z() = x[i].x() - 0.026;  // it cuts through
+  bool cut = false;
+  for (const auto& o : contact.overlaps(x)) cut = cut || o.gap == 0;
+  CHECK(cut);
+}
