@@ -178,14 +178,57 @@ std::string trouble_of(const Source& source, const TableForm& form, const std::s
   }
 }
 
+// The heading above the rows: a line of names and perhaps one of units below it; none without one.
+std::vector<std::string_view> heading_lines(Source source, const Reading& reading, std::size_t begin) {
+  Cells cells;
+  std::vector<std::string_view> lines;
+  std::string_view line;
+  source.move_to(0);
+  while (source.place() < begin && source.next_line(line)) {
+    if (!carries_data(line)) continue;
+    if (is_heading(line, reading, cells))
+      lines.push_back(trimmed(line));
+    else
+      lines.clear();
+  }
+  if (lines.size() > 2) lines.erase(lines.begin(), lines.end() - 2);
+  return lines;
+}
+
+// Frames that write in blocks (MTS) put the heading above each of them anew, below a few lines of words.
+// True: the line is the first of these, and the source now stands behind the heading.
+bool pass_block_head(Source& source, std::string_view line, const std::vector<std::string_view>& heading) {
+  constexpr int most = 20;  // lines of words between two blocks
+  if (heading.empty()) return false;
+  Source ahead = source;
+  for (int i = 0; trimmed(line) != heading.front(); ++i)
+    if (i == most || !ahead.next_line(line)) return false;
+  for (std::size_t i = 1; i < heading.size(); ++i) {
+    Source below = ahead;
+    if (!below.next_line(line) || trimmed(line) != heading[i]) break;
+    ahead = below;
+  }
+  source = ahead;
+  return true;
+}
+
+// Whether a line may stand between two blocks: it has no number in any cell, or other cells than a row.
+bool between_blocks(const Cells& cells, const Table& table) {
+  double value = 0;
+  return cells.size() != table.columns.size() || std::none_of(cells.begin(), cells.end(), [&](auto cell) {
+           return parse_cell(cell, table.form.decimal, value);
+         });
+}
+
 // The rows; returns how many cells are no numbers.
-std::size_t read_rows(Table& table, Source& source) {
+std::size_t read_rows(Table& table, Source& source, const std::vector<std::string_view>& heading) {
   Cells cells;
   std::string_view line;
   std::size_t bad = 0;
   while (source.next_line(line)) {
     if (!carries_data(line)) continue;
     split_row(line, table.form.separator, table.columns.size(), cells);
+    if (between_blocks(cells, table) && pass_block_head(source, line, heading)) continue;
     if (cells.size() != table.columns.size())
       source.fail("expected " + std::to_string(table.columns.size()) + " cells, got " +
                   std::to_string(cells.size()));
@@ -212,8 +255,10 @@ std::size_t read_rows(Table& table, Source& source) {
 Table read_as(Source source, const Reading& reading, std::size_t& bad) {
   Table table;
   table.form = reading.form;
-  source.move_to(read_preamble(table, source, reading));
-  bad = read_rows(table, source);
+  const std::size_t begin = read_preamble(table, source, reading);
+  const auto heading = heading_lines(source, reading, begin);
+  source.move_to(begin);
+  bad = read_rows(table, source, heading);
   return table;
 }
 

@@ -48,6 +48,13 @@ fails("column 'Load' is a force per width: expected field 'width' of the specime
 r = read "Extension (%),Extension (mm),Load (N)\n0,0,0\n2,4,100\n4,8,210\n"
 assert(r.displacement[3] == 8e-3 and math.abs(r.strain[3] - 0.04) < 1e-17)
 
+-- a frame that writes in blocks, the heading above each anew, words in between
+r = read("MTS793|ENU|1|0\n\nData Acquisition: Timed\nTime\tExtension\tLoad\nsec\tmm\tN\n0\t0\t0\n1\t1\t2\n2\t2\t4\n3\t3\t6\n\nData Acquisition: Timed, block 2\nTime\tExtension\tLoad\n"
+  .. "sec\tmm\tN\n4\t4\t8\nTime\tExtension\tLoad\nsec\tmm\tN\n5\t5\t10\n")
+assert(r.rows == 6 and r.time[5] == 4 and r.displacement[4] == 3e-3 and r.force[6] == 10)
+fails(":6: column 'Load': expected a finite number, got 'broken'", read, "Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\n4,broken\n")
+fails(":6: expected 2 cells, got 1", read, "Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\nend of test\n4,4\n")
+
 -- words of one's own, from a table or a file, go before those of the house
 local mine = { displacement = { "hub" }, force = { "zug" }, units = { force = { dyn = 1e-5 }, displacement = { furlong = 201.168 } } }
 r = read("Zugweg,hub (furlong),zug (dyn)\n9,0,0\n9,2,3\n9,4,5\n", { vocabulary = mine, columns = { force = 3 } })
