@@ -40,21 +40,23 @@ auto later(const std::vector<std::pair<double, double>>& points, double t) {
 
 }  // namespace
 
+History::History(Points points) {
+  std::vector<double> kinks;
+  if (points.size() > 1)
+    for (const auto& point : points) kinks.push_back(point.first);
+  kinks_ = std::make_shared<const std::vector<double>>(std::move(kinks));
+  points_ = std::make_shared<const Points>(std::move(points));
+}
+
 History History::constant(double value) {
   require(std::isfinite(value), "history: expected a finite value, got " + text(value));
-  History h;
-  h.points_ = {{0.0, value}};
-  return h;
+  return History(Points{{0.0, value}});
 }
 
 History History::table(std::vector<std::pair<double, double>> points) {
   require(!points.empty(), "history: expected at least one row {time, value}, got an empty table");
   for (std::size_t i = 0; i < points.size(); ++i) check_point(points, i);
-  History h;
-  if (points.size() > 1)
-    for (const auto& point : points) h.kinks_.push_back(point.first);
-  h.points_ = std::move(points);
-  return h;
+  return History(std::move(points));
 }
 
 History History::ramp(double value, double duration) {
@@ -78,10 +80,10 @@ double History::value(double t) const {
             "history: expected a finite value from the function at time " + text(t) + " s, got " + text(v));
     return v;
   }
-  if (points_.empty()) return 0.0;
-  const auto next = later(points_, t);
-  if (next == points_.begin()) return points_.front().second;
-  if (next == points_.end()) return points_.back().second;
+  if (points_->empty()) return 0.0;
+  const auto next = later(*points_, t);
+  if (next == points_->begin()) return points_->front().second;
+  if (next == points_->end()) return points_->back().second;
   const auto& last = *(next - 1);
   // Exact at both ends of the interval.
   const double w = (t - last.first) / (next->first - last.first);
@@ -90,8 +92,8 @@ double History::value(double t) const {
 
 double History::rate(double t, double step) const {
   if (callback_) return (value(t + step) - value(t - step)) / (2.0 * step);
-  const auto next = later(points_, t);
-  if (next == points_.begin() || next == points_.end()) return 0.0;
+  const auto next = later(*points_, t);
+  if (next == points_->begin() || next == points_->end()) return 0.0;
   return slope(*(next - 1), *next);
 }
 
