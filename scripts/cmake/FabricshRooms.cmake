@@ -52,7 +52,7 @@ function(fabricsh_rooms layers)
     string(REGEX MATCH "^([a-z]+):(.*)$" _ "${line}")
     set(room ${CMAKE_MATCH_1})
     separate_arguments(needs UNIX_COMMAND "${CMAKE_MATCH_2}")
-    file(GLOB sources CONFIGURE_DEPENDS src/${room}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/${room}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "main\\.cpp$")
     set(kernels ${sources})
     list(FILTER kernels INCLUDE REGEX "_isa\\.cpp$")
@@ -75,7 +75,7 @@ function(fabricsh_rooms layers)
   endforeach()
   set(FABRICSH_ROOM_TARGETS ${targets} PARENT_SCOPE)
   # The only rooms that may see a third-party library.
-  fabricsh_room_uses(solver PRIVATE fabricsh_suitesparse)
+  fabricsh_room_uses(linear PRIVATE fabricsh_suitesparse)
   fabricsh_room_uses(files PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOCore VTK::IOImage VTK::IOXML
     ZLIB::ZLIB PNG::PNG JPEG::JPEG TIFF::TIFF)
   fabricsh_room_uses(render PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOImage VTK::IOXML

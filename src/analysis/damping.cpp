@@ -5,18 +5,15 @@
 
 namespace fabricsh::analysis {
 
-Damping::Damping(const assembly::Assembly& assembly, double fraction)
+Damping::Damping(const mechanics::Assembly& assembly, double fraction)
     : assembly_(assembly), fraction_(fraction) {
   if (!on()) return;
-  const auto& K = assembly.pattern();
   const auto& nodes = assembly.freedoms().nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     for (int c = 0; c < 3; ++c) {
       const auto eq = nodes[n].equation[c];
       if (eq < 0) continue;
-      const auto first = K.row.begin() + K.column[eq], last = K.row.begin() + K.column[eq + 1];
-      freedoms_.push_back(
-          {eq, static_cast<assembly::Index>(n), std::lower_bound(first, last, eq) - K.row.begin(), c});
+      freedoms_.push_back({eq, static_cast<mechanics::Index>(n), c});
     }
 }
 
@@ -28,13 +25,13 @@ double Damping::moved(const Freedom& f) const {
   return assembly_.freedoms().nodes[f.node].frame.row(f.component).dot(u);
 }
 
-void Damping::start(double dt, const solver::SparseMatrix& K) {
+void Damping::start(double dt, const linear::Matrix& K) {
   if (!on()) return;
   dt_ = dt > 0 ? dt : 1;
   if (factor_ > 0) return;
   double stiffness = 0, mass = 0;
   for (const auto& f : freedoms_) {
-    stiffness += std::abs(K.value[f.slot]);
+    stiffness += std::abs(K.value[K.pattern->slot(f.equation, f.equation)]);
     mass += assembly_.nodal_mass()[f.node];
   }
   if (mass > 0) factor_ = fraction_ * stiffness / mass * dt_;
@@ -44,8 +41,9 @@ void Damping::add_force(std::span<double> r) const {
   for (const auto& f : freedoms_) r[f.equation] -= factor_ * assembly_.nodal_mass()[f.node] * moved(f) / dt_;
 }
 
-void Damping::add_stiffness(solver::SparseMatrix& K) const {
-  for (const auto& f : freedoms_) K.value[f.slot] += factor_ * assembly_.nodal_mass()[f.node] / dt_;
+void Damping::add_stiffness(linear::Matrix& K) const {
+  for (const auto& f : freedoms_)
+    K.add(f.equation, f.equation, factor_ * assembly_.nodal_mass()[f.node] / dt_);
 }
 
 double Damping::work() const {

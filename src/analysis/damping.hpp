@@ -5,19 +5,19 @@
 #include <span>
 #include <vector>
 
-#include "assembly/assembly.hpp"
+#include "mechanics/assembly.hpp"
 
 namespace fabricsh::analysis {
 
 class Damping {
  public:
-  Damping(const assembly::Assembly& assembly, double fraction);  // 0: none
+  Damping(const mechanics::Assembly& assembly, double fraction);  // 0: none
 
   bool on() const { return fraction_ > 0; }
   // A step of dt begins. The first one takes c such that the nodes' viscous stiffness is `fraction` of K's.
-  void start(double dt, const solver::SparseMatrix& K);
+  void start(double dt, const linear::Matrix& K);
   void add_force(std::span<double> r) const;
-  void add_stiffness(solver::SparseMatrix& K) const;
+  void add_stiffness(linear::Matrix& K) const;
   double work() const;  // J, lost in the step, at the trial configuration
   // After a step: what it lost and the work that was done on the sheet in it, J.
   void adapt(double lost, double step_work);
@@ -27,11 +27,11 @@ class Damping {
 
  private:
   struct Freedom {
-    assembly::Index equation, node, slot;  // slot of the diagonal entry
+    mechanics::Index equation, node;
     int component;
   };
   double moved(const Freedom& f) const;  // m, along the node's frame, in the step
-  const assembly::Assembly& assembly_;
+  const mechanics::Assembly& assembly_;
   double fraction_, factor_ = 0, dt_ = 1;
   std::vector<Freedom> freedoms_;
 };

@@ -95,11 +95,11 @@ void Dynamic::begin() {
   assembly_->begin_iterate();
   assembly_->retract(still, 1, targets);
   assembly_->aim(0);
-  if (!assembly_->forces(fabric::AtSwitch::loading))
+  if (!assembly_->forces({}))
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->failed_element());
-  assembly_->state().commit(0);
+  assembly_->commit(0);
   assembly_->external(0, dead_);
-  const assembly::NodalRates rates = initial_rates();
+  const mechanics::NodalRates rates = initial_rates();
   set_motion(rates);
   tell_dropped(rates);
   work_.start(*assembly_, dead_);
@@ -107,9 +107,9 @@ void Dynamic::begin() {
   now_.next_check = duration_ / kChecks;
 }
 
-assembly::NodalRates Dynamic::initial_rates() const {
+mechanics::NodalRates Dynamic::initial_rates() const {
   const auto& X = assembly_->reference();
-  assembly::NodalRates rates{std::vector<double>(3 * X.size(), 0), std::vector<double>(3 * X.size(), 0)};
+  mechanics::NodalRates rates{std::vector<double>(3 * X.size(), 0), std::vector<double>(3 * X.size(), 0)};
   const auto d = std::as_const(*assembly_).state().d();
   for (const auto& given : model_->velocities())
     for (const auto n : model_->mesh().set(given.set)) {
@@ -125,14 +125,15 @@ assembly::NodalRates Dynamic::initial_rates() const {
 }
 
 // Which of the nodes' velocities lie along a freedom that is held or driven; the axes of those are marked.
-std::vector<bool> Dynamic::dropped_nodes(const assembly::NodalRates& rates, std::array<bool, 3>& axes) const {
+std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
+                                         std::array<bool, 3>& axes) const {
   std::vector<bool> dropped(assembly_->reference().size(), false);
   for (std::size_t n = 0; n < dropped.size(); ++n) {
     const auto& freedoms = assembly_->freedoms().nodes[n];
     const Vec3 v = freedoms.frame * Eigen::Map<const Vec3>(rates.x.data() + 3 * n);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto equation = freedoms.equation[i];
-      if (v[static_cast<int>(i)] == 0 || equation >= 0 || equation == assembly::tied) continue;
+      if (v[static_cast<int>(i)] == 0 || equation >= 0 || equation == mechanics::tied) continue;
       dropped[n] = axes[i] = true;
     }
   }
@@ -140,7 +141,7 @@ std::vector<bool> Dynamic::dropped_nodes(const assembly::NodalRates& rates, std:
 }
 
 // Once, for all sets together.
-void Dynamic::tell_dropped(const assembly::NodalRates& rates) const {
+void Dynamic::tell_dropped(const mechanics::NodalRates& rates) const {
   constexpr std::size_t most = 3;  // names of sets
   std::array<bool, 3> axes{};
   const auto dropped = dropped_nodes(rates, axes);
@@ -199,10 +200,15 @@ double Dynamic::driven_kinetic() const {
 
 Vec3 Dynamic::inertia(mesh::Index node) const {
   Vec3 force = Vec3::Zero();
-  for (const auto& m : assembly_->freedoms().motions) {
-    if (m.node != node || m.component > 2) continue;
+  const auto& freedoms = assembly_->freedoms();
+  for (int c = 0; c < 3; ++c) {
+    const auto equation = freedoms.nodes[node].equation[c];
+    if (equation >= mechanics::held || equation == mechanics::tied) continue;
+    const auto& m = freedoms.motions[mechanics::motion_of(equation)];
+    const auto& history = freedoms.histories[m.history];
     const double h = std::max(1e-5, 1e-4 * now_.step), t = std::clamp(time(), h, std::max(h, duration_ - h));
-    const double before = m.value(t - h), now = m.value(t), after = m.value(t + h);
+    const double before = m.of(history.value(t - h)), now = m.of(history.value(t)),
+                 after = m.of(history.value(t + h));
     const double a = (before - 2 * now + after) / (h * h), v = (after - before) / (2 * h);
     force += assembly_->nodal_mass()[node] * (a + options_.mass_damping * v) *
              assembly_->freedoms().nodes[node].frame.row(m.component).transpose();

@@ -38,9 +38,9 @@ class Dynamic : public Run {
   void set(const Settings& settings) override;
   void keep_settings(Archive& archive) override;
   double scaled_share() const override { return now_.scaled; }
-  double stable_step() const { return stable_; }  // s, of the reference configuration (PHYSICS section 7)
+  double stable_step() const { return stable_; }  // s, of the reference configuration (share/doc/theory.md, 7)
   double step_size() const { return now_.step; }  // s, that the run goes by, landings apart
-  virtual const assembly::NodalRates& rates() const = 0;  // of the committed state
+  virtual const mechanics::NodalRates& rates() const = 0;  // of the committed state
 
  protected:
   Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
@@ -60,13 +60,13 @@ class Dynamic : public Run {
   }
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
   double driven_kinetic() const;             // J, of displacements that are driven
-  assembly::NodalRates initial_rates() const;
-  virtual void set_motion(const assembly::NodalRates& rates) = 0;  // at time 0
+  mechanics::NodalRates initial_rates() const;
+  virtual void set_motion(const mechanics::NodalRates& rates) = 0;  // at time 0
   // A notice where a driven displacement goes by more than `most` m in the step to a time, s.
   void watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time, double most);
-  std::vector<bool> dropped_nodes(const assembly::NodalRates& rates, std::array<bool, 3>& axes) const;
+  std::vector<bool> dropped_nodes(const mechanics::NodalRates& rates, std::array<bool, 3>& axes) const;
   // A notice of velocities at time 0 given to nodes that are held or driven.
-  void tell_dropped(const assembly::NodalRates& rates) const;
+  void tell_dropped(const mechanics::NodalRates& rates) const;
   void say(const std::string& text) { notices_->say(text); }
   std::string remedy(const Energy& energies) const;  // of a ledger's error
 

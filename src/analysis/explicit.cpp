@@ -33,7 +33,8 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   choose_step();
   const auto n = mass_.size();
   for (std::size_t i = 0; i < n; ++i)
-    farthest_.push_back(assembly_->turns(static_cast<assembly::Index>(i)) ? std::numbers::pi / 2 : smallest_);
+    farthest_.push_back(assembly_->turns(static_cast<mechanics::Index>(i)) ? std::numbers::pi / 2
+                                                                           : smallest_);
   for (auto* v : {&motion_.v, &motion_.a, &trial_.v, &trial_.a, &increment_, &residual_}) v->assign(n, 0);
 }
 
@@ -81,7 +82,7 @@ void Explicit::begin() {
   motion_.c = trial_.c;
 }
 
-void Explicit::set_motion(const assembly::NodalRates& rates) { motion_.v = assembly_->collect_rates(rates); }
+void Explicit::set_motion(const mechanics::NodalRates& rates) { motion_.v = assembly_->collect_rates(rates); }
 
 double Explicit::try_step(double limit, StepReport& report) {
   if (now_.steps % kStretchEvery == 0) split();
@@ -105,7 +106,7 @@ void Explicit::split() {
 // Forces at the trial configuration and the acceleration that they make; trial_.v holds the predicted
 // velocity and becomes the new one. False: the law failed.
 bool Explicit::accelerate(double dt, const std::vector<double>& dead) {
-  if (!assembly_->forces(fabric::AtSwitch::loading)) return false;
+  if (!assembly_->forces({trial_time_ - dt, dt})) return false;
   assembly_->residual(dead, residual_);
   const double damping = options_.mass_damping, kick = options_.gamma * dt;
   const double effective = 1 + kick * damping;
@@ -126,7 +127,7 @@ bool Explicit::attempt(double size, StepReport& report) {
   const double now = committed_time(), dt = size - now, early = (1 - options_.gamma) * dt;
   report.step = dt;
   report.time = now;
-  if (dirty_) assembly_->state().rollback();
+  if (dirty_) assembly_->rollback();
   dirty_ = true;
   tried_ = false;
   trial_time_ = now;
@@ -172,13 +173,13 @@ void Explicit::commit(StepReport& report) {
     });
     now_.damping_work += work - kinetic_of(trial_.v) + kinetic_of(motion_.v);
   }
-  assembly_->state().commit(report.time);
+  if (!assembly_->constant_loads()) dead_ = trial_dead_;
+  work_.add(*assembly_, dead_);
+  assembly_->commit(report.time);
   dirty_ = false;
   std::swap(motion_, trial_);
   targets_ = trial_targets_;
   tried_ = false;
-  dead_ = trial_dead_;
-  work_.add(*assembly_, dead_);
   ++now_.steps;
 }
 
@@ -188,7 +189,7 @@ double Explicit::kinetic_of(const std::vector<double>& v) const {
 
 double Explicit::kinetic() const { return kinetic_of((tried_ ? trial_ : motion_).v) + driven_kinetic(); }
 
-const assembly::NodalRates& Explicit::rates() const {
+const mechanics::NodalRates& Explicit::rates() const {
   const auto version = std::as_const(*assembly_).state().version();
   if (rates_version_ != version)
     assembly_->spread_rates((tried_ ? trial_ : motion_).v, driven_rates(), rates_);

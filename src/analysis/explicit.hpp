@@ -14,12 +14,12 @@ class Explicit final : public Dynamic {
  public:
   Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
            std::shared_ptr<Notices> notices);
-  const assembly::NodalRates& rates() const override;
+  const mechanics::NodalRates& rates() const override;
 
  private:
   void begin() override;
   void take_options(const DynamicOptions& options) override;
-  void set_motion(const assembly::NodalRates& rates) override;
+  void set_motion(const mechanics::NodalRates& rates) override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
   double largest_step() const override { return now_.step; }
@@ -49,7 +49,7 @@ class Explicit final : public Dynamic {
   bool dirty_ = false;                           // does the trial state differ from the committed one
   bool tried_ = false;                           // is it a whole step, not yet committed
   bool ran_away_ = false;
-  mutable assembly::NodalRates rates_;
+  mutable mechanics::NodalRates rates_;
   mutable std::uint64_t rates_version_ = 0;
 };
 

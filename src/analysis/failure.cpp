@@ -33,7 +33,7 @@ double stiffness_ratio(const fabric::Law& law, const double* E, const double* st
   return values[0] > 0 ? values[2] / values[0] : 0;
 }
 
-std::vector<PointLook> look(const assembly::Assembly& assembly, mesh::Index element, bool with_ratio) {
+std::vector<PointLook> look(const mechanics::Assembly& assembly, mesh::Index element, bool with_ratio) {
   std::vector<PointLook> all;
   assembly.visit(element, [&](double, const fabric::Law& law, const double* E, const double* state) {
     PointLook p;
@@ -103,7 +103,7 @@ void name_element(const std::vector<mesh::Index>& about, const Looks& before, co
   blame.before = before[blame.element][point].internal;
 }
 
-Looks look_at_all(const assembly::Assembly& assembly) {
+Looks look_at_all(const mechanics::Assembly& assembly) {
   Looks all;
   for (mesh::Index e = 0; e < assembly.elements(); ++e) all.push_back(look(assembly, e, false));
   return all;
@@ -122,7 +122,7 @@ void count(const Looks& before, const Looks& now, Blame& blame) {
 
 }  // namespace
 
-Blame find_blame(assembly::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last) {
+Blame find_blame(mechanics::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last) {
   Blame blame;
   std::vector<mesh::Index> about;
   const auto x = std::as_const(assembly).state().x();
@@ -136,7 +136,7 @@ Blame find_blame(assembly::Assembly& assembly, const mesh::Mesh& mesh, const sol
   }
   blame.inverted = assembly.inverted_element();
   const Looks now = look_at_all(assembly);
-  assembly.state().rollback();
+  assembly.rollback();
   const Looks before = look_at_all(assembly);
   name_element(about, before, now, blame);
   count(before, now, blame);

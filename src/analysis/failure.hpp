@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "analysis/foresight.hpp"
-#include "assembly/assembly.hpp"
 #include "fabric/law.hpp"
+#include "mechanics/assembly.hpp"
 #include "solver/newton.hpp"
 
 namespace fabricsh::analysis {
@@ -27,7 +27,7 @@ struct Blame {
 
 // Compares the failed iterate with the committed state, to which it then goes back. Of the elements about the
 // node with the largest residual, the first that switches is named.
-Blame find_blame(assembly::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last);
+Blame find_blame(mechanics::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last);
 
 // "; the residual 0.1 (tolerance 1e-10) sits at node 3, element 2, where the warp is switching"
 std::string describe(const Blame& blame, const solver::NewtonResult& last, double tolerance);
@@ -53,7 +53,7 @@ struct Failure {
 };
 
 // m, the farthest that a driven displacement goes from one time to another.
-double farthest_move(const assembly::Assembly& assembly, double from, double to);
+double farthest_move(const mechanics::Assembly& assembly, double from, double to);
 
 // What to try, the likeliest first, each with what was measured: "stabilise=true (3 negative pivots)".
 std::vector<std::string> advice(const Failure& failure);

@@ -84,14 +84,14 @@ namespace {
 
 constexpr double kInPlane = 1e-6;  // sine of the angle between a free direction and the surface
 
-bool may_leave_surface(const assembly::Assembly& assembly) {
+bool may_leave_surface(const mechanics::Assembly& assembly) {
   const auto d = assembly.state().d();
   for (std::size_t n = 0; n < assembly.reference().size(); ++n) {
     const auto& node = assembly.freedoms().nodes[n];
     const Eigen::Map<const Vec3> director(d.data() + 3 * n);
     for (int c = 0; c < 3; ++c) {
       const auto equation = node.equation[static_cast<std::size_t>(c)];
-      const bool moves = equation >= 0 || equation == assembly::tied;
+      const bool moves = equation >= 0 || equation == mechanics::tied;
       if (moves && std::abs(node.frame.row(c).dot(director)) > kInPlane) return true;
     }
   }
@@ -111,7 +111,7 @@ std::string odd_bending(card::Card card, double thickness, const fabric::Law& la
 
 }  // namespace
 
-std::string bending_warning(const model::Model& model, const assembly::Assembly& assembly) {
+std::string bending_warning(const model::Model& model, const mechanics::Assembly& assembly) {
   const auto& section = model.section();
   const auto& plies = model.options().plies;
   std::string words = plies.empty()
@@ -140,7 +140,7 @@ std::string shown(const Vec3& v, const char* unit) {
 // How supports and springs resist the six rigid motions of the sheet as it is.
 class RigidMotions {
  public:
-  explicit RigidMotions(const assembly::Assembly& assembly) : assembly_(assembly) {
+  explicit RigidMotions(const mechanics::Assembly& assembly) : assembly_(assembly) {
     const auto x = assembly.state().x();
     const auto count = static_cast<std::size_t>(assembly.reference().size());
     centre_.setZero();
@@ -195,7 +195,7 @@ class RigidMotions {
   void add_node(std::size_t n) {
     const auto& node = assembly_.freedoms().nodes[n];
     const auto stays = [&](std::size_t i) {
-      return node.equation[i] < 0 && node.equation[i] != assembly::tied;
+      return node.equation[i] < 0 && node.equation[i] != mechanics::tied;
     };
     for (int c = 0; c < 3; ++c)
       if (stays(static_cast<std::size_t>(c))) add_direction(n, node.frame.row(c).transpose());
@@ -204,14 +204,14 @@ class RigidMotions {
     if (stays(4)) add_rotation(d, d.cross(b1));
   }
 
-  const assembly::Assembly& assembly_;
+  const mechanics::Assembly& assembly_;
   Vec3 centre_;
   double length_ = 0;
   Eigen::Matrix<double, 6, 6> resistance_ = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
 // Do the loads of a time drive the mode, and by how much: sets what a small support has to hold.
-void look_at_loads(const RigidMotions& motions, const assembly::Assembly& assembly, const Mode& mode,
+void look_at_loads(const RigidMotions& motions, const mechanics::Assembly& assembly, const Mode& mode,
                    double time, Mechanism& found) {
   std::vector<double> dead, follower;
   assembly.external(time, dead);
@@ -237,7 +237,7 @@ void look_at_loads(const RigidMotions& motions, const assembly::Assembly& assemb
 
 }  // namespace
 
-Mechanism find_mechanism(const model::Model& model, const assembly::Assembly& assembly,
+Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& assembly,
                          const std::vector<double>& times) {
   RigidMotions motions(assembly);
   for (const auto& spring : model.springs()) motions.add_spring(spring, model.mesh().set(spring.set));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/values.hpp"
-#include "assembly/assembly.hpp"
+#include "mechanics/assembly.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::analysis {
@@ -18,7 +18,7 @@ std::string jump_warning(const model::Model& model, double duration);
 
 // Empty, or how far the bending rigidity that the model's cards imply is from that of cloth. Only where some
 // node may leave the surface: a flat sheet that is held in its plane does not bend.
-std::string bending_warning(const model::Model& model, const assembly::Assembly& assembly);
+std::string bending_warning(const model::Model& model, const mechanics::Assembly& assembly);
 
 // The ways in which the sheet can move as a rigid body, as its supports and springs let it.
 struct Mechanism {
@@ -31,7 +31,7 @@ struct Mechanism {
   int axis = 2;
 };
 // times: whose loads are looked at.
-Mechanism find_mechanism(const model::Model& model, const assembly::Assembly& assembly,
+Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& assembly,
                          const std::vector<double>& times);
 
 }  // namespace fabricsh::analysis

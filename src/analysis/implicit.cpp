@@ -30,7 +30,7 @@ StepControl control_of(const DynamicOptions& o) { return {o.step.value_or(o.dura
 // What Newton sees of one step: forces, inertia and damping at the trial configuration.
 class Implicit::Problem final : public solver::Problem {
  public:
-  Problem(assembly::Assembly& assembly, const DynamicOptions& options, bool scaled,
+  Problem(mechanics::Assembly& assembly, const DynamicOptions& options, bool scaled,
           const std::function<void()>& poll)
       : assembly_(assembly),
         poll_(poll),
@@ -83,7 +83,7 @@ class Implicit::Problem final : public solver::Problem {
   }
 
   // The acceleration with which the run starts: M a = f; held and driven freedoms have none.
-  void start(const assembly::NodalRates& rates) {
+  void start(const mechanics::NodalRates& rates) {
     memory.driven = targets_;
     memory.motion.v = rates;
     const std::size_t n = mass_.size();
@@ -91,12 +91,11 @@ class Implicit::Problem final : public solver::Problem {
     trial_ = memory.motion;
     balance(0);
     // The mass on the unknowns, through ties: L^T M L.
-    solver::SparseMatrix M = assembly_.pattern();
-    std::fill(M.value.begin(), M.value.end(), 0.0);
+    linear::Matrix M(assembly_.pattern());
     assembly_.add_diagonal(mass_, rotary_, M);
     std::vector<double> a(r_.size(), 0);
-    const auto linear = solver::make_unsymmetric_solver();
-    if (!a.empty() && !(linear->analyse(M) && linear->factorise(M) && linear->solve(M, r_, a)))
+    const auto linear = linear::make_unsymmetric_solver();
+    if (!a.empty() && !(linear->factorise(M) && linear->solve(M, r_, a)))
       throw NumericalFailure("dynamic: the mass of the unknowns is singular", 0);
     assembly_.spread_rates(a, std::vector<double>(lead_.size(), 0), memory.motion.a);
     committed();
@@ -115,13 +114,13 @@ class Implicit::Problem final : public solver::Problem {
   }
 
   solver::Index size() const override { return assembly_.unknowns(); }
-  bool predict(solver::SparseMatrix& K, std::span<double> r) override {
-    assembly_.state().rollback();
+  bool predict(linear::Matrix& K, std::span<double> r) override {
+    assembly_.rollback();
     assembly_.begin_iterate();
     for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = (targets_[i] - memory.driven[i]) / dt_;
     if (!stiffness_.start(lead_)) return false;
     for (double& l : lead_) l *= dt_;
-    if (!assembly_.tangent(fabric::AtSwitch::loading, K, lead_, product_)) return false;
+    if (!assembly_.tangent(step(), K, lead_, product_)) return false;
     weigh(r);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= (1 + scheme_.hht) * product_[i];
     add_inertia(K);
@@ -133,12 +132,12 @@ class Implicit::Problem final : public solver::Problem {
   void accept() override { assembly_.begin_iterate(); }
   bool residual(std::span<double> r) override {
     if (poll_) poll_();
-    if (!assembly_.forces(fabric::AtSwitch::loading)) return false;
+    if (!assembly_.forces(step())) return false;
     weigh(r);
     return true;
   }
-  bool tangent(solver::SparseMatrix& K) override {
-    if (!assembly_.tangent(fabric::AtSwitch::loading, K, {}, {})) return false;
+  bool tangent(linear::Matrix& K) override {
+    if (!assembly_.tangent(step(), K, {}, {})) return false;
     add_inertia(K);
     return true;
   }
@@ -151,17 +150,21 @@ class Implicit::Problem final : public solver::Problem {
       for (int c = 0; c < 3; ++c) inertia = std::max(inertia, mass_[i] * std::abs(trial_.a.x[3 * i + c]));
     return std::max({memory.peak, assembly_.largest_force(), inertia});
   }
-  double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }
+  double rounding_floor(const linear::Matrix& K) const override { return assembly_.rounding_floor(K); }
 
  private:
+  fabric::Step step() const { return {time_ - dt_, dt_}; }
   // Driven displacements have the rate of their motion up to now: at a kink the formulas would ring.
   void drive() {
     const double h = 1e-3 * dt_;
-    for (const auto& m : assembly_.freedoms().motions) {
+    const auto earlier = assembly_.targets(time_ - h);
+    const auto& motions = assembly_.freedoms().motions;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const auto& m = motions[i];
       if (m.component > 2) continue;
       const Vec3 along = assembly_.freedoms().nodes[m.node].frame.row(m.component).transpose();
       auto v = at(memory.motion.v.x, m.node), a = at(memory.motion.a.x, m.node);
-      v += ((m.value(time_) - m.value(time_ - h)) / h - v.dot(along)) * along;
+      v += ((targets_[i] - earlier[i]) / h - v.dot(along)) * along;
       a -= a.dot(along) * along;
     }
   }
@@ -185,7 +188,7 @@ class Implicit::Problem final : public solver::Problem {
     balance(1 / (1 + alpha));
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = (1 + alpha) * r_[i] - alpha * memory.balance[i];
   }
-  void add_inertia(solver::SparseMatrix& K) {
+  void add_inertia(linear::Matrix& K) {
     const double alpha = scheme_.hht;
     for (double& k : K.value) k *= 1 + alpha;
     stiffness_.add((1 + alpha) * scheme_.gamma / scheme_.beta / dt_, K);
@@ -196,7 +199,7 @@ class Implicit::Problem final : public solver::Problem {
     assembly_.add_diagonal(on_x, on_d, K);
   }
 
-  assembly::Assembly& assembly_;
+  mechanics::Assembly& assembly_;
   const std::function<void()>& poll_;
   NewmarkScheme scheme_;
   double damping_, time_ = 0, dt_ = 0;
@@ -211,9 +214,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
                    std::shared_ptr<Notices> notices)
     : Dynamic(std::move(model), options, std::move(notices)),
       problem_(std::make_unique<Problem>(*assembly_, options_, scaled_, poll_)),
-      newton_(model_->section().symmetric && assembly_->symmetric_loads() ? solver::make_symmetric_solver()
-                                                                          : solver::make_unsymmetric_solver(),
-              assembly_->pattern()),
+      newton_(assembly_->symmetric() ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()),
       control_(control_of(options)) {
   now_.step = control_.current();
   const std::vector<double> still(3 * assembly_->reference().size(), 0);
@@ -234,9 +235,9 @@ void Implicit::begin() {
   Dynamic::begin();
 }
 
-void Implicit::set_motion(const assembly::NodalRates& rates) {
+void Implicit::set_motion(const mechanics::NodalRates& rates) {
   // Held and tied nodes have no velocity of their own.
-  assembly::NodalRates possible;
+  mechanics::NodalRates possible;
   assembly_->spread_rates(assembly_->collect_rates(rates), driven_rates(), possible);
   problem_->start(possible);
 }
@@ -305,14 +306,14 @@ void Implicit::commit(StepReport& report) {
   }
   now_.damping_work += damped + problem_->stiffness_work();
   const double balanced = options_.hht == 0 ? 0 : problem_->balance_work();
-  assembly_->state().commit(report.time);
+  dead_ = problem_->external();
+  work_.add(*assembly_, dead_);
+  assembly_->commit(report.time);
   problem_->committed();
   // Work of all forces, which the kinetic energy does not get. Under alpha the inertia is not the balance of
   // the forces at the step's end: their work in its place.
   if (damps())
     now_.damping_work += (options_.hht == 0 ? inertia : balanced) - (free_kinetic() - kinetic_before);
-  dead_ = problem_->external();
-  work_.add(*assembly_, dead_);
   watch_jump(driven_before, problem_->memory.driven, report.time, smallest_);
   control_.grow(last_.iterations, report.cuts > 0);
   now_.step = control_.current();
@@ -320,7 +321,7 @@ void Implicit::commit(StepReport& report) {
 }
 
 // Of a driven displacement's direction.
-double Implicit::along(const assembly::DrivenFreedom& m, std::span<const double> v) const {
+double Implicit::along(const mechanics::DrivenFreedom& m, std::span<const double> v) const {
   return assembly_->freedoms().nodes[m.node].frame.row(m.component).dot(at(v, m.node));
 }
 
@@ -338,7 +339,7 @@ double Implicit::free_kinetic() const {
          });
 }
 
-const assembly::NodalRates& Implicit::rates() const {
+const mechanics::NodalRates& Implicit::rates() const {
   return tried_ ? problem_->trial().v : problem_->memory.motion.v;
 }
 

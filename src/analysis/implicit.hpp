@@ -9,7 +9,7 @@
 #include "analysis/dynamic.hpp"
 #include "analysis/failure.hpp"
 #include "analysis/step_control.hpp"
-#include "solver/libraries.hpp"
+#include "linear/libraries.hpp"
 #include "solver/newton.hpp"
 
 namespace fabricsh::analysis {
@@ -18,16 +18,16 @@ class Implicit final : public Dynamic {
  public:
   Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
            std::shared_ptr<Notices> notices);
-  const assembly::NodalRates& rates() const override;
+  const mechanics::NodalRates& rates() const override;
   ~Implicit() override;
   double tolerance() const override { return options_.tolerance; }
-  std::string kernels() const override { return solver::blas_kernels(); }
+  std::string kernels() const override { return linear::blas_kernels(); }
 
  private:
   class Problem;
   void begin() override;
   void take_options(const DynamicOptions& options) override;
-  void set_motion(const assembly::NodalRates& rates) override;
+  void set_motion(const mechanics::NodalRates& rates) override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;
   double largest_step() const override { return control_.largest(); }
@@ -37,7 +37,7 @@ class Implicit final : public Dynamic {
   double free_kinetic() const;
   void memory(Archive& archive) override;
 
-  double along(const assembly::DrivenFreedom& motion, std::span<const double> v) const;
+  double along(const mechanics::DrivenFreedom& motion, std::span<const double> v) const;
 
   std::unique_ptr<Problem> problem_;
   solver::Newton newton_;

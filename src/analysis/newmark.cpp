@@ -28,7 +28,7 @@ Vec3 arc(const Vec3& d, const Vec3& e) {
   return sine > 0 ? Vec3(std::atan2(sine, along) / sine * across) : Vec3(Vec3::Zero());
 }
 
-void newmark_update(const NewmarkScheme& scheme, double dt, const assembly::StateStore& state,
+void newmark_update(const NewmarkScheme& scheme, double dt, const mechanics::Configuration& state,
                     const NodalMotion& before, NodalMotion& after) {
   const std::size_t nodes = state.nodes();
   const auto x = state.x(), d = state.d();

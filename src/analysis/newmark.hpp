@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "assembly/assembly.hpp"
+#include "mechanics/assembly.hpp"
 
 namespace fabricsh::analysis {
 
@@ -14,12 +14,12 @@ struct NewmarkScheme {
 // Velocities and accelerations of all nodes, 3 per node, global; those of directors are tangent to the
 // sphere.
 struct NodalMotion {
-  assembly::NodalRates v, a;  // m/s and 1/s; m/s^2 and 1/s^2
+  mechanics::NodalRates v, a;  // m/s and 1/s; m/s^2 and 1/s^2
   void keep(Archive& archive) { archive(v.x, v.d, a.x, a.d); }
 };
 
 // What the increment from the committed to the trial configuration makes of the motion, after a time dt.
-void newmark_update(const NewmarkScheme& scheme, double dt, const assembly::StateStore& state,
+void newmark_update(const NewmarkScheme& scheme, double dt, const mechanics::Configuration& state,
                     const NodalMotion& before, NodalMotion& after);
 
 // The tangent vector u at d carried along the arc from d to e, unit vectors, e != -d.

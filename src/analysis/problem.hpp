@@ -12,7 +12,7 @@ class Static::Problem final : public solver::PathProblem {
  public:
   // small_time: s, that rates are differences over.
   // poll: called, where it is set, before each evaluation of forces; may throw.
-  Problem(assembly::Assembly& assembly, double small_time, double stabilise,
+  Problem(mechanics::Assembly& assembly, double small_time, double stabilise,
           const std::function<void()>& poll)
       : assembly_(assembly),
         poll_(poll),
@@ -63,13 +63,13 @@ class Static::Problem final : public solver::PathProblem {
 
   solver::Index size() const override { return assembly_.unknowns(); }
 
-  bool predict(solver::SparseMatrix& K, std::span<double> r) override {
-    assembly_.state().rollback();
+  bool predict(linear::Matrix& K, std::span<double> r) override {
+    assembly_.rollback();
     assembly_.begin_iterate();
     for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory_.driven[i];
     set_push(external_, memory_.external);
     const auto at = reverses() ? fabric::AtSwitch::unloading : fabric::AtSwitch::loading;
-    if (!assembly_.tangent(at, K, lead_, product_)) return false;
+    if (!assembly_.tangent(step(at), K, lead_, product_)) return false;
     assembly_.residual(external_, r);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] -= product_[i];
     damping_.start(aimed_ - assembly_.state().time(), K);
@@ -82,19 +82,19 @@ class Static::Problem final : public solver::PathProblem {
   void accept() override { assembly_.begin_iterate(); }
   bool residual(std::span<double> r) override {
     if (poll_) poll_();
-    if (!assembly_.forces(fabric::AtSwitch::loading)) return false;
+    if (!assembly_.forces(step(fabric::AtSwitch::loading))) return false;
     assembly_.residual(external_, r);
     damping_.add_force(r);
     return true;
   }
-  bool tangent(solver::SparseMatrix& K) override {
-    if (!assembly_.tangent(fabric::AtSwitch::loading, K, {}, {})) return false;
+  bool tangent(linear::Matrix& K) override {
+    if (!assembly_.tangent(step(fabric::AtSwitch::loading), K, {}, {})) return false;
     damping_.add_stiffness(K);
     return true;
   }
 
-  bool start(solver::SparseMatrix& K, std::span<double> r, std::span<double> q) override {
-    assembly_.state().rollback();
+  bool start(linear::Matrix& K, std::span<double> r, std::span<double> q) override {
+    assembly_.rollback();
     assembly_.begin_iterate();
     look_ahead();
     const auto at = memory_.kink && reverses() ? fabric::AtSwitch::unloading : fabric::AtSwitch::loading;
@@ -102,14 +102,14 @@ class Static::Problem final : public solver::PathProblem {
     assembly_.residual(external_, r);
     return true;
   }
-  bool tangent_and_rate(solver::SparseMatrix& K, std::span<double> q) override {
+  bool tangent_and_rate(linear::Matrix& K, std::span<double> q) override {
     look_ahead();
     return tangent_and_rate(fabric::AtSwitch::loading, K, q);
   }
   double product(std::span<const double> a, std::span<const double> b) const override {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-      if (!assembly_.turns(static_cast<assembly::Index>(i))) sum += a[i] * b[i];
+      if (!assembly_.turns(static_cast<mechanics::Index>(i))) sum += a[i] * b[i];
     return sum;
   }
   std::pair<double, solver::Index> largest(std::span<const double> r) const override {
@@ -117,9 +117,14 @@ class Static::Problem final : public solver::PathProblem {
   }
   double force_scale() const override { return std::max(memory_.peak, assembly_.largest_force()); }
 
-  double rounding_floor(const solver::SparseMatrix& K) const override { return assembly_.rounding_floor(K); }
+  double rounding_floor(const linear::Matrix& K) const override { return assembly_.rounding_floor(K); }
 
  private:
+  // The step under way, as the law sees it.
+  fabric::Step step(fabric::AtSwitch at) const {
+    const double now = std::as_const(assembly_).state().time();
+    return {now, aimed_ - now, at};
+  }
   void set_push(const std::vector<double>& to, const std::vector<double>& from) {
     push_.resize(to.size());
     for (std::size_t i = 0; i < to.size(); ++i) push_[i] = to[i] - from[i];
@@ -134,16 +139,16 @@ class Static::Problem final : public solver::PathProblem {
   }
   // K and q = dr/dt at fixed unknowns; the coupling with the driven freedoms is the tangent's own, the rate
   // of follower loads a difference of forces. Leaves the forces of the time aimed at.
-  bool tangent_and_rate(fabric::AtSwitch at, solver::SparseMatrix& K, std::span<double> q) {
+  bool tangent_and_rate(fabric::AtSwitch at, linear::Matrix& K, std::span<double> q) {
     const bool follower = !assembly_.symmetric_loads();
     if (follower) {
       assembly_.aim(aimed_ + small_time_);
-      const bool done = assembly_.forces(at);
+      const bool done = assembly_.forces(step(at));
       assembly_.residual(later_external_, ahead_);
       assembly_.aim(aimed_);
       if (!done) return false;
     }
-    if (!assembly_.tangent(at, K, lead_, product_)) return false;
+    if (!assembly_.tangent(step(at), K, lead_, product_)) return false;
     if (!follower) assembly_.residual(later_external_, ahead_);
     assembly_.residual(external_, q);
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = (ahead_[i] - q[i] - product_[i]) / small_time_;
@@ -157,7 +162,7 @@ class Static::Problem final : public solver::PathProblem {
     return along < 0;
   }
 
-  assembly::Assembly& assembly_;
+  mechanics::Assembly& assembly_;
   const std::function<void()>& poll_;
   Damping damping_;
   double small_time_, aimed_ = 0;

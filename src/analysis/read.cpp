@@ -141,31 +141,16 @@ std::vector<double> Run::field(const std::string& name) const {
 }
 
 Energy Run::energy() const {
-  const mesh::Index count = assembly_->elements();
-  std::vector<fabric::Energy> per(count);
-  std::vector<assembly::BendingEnergy> bending(count);
-#pragma omp parallel for schedule(static) if (assembly_->elements() >= 256)
-  for (mesh::Index e = 0; e < count; ++e) {
-    assembly_->visit(e, [&](double w, const fabric::Law& law, const double* E, const double* state) {
-      const auto energy = fabric::energy(law, E, state);
-      per[e].stored += w * energy.stored;
-      per[e].dissipated_warp += w * energy.dissipated_warp;
-      per[e].dissipated_weft += w * energy.dissipated_weft;
-      per[e].dissipated_shear += w * energy.dissipated_shear;
-      per[e].created += w * energy.created;
-    });
-    bending[e] = assembly_->bending_energy(e);
-  }
   Energy sum;
-  for (mesh::Index e = 0; e < count; ++e) {
-    sum.stored += per[e].stored + bending[e].stored;
-    sum.dissipated_bending += bending[e].lost;
-    sum.dissipated_warp += per[e].dissipated_warp;
-    sum.dissipated_weft += per[e].dissipated_weft;
-    sum.dissipated_shear += per[e].dissipated_shear;
-    sum.created += per[e].created;
+  for (const auto& energy : assembly_->energies()) {
+    if (energy.account == mechanics::Account::stored) sum.stored += energy.value;
+    if (energy.account == mechanics::Account::created) sum.created += energy.value;
+    if (energy.account != mechanics::Account::dissipated) continue;
+    if (energy.name == "warp") sum.dissipated_warp += energy.value;
+    if (energy.name == "weft") sum.dissipated_weft += energy.value;
+    if (energy.name == "shear") sum.dissipated_shear += energy.value;
+    if (energy.name == "bending") sum.dissipated_bending += energy.value;
   }
-  sum.stored += assembly_->spring_energy();
   sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending;
   sum.kinetic = kinetic();
   sum.scaled = scaled_kinetic();

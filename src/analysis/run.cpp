@@ -17,7 +17,7 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
     throw Error(std::string(kind) + ": field 'duration': expected a positive time in s, got " +
                 number(duration));
   model_->validate();
-  assembly_ = std::make_unique<assembly::Assembly>(*model_);
+  assembly_ = std::make_unique<mechanics::Assembly>(*model_);
   model_->seal();
   kinks_ = model_->kinks();
   if (const std::string words = bending_warning(*model_, *assembly_); !words.empty())
@@ -137,7 +137,7 @@ void Run::fail(NumericalFailure failure, const std::string& why) {
 }
 
 void Run::rollback() {
-  assembly_->state().rollback();
+  assembly_->rollback();
   trial_time_ = committed_time();
 }
 
@@ -167,7 +167,7 @@ void Run::watch_strain() {
   constexpr double reached = 1 + 1e-6, told = 1.02;
   const double share = assembly_->largest_share(), before = beyond_.share;
   if (!(share > std::max(reached, before))) return;
-  const assembly::Strained most = assembly_->most_strained();
+  const mechanics::Strained most = assembly_->most_strained();
   const char* const yarns[] = {"warp", "weft", "shear"};
   const double first = before > 0 ? beyond_.first : time();
   beyond_ = {share, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};

@@ -11,9 +11,9 @@
 
 #include "analysis/values.hpp"
 #include "analysis/work.hpp"
-#include "assembly/assembly.hpp"
 #include "base/error.hpp"
 #include "base/notice.hpp"
+#include "mechanics/assembly.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::analysis {
@@ -73,7 +73,7 @@ class Run {
   }
 
   const model::Model& model() const { return *model_; }
-  const assembly::Assembly& assembly() const { return *assembly_; }
+  const mechanics::Assembly& assembly() const { return *assembly_; }
   const std::vector<StepReport>& steps() const { return reports_; }
   const std::string& why() const { return why_; }  // the last failure, in lines; empty: none
   Notices& notices() { return *notices_; }
@@ -144,7 +144,7 @@ class Run {
   std::shared_ptr<model::Model> model_;
   double duration_;
   std::shared_ptr<Notices> notices_;
-  std::unique_ptr<assembly::Assembly> assembly_;
+  std::unique_ptr<mechanics::Assembly> assembly_;
   std::function<void()> poll_;
   std::vector<double> dead_;  // N, 3 per node, dead loads at the trial time
   std::vector<StepReport> reports_;

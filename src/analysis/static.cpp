@@ -33,9 +33,8 @@ void check_options(const StaticOptions& o) {
         "static: field 'control': \"arc\" goes with Newton alone: leave out 'stabilise' and 'method'");
 }
 
-bool takes_symmetric(const StaticOptions& o, const assembly::Assembly& assembly, const model::Model& model) {
-  return o.linear == Linear::symmetric ||
-         (o.linear == Linear::automatic && model.section().symmetric && assembly.symmetric_loads());
+bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly) {
+  return o.linear == Linear::symmetric || (o.linear == Linear::automatic && assembly.symmetric());
 }
 
 StepControl control_of(const StaticOptions& o) {
@@ -57,14 +56,13 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
       now_{control_of(options)} {
   check_options(options_);
   problem_ = std::make_unique<Problem>(*assembly_, 1e-7 * options_.duration, options_.stabilise, poll_);
-  auto linear = takes_symmetric(options_, *assembly_, *model_) ? solver::make_symmetric_solver()
-                                                               : solver::make_unsymmetric_solver();
+  auto linear = takes_symmetric(options_, *assembly_) ? linear::make_symmetric_solver()
+                                                      : linear::make_unsymmetric_solver();
   if (options_.control == Control::arc)
-    arc_ = std::make_unique<solver::ArcLength>(std::move(linear), assembly_->pattern());
+    arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else
-    newton_ = std::make_unique<solver::Newton>(std::move(linear), assembly_->pattern());
-  if (options_.method != Method::newton)
-    relaxation_ = std::make_unique<solver::Relaxation>(assembly_->pattern());
+    newton_ = std::make_unique<solver::Newton>(std::move(linear));
+  if (options_.method != Method::newton) relaxation_ = std::make_unique<solver::Relaxation>();
 }
 
 Static::~Static() = default;
@@ -101,7 +99,7 @@ void Static::begin() {
   const auto some = [](const std::vector<double>& v) {
     return std::any_of(v.begin(), v.end(), [](double t) { return t != 0; });
   };
-  assembly::WorkingForces loads;
+  mechanics::WorkingForces loads;
   assembly_->working_forces(dead_, loads);
   now_.jumps = some(targets) || some(loads.on_x) || some(loads.on_d);
   if (some(targets))
@@ -240,10 +238,10 @@ bool Static::finish(const solver::NewtonResult& result, double end, StepReport& 
 void Static::commit(StepReport& report) {
   auto& damping = problem_->damping();
   const double damped = damping.on() ? damping.work() : 0, before = work_.total();
-  assembly_->state().commit(report.time);
-  problem_->committed();
   dead_ = problem_->external();
   work_.add(*assembly_, dead_);
+  assembly_->commit(report.time);
+  problem_->committed();
   now_.damping_work += damped;
   damping.adapt(damped, work_.total() - before);
   grow(report);

@@ -5,8 +5,8 @@
 #include "analysis/failure.hpp"
 #include "analysis/run.hpp"
 #include "analysis/step_control.hpp"
+#include "linear/libraries.hpp"
 #include "solver/arc_length.hpp"
-#include "solver/libraries.hpp"
 #include "solver/relaxation.hpp"
 
 namespace fabricsh::analysis {
@@ -48,7 +48,7 @@ class Static final : public Run {
   const char* kind() const override { return "static"; }
   double tolerance() const override { return options_.tolerance; }
   std::string method() const override;
-  std::string kernels() const override { return solver::blas_kernels(); }
+  std::string kernels() const override { return linear::blas_kernels(); }
   void set(const Settings& settings) override;
   void keep_settings(Archive& archive) override;
 

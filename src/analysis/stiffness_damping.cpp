@@ -2,9 +2,8 @@
 
 namespace fabricsh::analysis {
 
-StiffnessDamping::StiffnessDamping(assembly::Assembly& assembly, double b) : assembly_(assembly), b_(b) {
+StiffnessDamping::StiffnessDamping(mechanics::Assembly& assembly, double b) : assembly_(assembly), b_(b) {
   if (!on()) return;
-  K_ = assembly.pattern();
   product_.assign(assembly.unknowns(), 0);
 }
 
@@ -16,12 +15,13 @@ void StiffnessDamping::force(std::span<const double> v, std::vector<double>& f) 
   f.assign(v.size(), 0);
   if (!on()) return;
   for (std::size_t i = 0; i < f.size(); ++i) f[i] = b_ * product_[i];
-  for (solver::Index column = 0; column < K_.size; ++column)
-    for (auto k = K_.column[column]; k < K_.column[column + 1]; ++k)
-      f[K_.row[k]] += b_ * K_.value[k] * v[column];
+  const linear::Pattern& pattern = *K_.pattern;
+  for (linear::Index column = 0; column < K_.size(); ++column)
+    for (auto k = pattern.column[column]; k < pattern.column[column + 1]; ++k)
+      f[pattern.row[k]] += b_ * K_.value[k] * v[column];
 }
 
-void StiffnessDamping::add(double c, solver::SparseMatrix& K) const {
+void StiffnessDamping::add(double c, linear::Matrix& K) const {
   if (!on()) return;
   for (std::size_t k = 0; k < K.value.size(); ++k) K.value[k] += c * b_ * K_.value[k];
 }

@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "assembly/assembly.hpp"
+#include "mechanics/assembly.hpp"
 
 namespace fabricsh::analysis {
 
 class StiffnessDamping {
  public:
-  StiffnessDamping(assembly::Assembly& assembly, double b);  // b: s, 0: none
+  StiffnessDamping(mechanics::Assembly& assembly, double b);  // b: s, 0: none
   bool on() const { return b_ > 0; }
   // K_M of the trial configuration, which is the committed one; driven: rates of the driven freedoms. False:
   // the law failed.
@@ -18,12 +18,12 @@ class StiffnessDamping {
   // f = b K_M v, N and N m, of rates v.
   void force(std::span<const double> v, std::vector<double>& f) const;
   // K += c b K_M.
-  void add(double c, solver::SparseMatrix& K) const;
+  void add(double c, linear::Matrix& K) const;
 
  private:
-  assembly::Assembly& assembly_;
+  mechanics::Assembly& assembly_;
   double b_;
-  solver::SparseMatrix K_;
+  linear::Matrix K_;
   std::vector<double> product_;  // K_M on the driven freedoms' rates
 };
 

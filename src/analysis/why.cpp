@@ -170,10 +170,12 @@ void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
 
 }  // namespace
 
-double farthest_move(const assembly::Assembly& assembly, double from, double to) {
+double farthest_move(const mechanics::Assembly& assembly, double from, double to) {
   double farthest = 0;
-  for (const auto& m : assembly.freedoms().motions)
-    if (m.component < 3) farthest = std::max(farthest, std::abs(m.value(to) - m.value(from)));
+  const auto& motions = assembly.freedoms().motions;
+  const auto before = assembly.targets(from), after = assembly.targets(to);
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i].component < 3) farthest = std::max(farthest, std::abs(after[i] - before[i]));
   return farthest;
 }
 

@@ -4,33 +4,37 @@
 #include <cmath>
 #include <utility>
 
+#include "base/ordered_sum.hpp"
+
 namespace fabricsh::analysis {
 
 namespace {
 
+// By the trapezoidal rule from the committed configuration to the trial one.
 double trapezoid(std::span<const double> before, std::span<const double> now, std::span<const double> from,
                  std::span<const double> to) {
-  double sum = 0;
-  for (std::size_t i = 0; i < now.size(); ++i) sum += (before[i] + now[i]) / 2 * (to[i] - from[i]);
-  return sum;
+  return ordered_sum(now.size(), [&](std::size_t i) { return (before[i] + now[i]) / 2 * (to[i] - from[i]); });
 }
 
 }  // namespace
 
-void ExternalWork::start(const assembly::Assembly& assembly, std::span<const double> dead) {
+void ExternalWork::start(mechanics::Assembly& assembly, std::span<const double> dead) {
   assembly.working_forces(dead, before_);
-  const auto x = assembly.state().x(), d = assembly.state().d();
-  x_.assign(x.begin(), x.end());
-  d_.assign(d.begin(), d.end());
 }
 
-void ExternalWork::add(const assembly::Assembly& assembly, std::span<const double> dead) {
+void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> dead) {
+  const mechanics::Configuration& now = assembly.state();
+  const std::size_t n = 3 * now.nodes();
+  const auto from = now.committed_kinematics();
+  if (assembly.constant_work()) {  // dead loads that stay the same, and nothing else
+    add(trapezoid(dead, dead, from.first(n), now.x()));
+    return;
+  }
   assembly.working_forces(dead, now_);
-  const auto x = assembly.state().x(), d = assembly.state().d();
-  add(trapezoid(before_.on_x, now_.on_x, x_, x) + trapezoid(before_.on_d, now_.on_d, d_, d));
+  double work = trapezoid(before_.on_x, now_.on_x, from.first(n), now.x());
+  if (!now_.on_d.empty()) work += trapezoid(before_.on_d, now_.on_d, from.subspan(n, n), now.d());
+  add(work);
   std::swap(before_, now_);
-  std::copy(x.begin(), x.end(), x_.begin());
-  std::copy(d.begin(), d.end(), d_.begin());
 }
 
 void ExternalWork::add(double work) {

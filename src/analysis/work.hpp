@@ -3,26 +3,25 @@
 #include <span>
 #include <vector>
 
-#include "assembly/assembly.hpp"
+#include "mechanics/assembly.hpp"
 
 namespace fabricsh::analysis {
 
 class ExternalWork {
  public:
-  // The assembly's trial configuration with its forces, aimed at its time; dead: dead loads then, N, 3 per
-  // node. The first state of a run does no work.
-  void start(const assembly::Assembly& assembly, std::span<const double> dead);
-  void add(const assembly::Assembly& assembly, std::span<const double> dead);
+  // The assembly's trial configuration with its forces, aimed at its time and not yet committed; dead: dead
+  // loads then, N, 3 per node. The first state of a run does no work.
+  void start(mechanics::Assembly& assembly, std::span<const double> dead);
+  void add(mechanics::Assembly& assembly, std::span<const double> dead);
   // J, of what is known otherwise.
   void add(double work);
-  void keep(Archive& archive) { archive(total_, largest_, x_, d_, before_.on_x, before_.on_d); }
+  void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d); }
   double total() const { return total_; }      // J
   double largest() const { return largest_; }  // J, the largest |total| so far
 
  private:
   double total_ = 0, largest_ = 0;
-  std::vector<double> x_, d_;  // 3 per node, at the last state
-  assembly::WorkingForces before_, now_;
+  mechanics::WorkingForces before_, now_;
 };
 
 }  // namespace fabricsh::analysis

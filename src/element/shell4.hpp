@@ -1,6 +1,6 @@
 // The four-node degenerated shell with assumed transverse shear (MITC4): total Lagrangian, finite rotations
 // of the directors, 2x2 points in the plane, the section's points through the thickness. [williams2010, ch.
-// 5], corrected after PHYSICS sections 2 and 6; MITC4: [dvorkin1984].
+// 5], corrected as share/doc/theory.md says; MITC4: [dvorkin1984].
 //
 //   x(xi, eta, zeta) = sum_A N_A (x_A + z d_A),   z = (t/2)(zeta - zeta_bar)
 //

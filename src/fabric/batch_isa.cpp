@@ -1,4 +1,5 @@
 // The batch kernels: compiled once per instruction set, picked at run time by batch_function().
+#include "fabric/energy_kernel.hpp"
 #include "fabric/part.hpp"
 #include "fabric/update.hpp"
 
@@ -68,6 +69,18 @@ unsigned batch(const Law& law, AtSwitch at, const double* E, const double* s0, d
   const auto part = part_for(law);
   return at_parts([=, &law](int i) {
     return part(law, at, E + i, s0 + i, s1 + i, S + i, C == nullptr ? nullptr : C + i);
+  });
+}
+
+void energies(const Law& law, const double* E, const double* s, double* out) {
+  at_parts([=, &law](int part) {
+    Pack e[5], state[rate_state::count + 2] = {};
+    for (int i = 0; i < 5; ++i) e[i] = load(E + part + i * lanes);
+    for (int i = 0; i < law.state_size; ++i) state[i] = load(s + part + i * lanes);
+    const EnergyOf<Pack> energy = energy_at(law, e, state);
+    const Pack all[energy_values] = {energy.stored, energy.warp, energy.weft, energy.shear, energy.created};
+    for (int i = 0; i < energy_values; ++i) store(out + part + i * lanes, all[i]);
+    return 0u;
   });
 }
 

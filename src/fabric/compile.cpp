@@ -1,4 +1,4 @@
-// From a card to a compiled law; refuses what PHYSICS section 4 refuses.
+// From a card to a compiled law; refuses what share/doc/theory.md, 4, refuses.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,4 +1,4 @@
-// Laws with a constant tangent: St. Venant-Kirchhoff (PHYSICS section 4) and the linear orthotropic law
+// Laws with a constant tangent: St. Venant-Kirchhoff (share/doc/theory.md, 4) and the linear orthotropic law
 // [williams2010, eq. 4.2].
 #pragma once
 #include "fabric/response.hpp"

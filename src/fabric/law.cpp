@@ -10,17 +10,31 @@ namespace fabricsh::fabric {
 // The copies that batch_isa.cpp makes.
 namespace avx2 {
 unsigned batch(const Law&, AtSwitch, const double*, const double*, double*, double*, double*);
-}
+void energies(const Law&, const double*, const double*, double*);
+}  // namespace avx2
 namespace avx512 {
 unsigned batch(const Law&, AtSwitch, const double*, const double*, double*, double*, double*);
-}
+void energies(const Law&, const double*, const double*, double*);
+}  // namespace avx512
 inline namespace baseline {
 unsigned batch(const Law&, AtSwitch, const double*, const double*, double*, double*, double*);
-}
+void energies(const Law&, const double*, const double*, double*);
+}  // namespace baseline
 
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
 bool linear(const Law& law) { return law.kind == Kind::elastic; }
+
+BatchEnergy batch_energy(Isa isa) {
+  switch (isa) {
+    case Isa::avx512:
+      return avx512::energies;
+    case Isa::avx2:
+      return avx2::energies;
+    default:
+      return baseline::energies;
+  }
+}
 
 BatchFunction batch_function(Isa isa) {
   switch (isa) {

@@ -18,7 +18,8 @@ namespace fabricsh::fabric {
 
 class Law;  // compiled parameters of one card; immutable, shared, thread-safe
 
-// Compiles a card. Errors: a refused card (PHYSICS section 4), with the reason, the strain and the numbers.
+// Compiles a card. Errors: a refused card (share/doc/theory.md, 4), with the reason, the strain and the
+// numbers.
 std::shared_ptr<const Law> compile(const card::Card& card);
 
 int state_size(const Law& law);
@@ -28,6 +29,13 @@ bool linear(const Law& law);     // is it one constant tangent
 // Which tangent holds where loading and unloading meet (E = m exactly): the virgin one, or the unloading one
 // for the first iteration after a reversal.
 enum class AtSwitch { loading, unloading };
+
+// The step that an evaluation belongs to: from t0 over dt, s (0 in statics without time), and which tangent
+// holds at a switch.
+struct Step {
+  double t0 = 0, dt = 0;
+  AtSwitch at = AtSwitch::loading;
+};
 
 // A batch of `lanes` points in structure-of-arrays order: entry i of lane l at [i * lanes + l].
 // C may be null (stress only). s1 may not alias s0. Returns bit l set where lane l failed.
@@ -40,7 +48,7 @@ BatchFunction batch_function(Isa isa);
 bool evaluate(const Law& law, AtSwitch at, const double E[5], const double* s0, double* s1, double S[5],
               double* C);
 
-// Energies per reference volume, J/m^3, from strain and committed state alone (PHYSICS section 4).
+// Energies per reference volume, J/m^3, from strain and committed state alone (share/doc/theory.md, 4).
 struct Energy {
   double stored = 0;
   double dissipated_warp = 0, dissipated_weft = 0,
@@ -49,6 +57,11 @@ struct Energy {
   double dissipated() const { return dissipated_warp + dissipated_weft + dissipated_shear; }
 };
 Energy energy(const Law& law, const double E[5], const double* s);
+// The same for a batch of `lanes` points: stored, dissipated in warp, weft and shear, created; entry i of
+// lane l at [i * lanes + l].
+inline constexpr int energy_values = 5;
+using BatchEnergy = void (*)(const Law& law, const double* E, const double* s, double* energies);
+BatchEnergy batch_energy(Isa isa);
 
 // What the outputs show of a point: residual strain E_r per axis, how far below it the yarn is slack, the
 // branch.
@@ -60,7 +73,8 @@ struct Internal {
 };
 Internal internal(const Law& law, const double E[5], const double* s);
 
-// Largest eigenvalue of the stiffest tangent the law can take, Pa (PHYSICS section 7): for the explicit step.
+// Largest eigenvalue of the stiffest tangent the law can take, Pa (share/doc/theory.md, 7): for the explicit
+// step.
 double stiffest(const Law& law);
 // Transverse shear modulus G_t, Pa (the larger of the two).
 double transverse_modulus(const Law& law);

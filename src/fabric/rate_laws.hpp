@@ -1,4 +1,5 @@
-// The comparison laws, both in rate form [williams2010, eqs. 6.11-6.30] with the errata of PHYSICS section 2:
+// The comparison laws, both in rate form [williams2010, eqs. 6.11-6.30] with the corrections of
+// share/doc/theory.md, 8:
 //   thesis       the modulus at the end of the increment holds for all of it [williams2010, eq. 6.31]
 //   incremental  the mean modulus along the straight strain path, switches resolved inside the step
 // S11 += (dE1 + nu21 dE2) A1 / (1 - nn), likewise S22; A the modulus, by one rule or the other.
@@ -216,7 +217,7 @@ void transverse_rates(const WovenData& law, const T E[5], const T* s0, T* s1, co
   s1[W3] = s0[W3] + step_work(d3, s0[S + 2], d3, first) + step_work(d4, s0[S + 3], d4, first);
 }
 
-// What the convention of PHYSICS section 4 calls stored: S11^2 / (2 Du1) + S22^2 / (2 Du2) + S12^2 / (2 Gu) +
+// What the convention of share/doc/law.md calls stored: S11^2 / (2 Du1) + S22^2 / (2 Du2) + S12^2 / (2 Gu) +
 // transverse; with its parts.
 template <class T>
 struct RateStored {

@@ -1,5 +1,5 @@
 // The one-dimensional hysteretic springs of the woven law: yarn (either axis), in-plane shear, biaxial.
-// PHYSICS: S11 = H1(E11) + c E22, S22 = H2(E22) + c E11.
+// share/doc/theory.md, 4: S11 = H1(E11) + c E22, S22 = H2(E22) + c E11.
 #pragma once
 #include "fabric/backbone.hpp"
 

@@ -12,18 +12,12 @@ namespace fabricsh::mesh {
 
 namespace {
 
-std::string known_sets(const Mesh& mesh) {
-  std::string list;
-  for (const auto& [name, ids] : mesh.sets) list += (list.empty() ? "" : ", ") + name;
-  return list.empty() ? "none" : list;
-}
-
 [[noreturn]] void unknown_set(const Mesh& mesh, std::string_view name) {
-  std::vector<std::string> names;
-  for (const auto& [known, ids] : mesh.sets) names.push_back(known);
-  std::string message = "unknown set '" + std::string(name) + "'" + did_you_mean(name, names);
+  const auto names = mesh.set_names();
+  std::string message = "unknown set '" + std::string(name) + "'" + did_you_mean(name, names), list;
   message += message.back() == '?' ? " known sets: " : "; known sets: ";
-  throw Error(message + known_sets(mesh));
+  for (const auto& known : names) list += (list.empty() ? "" : ", ") + known;
+  throw Error(message + (list.empty() ? "none" : list));
 }
 
 std::string text(const Vec3& p) {
@@ -38,9 +32,60 @@ std::size_t corners(const std::array<Index, 4>& element) { return element[3] < 0
 }  // namespace
 
 const NodeSet& Mesh::set(std::string_view name) const {
-  const auto found = sets.find(name);
-  if (found == sets.end()) unknown_set(*this, name);
-  return found->second;
+  if (const auto found = sets.find(name); found != sets.end()) return found->second;
+  if (const NodeSet* of_part = set_of_part(name)) return *of_part;
+  unknown_set(*this, name);
+}
+
+const NodeSet* Mesh::set_of_part(std::string_view name) const {
+  for (const Part& part : parts) {
+    if (name.size() <= part.name.size() || name.substr(0, part.name.size()) != part.name ||
+        name[part.name.size()] != '.')
+      continue;
+    const auto found = part.mesh->sets.find(name.substr(part.name.size() + 1));
+    if (found == part.mesh->sets.end()) continue;
+    FromPart& known = of_parts_[std::string(name)];
+    if (known.joined.empty() || known.own != found->second) {
+      known.own = known.joined = found->second;
+      for (Index& id : known.joined) id += part.first_node;
+    }
+    return &known.joined;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> Mesh::set_names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, ids] : sets) names.push_back(name);
+  for (const Part& part : parts)
+    for (const auto& [name, ids] : part.mesh->sets) names.push_back(part.name + "." + name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>& parts) {
+  Mesh joined;
+  joined.flat = true;
+  for (const auto& [name, mesh] : parts) {
+    if (name.empty() || name.find('.') != std::string::npos)
+      throw Error("bodies: expected a name without a full stop for every body, got '" + name + "'");
+    for (const auto& before : joined.parts)
+      if (before.name == name) throw Error("bodies: the name '" + name + "' stands there twice");
+    const auto first = static_cast<Index>(joined.nodes.size());
+    joined.parts.push_back({name, mesh, first, static_cast<Index>(joined.elements.size())});
+    joined.nodes.insert(joined.nodes.end(), mesh->nodes.begin(), mesh->nodes.end());
+    for (auto element : mesh->elements) {
+      for (Index& id : element)
+        if (id >= 0) id += first;
+      joined.elements.push_back(element);
+    }
+    joined.flat = joined.flat && mesh->flat;
+    joined.origin += (joined.origin.empty() ? "" : ", ") + name + " (" + mesh->origin + ")";
+  }
+  NodeSet all(joined.nodes.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Index>(i);
+  joined.sets.emplace("all", std::move(all));
+  return joined;
 }
 
 std::vector<Index> Mesh::elements_in(const NodeSet& ids) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,18 @@ struct Mesh {
   bool in_use = false;  // a compiled model refers to it: nodes, elements and named sets stay as they are
   std::string origin;   // "rectangle 3x9", "file disc.msh": for messages and the printed model
 
+  // Of a mesh that was joined from others: where their nodes and elements are. A set of a part goes by
+  // "part.set", also one that is made later.
+  struct Part {
+    std::string name;
+    std::shared_ptr<const Mesh> mesh;
+    Index first_node = 0, first_element = 0;
+  };
+  std::vector<Part> parts;
+
   // The named set. Error: unknown name, with the nearest known one and the list.
   const NodeSet& set(std::string_view name) const;
+  std::vector<std::string> set_names() const;  // ascending, those of the parts too
   // Elements all of whose nodes are in the set.
   std::vector<Index> elements_in(const NodeSet& nodes) const;
   // New or replaced set; error on an id outside the mesh or an empty list, and on other ids under a known
@@ -35,7 +46,18 @@ struct Mesh {
   // Move every node; error if a position is not finite or the mesh in use. Clears `flat`. On error nothing is
   // moved.
   void map(const std::function<Vec3(const Vec3&)>& f);
+
+ private:
+  struct FromPart {  // a part's set as it was when it was last asked for, and with the joined mesh's ids
+    NodeSet own, joined;
+  };
+  const NodeSet* set_of_part(std::string_view name) const;
+  mutable std::map<std::string, FromPart, std::less<>> of_parts_;
 };
+
+// One mesh of several, part after part; each named set of a part is there as "part.set", and "all". Nodes are
+// not shared between parts. Error: two parts of one name, or one without a name.
+Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>& parts);
 
 // Error when the mesh is in use: a call that would change it.
 void check_unused(const Mesh& mesh, const char* call);

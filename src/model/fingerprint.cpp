@@ -59,8 +59,6 @@ void add_mesh(Part& part, const Model& model) {
 
 // The direction before it is projected; on a flat mesh that has none it is the default.
 void add_warp(Part& part, const Model& model) {
-  const auto& o = model.options();
-  part.add(model.thickness(), o.points, o.offset, o.plies.size(), o.warp.has_value());
   const auto add = [&](const WarpField& warp) {
     for (const Vec3& node : model.mesh().nodes) {
       const Direction d = warp(node);
@@ -70,7 +68,13 @@ void add_warp(Part& part, const Model& model) {
         part.add_vector(std::get<Vec3>(d));
     }
   };
-  if (o.warp) add(*o.warp);
+  for (std::size_t r = 0; r < model.regions().size(); ++r) {
+    const auto& o = model.regions()[r].options;
+    part.add(model.sections()[r].thickness, o.points, o.offset, o.plies.size(), o.warp.has_value());
+    if (o.warp) add(*o.warp);
+  }
+  if (model.regions().size() == 1) return;
+  for (Index e = 0; e < static_cast<Index>(model.mesh().elements.size()); ++e) part.add(model.region_of(e));
 }
 
 void add_loads(Part& part, const Model& model) {

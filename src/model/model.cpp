@@ -69,16 +69,73 @@ Freedoms parse_freedoms(const std::string& words, const std::string& call) {
 }
 
 Model::Model(std::shared_ptr<mesh::Mesh> mesh, card::Card card, Options options)
-    : mesh_(std::move(mesh)),
-      card_(std::move(card)),
-      options_(std::move(options)),
-      section_(make_section(card_, options_)) {
-  if (mesh_->elements.empty()) throw Error("model: the mesh has no elements");
-  if (!options_.warp && !mesh_->flat)
+    : Model(std::vector<BodyGiven>{{"", std::move(mesh), std::move(card), std::move(options), {}}}) {}
+
+Model::Model(std::vector<BodyGiven> bodies) : bodies_(std::move(bodies)) {
+  if (bodies_.empty()) throw Error("model: field 'bodies': expected at least one body, got none");
+  if (bodies_.size() == 1 && bodies_.front().name.empty()) {
+    mesh_ = bodies_.front().mesh;
+  } else {
+    std::vector<std::pair<std::string, std::shared_ptr<const mesh::Mesh>>> parts;
+    for (const auto& body : bodies_) parts.emplace_back(body.name, body.mesh);
+    mesh_ = std::make_shared<mesh::Mesh>(mesh::join(parts));
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) add_body(static_cast<Index>(b));
+}
+
+void Model::add_body(Index which) {
+  const BodyGiven& body = bodies_[which];
+  const std::string of = body.name.empty() ? "" : "body '" + body.name + "': ";
+  if (body.mesh->elements.empty()) throw Error("model: " + of + "the mesh has no elements");
+  if (!body.options.warp && !body.mesh->flat)
     throw Error(
-        "model: field 'warp': expected a direction {x,y,z}, an angle in degrees or a function, got nil: this "
+        "model: " + of +
+        "field 'warp': expected a direction {x,y,z}, an angle in degrees or a function, got nil: this "
         "mesh is "
         "not a flat generated one, so the warp has no default");
+  const auto add = [&](const std::string& name, const card::Card& card, const Options& options) {
+    regions_.push_back({name, card, options, which});
+    sections_.push_back(make_section(card, options));
+    return static_cast<Index>(regions_.size()) - 1;
+  };
+  const Index own = add(body.name, body.card, body.options);
+  if (own > 0 || !body.regions.empty()) assign(own, which, "");
+  for (const RegionGiven& region : body.regions)
+    assign(add((body.name.empty() ? "" : body.name + ".") + region.set, region.card, region.options), which,
+           region.set);
+}
+
+// Gives the elements of a body's set (empty: all of the body) to a region.
+void Model::assign(Index region, Index which, const std::string& set) {
+  const BodyGiven& body = bodies_[which];
+  const Index first = mesh_->parts.empty() ? 0 : mesh_->parts[which].first_element;
+  region_of_.resize(mesh_->elements.size(), 0);
+  if (set.empty()) {
+    std::fill_n(region_of_.begin() + first, body.mesh->elements.size(), static_cast<int>(region));
+    return;
+  }
+  const auto inside = body.mesh->elements_in(body.mesh->set(set));
+  if (inside.empty()) throw Error("model: region " + quoted(set) + " holds no whole element");
+  for (const Index e : inside) {
+    int& now = region_of_[first + e];
+    if (!body.regions.empty() && regions_[now].name != body.name)
+      throw Error("model: element " + std::to_string(e + 1) + " is in two regions, " +
+                  quoted(regions_[now].name) + " and " + quoted(regions_[region].name));
+    now = static_cast<int>(region);
+  }
+}
+
+void Model::seal() {
+  sealed_ = mesh_->in_use = true;
+  for (auto& body : bodies_) body.mesh->in_use = true;
+}
+
+std::string Model::element_name(Index element) const {
+  if (mesh_->parts.empty()) return std::to_string(element + 1);
+  std::size_t part = mesh_->parts.size() - 1;
+  while (mesh_->parts[part].first_element > element) --part;
+  return std::to_string(element - mesh_->parts[part].first_element + 1) + " of body " +
+         mesh_->parts[part].name;
 }
 
 void Model::check_open(const char* call) const {
@@ -303,8 +360,9 @@ void Model::validate() const {
     if (!used[n]) throw Error("model: node " + std::to_string(n + 1) + " belongs to no element");
 }
 
-Vec3 Model::warp_at(const Vec3& X, const Vec3& n) const {
-  const Direction direction = options_.warp ? (*options_.warp)(X) : Direction(0.0);
+Vec3 Model::warp_at(Index element, const Vec3& X, const Vec3& n) const {
+  const auto& warp = regions_[region_of(element)].options.warp;
+  const Direction direction = warp ? (*warp)(X) : Direction(0.0);
   Vec3 wanted;
   if (const double* angle = std::get_if<double>(&direction)) {
     const Vec3 e1 = (Vec3::UnitX() - n.x() * n).normalized();
@@ -349,11 +407,18 @@ std::string loads_of(const Model& m) {
 std::string Model::describe() const {
   std::ostringstream text;
   text << "model: " << mesh_->origin << ", " << mesh_->nodes.size() << " nodes, " << mesh_->elements.size()
-       << " elements; card " << card_.name << ", " << section_.thickness * 1e3 << " mm, "
-       << section_.areal_mass * 1e3 << " g/m2; warp "
-       << (options_.warp ? options_.warp_text : "0 degrees from +x (default)") << "; "
-       << counted(section_.points.size(), "thickness point") << "; " << counted(supports_.size(), "support")
-       << ", " << counted(motions_.size(), "motion") << ", " << loads_of(*this);
+       << " elements; ";
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    const auto& section = sections_[r];
+    const auto& options = regions_[r].options;
+    if (!regions_[r].name.empty()) text << regions_[r].name << ": ";
+    text << "card " << regions_[r].card.name << ", " << section.thickness * 1e3 << " mm, "
+         << section.areal_mass * 1e3 << " g/m2; warp "
+         << (options.warp ? options.warp_text : "0 degrees from +x (default)") << "; "
+         << counted(section.points.size(), "thickness point") << "; ";
+  }
+  text << counted(supports_.size(), "support") << ", " << counted(motions_.size(), "motion") << ", "
+       << loads_of(*this);
   return text.str();
 }
 

@@ -19,6 +19,7 @@
 namespace fabricsh::model {
 
 using history::History;
+using mesh::Index;
 
 // Warp direction at a point of the reference surface: an angle in degrees, counter-clockwise about the shell
 // normal from global +x projected on the surface, or a vector (projected on the surface).
@@ -129,11 +130,36 @@ struct Options {
   double offset = 0;                // reference surface at zeta_bar in [-1, 1] (0: middle surface)
 };
 
+// A set of elements with a card, thickness, plies or warp of its own.
+struct RegionGiven {
+  std::string set;  // of the body's mesh
+  card::Card card;
+  Options options;
+};
+struct BodyGiven {
+  std::string name;  // empty: the only body of its model, whose sets keep their names
+  std::shared_ptr<mesh::Mesh> mesh;
+  card::Card card;
+  Options options;
+  std::vector<RegionGiven> regions;
+};
+
+// What a part of the elements is made of, compiled: the rest of a body, or one of its regions.
+struct Region {
+  std::string name;  // "", "front", "pocket", "front.pocket"
+  card::Card card;
+  Options options;
+  Index body = 0;
+};
+
 class Model {
  public:
   // Errors: points outside 1..9; thickness not positive; warp missing on a mesh that is not flat; a card that
   // the law refuses (with its reason).
   Model(std::shared_ptr<mesh::Mesh> mesh, card::Card card, Options options);
+  // Several bodies, or one with regions. Errors, besides: no body; several without names of their own; a
+  // region of no whole element; an element in two regions (named).
+  explicit Model(std::vector<BodyGiven> bodies);
 
   // Errors of all: unknown set; model already compiled; no component given.
   void fix(const std::string& set, const Freedoms& fixed, const Mat3& frame = global_frame());
@@ -159,14 +185,21 @@ class Model {
   // once; what work_out_ties refuses.
   void validate() const;
   // By the analysis that compiles it: any change of it or its mesh after that is an Error.
-  void seal() { sealed_ = mesh_->in_use = true; }
+  void seal();
 
   const mesh::Mesh& mesh() const { return *mesh_; }
   std::shared_ptr<const mesh::Mesh> mesh_pointer() const { return mesh_; }
-  const card::Card& card() const { return card_; }
-  const section::Section& section() const { return section_; }
-  const Options& options() const { return options_; }
-  double thickness() const { return section_.thickness; }
+  const std::vector<BodyGiven>& bodies() const { return bodies_; }
+  // The body's own part first, then its regions, body after body.
+  const std::vector<Region>& regions() const { return regions_; }
+  const card::Card& card() const { return regions_.front().card; }  // of the first
+  // One section per region; an element belongs to one of them.
+  const std::vector<section::Section>& sections() const { return sections_; }
+  int region_of(mesh::Index element) const { return region_of_.empty() ? 0 : region_of_[element]; }
+  std::string element_name(mesh::Index element) const;  // "12", or "12 of body front" where there are several
+  const section::Section& section() const { return sections_.front(); }
+  const Options& options() const { return regions_.front().options; }  // of the first region
+  double thickness() const { return section().thickness; }
   const std::vector<Support>& supports() const { return supports_; }
   const std::vector<Motion>& motions() const { return motions_; }
   const std::vector<Force>& forces() const { return forces_; }
@@ -182,15 +215,18 @@ class Model {
   std::vector<double> kinks() const;
   // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite,
   // or no direction left after projection.
-  Vec3 warp_at(const Vec3& X, const Vec3& n) const;
+  Vec3 warp_at(mesh::Index element, const Vec3& X, const Vec3& n) const;
   std::string describe() const;  // a few lines: mesh, card, warp, thickness, points, supports
 
  private:
   void check_open(const char* call) const;
-  std::shared_ptr<mesh::Mesh> mesh_;
-  card::Card card_;
-  Options options_;
-  section::Section section_;
+  void add_body(Index body);
+  void assign(Index region, Index body, const std::string& set);
+  std::vector<BodyGiven> bodies_;
+  std::shared_ptr<mesh::Mesh> mesh_;  // the body's own, or the bodies' joined
+  std::vector<Region> regions_;
+  std::vector<section::Section> sections_;  // one per region
+  std::vector<int> region_of_;              // per element; empty: all in the first
   std::vector<Support> supports_;
   std::vector<Motion> motions_;
   std::vector<Force> forces_;

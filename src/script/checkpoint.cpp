@@ -30,8 +30,11 @@ model::Fingerprint problem_of(const analysis::Run& a) {
     add_part(parts, "BLAS kernels (the bits of a solve hang on them; OPENBLAS_CORETYPE chooses)", kernels,
              kernels);
   const model::Model& m = a.model();
-  std::string cards = card_text(m.card());
-  for (const auto& ply : m.options().plies) cards += card_text(ply.card);
+  std::string cards;
+  for (const auto& region : m.regions()) {
+    cards += card_text(region.card);
+    for (const auto& ply : region.options.plies) cards += card_text(ply.card);
+  }
   add_part(parts, "card", m.card().name, cards);
   for (auto& part : model::fingerprint(m, a.duration())) parts.push_back(std::move(part));
   return parts;

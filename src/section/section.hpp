@@ -53,7 +53,7 @@ struct Ply {
 // whose card carries its own bending; the law's refusals.
 Section stacked(const std::vector<Ply>& plies, int points, double offset);
 
-// Gauss-Legendre points through the thickness (PHYSICS section 6). Errors: the law's refusals; points
+// Gauss-Legendre points through the thickness (share/doc/theory.md, 3). Errors: the law's refusals; points
 // outside 1..9.
 Section integrated(const card::Card& card, double thickness, int points, double offset);
 

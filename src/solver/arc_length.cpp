@@ -2,33 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "solver/line_search.hpp"
 
 namespace fabricsh::solver {
 
-namespace {
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-bool all_finite(std::span<const double> v) {
-  return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
-}
-
-}  // namespace
-
-ArcLength::ArcLength(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern)
-    : linear_(std::move(linear)), K_(std::move(pattern)) {
-  for (auto* v : {&r_, &trial_r_, &q_, &delta_r_, &delta_t_, &delta_, &increment_}) v->assign(K_.size, 0.0);
-}
+using linear::all_finite;
+using linear::dot;
 
 // delta_r = K^-1 r, delta_t = K^-1 q.
 bool ArcLength::factorise() {
-  if (K_.size == 0) return true;
-  if (!analysed_) analysed_ = linear_->analyse(K_);
-  return analysed_ && linear_->factorise(K_) && linear_->solve(K_, r_, delta_r_) &&
-         linear_->solve(K_, q_, delta_t_) && all_finite(delta_r_) && all_finite(delta_t_);
+  if (K_.size() == 0) return true;
+  return linear_->factorise(K_) && linear_->solve(K_, r_, delta_r_) && linear_->solve(K_, q_, delta_t_) &&
+         all_finite(delta_r_) && all_finite(delta_t_);
 }
 
 // Along delta_t for the length, on the side of the last step; never more than the largest time step.
@@ -65,25 +51,16 @@ bool ArcLength::try_share(PathProblem& problem, double from, double step, double
 // taken, 0: the law failed.
 double ArcLength::move(PathProblem& problem, double from, double step, bool search) {
   for (std::size_t i = 0; i < delta_.size(); ++i) delta_[i] = delta_r_[i] + step * delta_t_[i];
-  const double g0 = dot(delta_r_, r_);
-  double low = 0, g_low = g0, a = 1;
-  for (int attempt = 0; attempt < 10; ++attempt) {
-    if (!try_share(problem, from, step, a)) {
-      if (!search) return 0;
-      a = low + (a - low) / 4;
-      continue;
-    }
-    const double g = dot(delta_r_, trial_r_);
-    const bool crossed = (g > 0) != (g_low > 0);
-    if (!search || std::abs(g) <= std::abs(g0) / 2 || !crossed || attempt == 9) {
-      r_.swap(trial_r_);
-      for (std::size_t i = 0; i < delta_.size(); ++i) increment_[i] += a * delta_[i];
-      problem.accept();
-      return a;
-    }
-    a = std::max(low + (a - low) * g_low / (g_low - g), 0.1 * a);
-  }
-  return 0;
+  const auto move_by = [&](double a) -> std::optional<double> {
+    if (!try_share(problem, from, step, a)) return {};
+    return dot(delta_r_, trial_r_);
+  };
+  const double a = line_search(dot(delta_r_, r_), {search, search, problem.limit(delta_)}, move_by);
+  if (a == 0) return 0;
+  r_.swap(trial_r_);
+  for (std::size_t i = 0; i < delta_.size(); ++i) increment_[i] += a * delta_[i];
+  problem.accept();
+  return a;
 }
 
 // Is the solution on the path, and not round the back of the sphere or on another branch far off?
@@ -101,7 +78,9 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
   };
   result.time = arc.time;
   result.length = arc.length;
-  std::fill(increment_.begin(), increment_.end(), 0.0);
+  const auto unknowns = static_cast<std::size_t>(problem.size());
+  for (auto* v : {&r_, &trial_r_, &q_, &delta_r_, &delta_t_, &delta_}) v->resize(unknowns);
+  increment_.assign(unknowns, 0.0);
   problem.aim(arc.time);
   if (!problem.start(K_, r_, q_)) return stop(NewtonStatus::law_failed);
   for (int i = 0; i < options.max_iterations; ++i) {

@@ -15,8 +15,8 @@ class PathProblem : public Problem {
  public:
   virtual void aim(double time) = 0;  // supports and loads of the next start() or retract()
   // At the committed configuration and the time aimed at (the committed one): K, r and q = dr/dt.
-  virtual bool start(SparseMatrix& K, std::span<double> r, std::span<double> q) = 0;
-  virtual bool tangent_and_rate(SparseMatrix& K, std::span<double> q) = 0;  // at the trial configuration
+  virtual bool start(Matrix& K, std::span<double> r, std::span<double> q) = 0;
+  virtual bool tangent_and_rate(Matrix& K, std::span<double> q) = 0;  // at the trial configuration
   // Scalar product that lengths are measured with: displacements only.
   virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
 };
@@ -36,7 +36,7 @@ struct ArcResult : NewtonResult {
 
 class ArcLength {
  public:
-  ArcLength(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern);
+  explicit ArcLength(std::unique_ptr<LinearSolver> linear) : linear_(std::move(linear)) {}
   ArcResult solve(PathProblem& problem, const NewtonOptions& options, const ArcOptions& arc);
   // After a commit: the step just solved is the direction that the next one goes on in. Forgotten (at a kink
   // of a history), the next one starts forwards in time.
@@ -60,9 +60,8 @@ class ArcLength {
   double move(PathProblem& problem, double from, double step, bool search);
 
   std::unique_ptr<LinearSolver> linear_;
-  SparseMatrix K_;
-  std::vector<double> r_, trial_r_, q_, delta_r_, delta_t_, delta_, increment_, direction_, predicted_;
-  bool analysed_ = false;
+  Matrix K_;
+  linear::Vector r_, trial_r_, q_, delta_r_, delta_t_, delta_, increment_, direction_, predicted_;
 };
 
 }  // namespace fabricsh::solver

@@ -1,23 +1,13 @@
 #include "solver/newton.hpp"
 
 #include <cmath>
-#include <numeric>
+
+#include "solver/line_search.hpp"
 
 namespace fabricsh::solver {
 
-namespace {
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-bool all_finite(std::span<const double> v) {
-  for (const double x : v)
-    if (!std::isfinite(x)) return false;
-  return true;
-}
-
-}  // namespace
+using linear::all_finite;
+using linear::dot;
 
 const char* describe(NewtonStatus status) {
   switch (status) {
@@ -36,36 +26,24 @@ const char* describe(NewtonStatus status) {
   }
 }
 
-Newton::Newton(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern)
-    : linear_(std::move(linear)), K_(std::move(pattern)), r_(K_.size), delta_(K_.size), trial_r_(K_.size) {}
-
-bool Newton::direction(std::span<const double> r) {
-  if (K_.size == 0) return true;
-  if (!analysed_) analysed_ = linear_->analyse(K_);
-  return analysed_ && linear_->factorise(K_) && linear_->solve(K_, r, delta_) && all_finite(delta_);
+void Newton::resize(Index size) {
+  for (auto* v : {&r_, &delta_, &trial_r_}) v->resize(static_cast<std::size_t>(size));
 }
 
-// Steps along delta until |g(a)| <= |g(0)| / 2 with g(a) = delta . r(d + a delta) (regula falsi on a
-// bracketed zero, else halving). Leaves r_ at the trial configuration. False: the law failed even on a short
-// step.
-bool Newton::search(Problem& problem, bool line_search) {
-  const double g0 = dot(delta_, r_);
-  double low = 0, g_low = g0, a = 1;
-  for (int attempt = 0; attempt < 10; ++attempt) {
+bool Newton::direction(std::span<const double> r) {
+  if (K_.size() == 0) return true;
+  return linear_->factorise(K_) && linear_->solve(K_, r, delta_) && all_finite(delta_);
+}
+
+// Leaves r_ at the trial configuration. False: the law failed even on a short step.
+bool Newton::search(Problem& problem, bool search) {
+  const auto try_share = [&](double a) -> std::optional<double> {
     problem.retract(delta_, a);
-    if (!problem.residual(trial_r_) || !all_finite(trial_r_)) {
-      a = low + (a - low) / 4;
-      continue;
-    }
-    const double g = dot(delta_, trial_r_);
+    if (!problem.residual(trial_r_) || !all_finite(trial_r_)) return {};
     r_.swap(trial_r_);
-    if (!line_search || std::abs(g) <= std::abs(g0) / 2 || attempt == 9) return true;
-    const bool crossed = (g > 0) != (g_low > 0);
-    if (!crossed) return true;  // still descending at the full step: Newton goes on from there
-    const double next = low + (a - low) * g_low / (g_low - g);
-    a = std::max(next, 0.1 * a);
-  }
-  return false;
+    return dot(delta_, r_);
+  };
+  return line_search(dot(delta_, r_), {search, true, problem.limit(delta_)}, try_share) > 0;
 }
 
 namespace {
@@ -77,11 +55,13 @@ NewtonResult failed(NewtonStatus status) {
 }  // namespace
 
 NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
+  resize(problem.size());
   if (!problem.predict(K_, r_) || !all_finite(r_)) return failed(NewtonStatus::law_failed);
   return iterate(problem, options, true);
 }
 
 NewtonResult Newton::correct(Problem& problem, const NewtonOptions& options) {
+  resize(problem.size());
   problem.accept();
   if (!problem.tangent(K_) || !problem.residual(r_) || !all_finite(r_))
     return failed(NewtonStatus::law_failed);

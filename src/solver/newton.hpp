@@ -1,4 +1,4 @@
-// Newton's method with a line search (PHYSICS section 7; [williams2010, Box 5-1]). Knows vectors, not meshes.
+// Newton's method with a line search [williams2010, Box 5-1]. Knows vectors, not meshes.
 #pragma once
 #include <memory>
 #include <span>
@@ -7,9 +7,15 @@
 #include <vector>
 
 #include "base/archive.hpp"
-#include "solver/sparse.hpp"
+#include "linear/linear_solver.hpp"
+#include "linear/vector.hpp"
 
 namespace fabricsh::solver {
+
+using linear::Index;
+using linear::LinearReport;
+using linear::LinearSolver;
+using linear::Matrix;
 
 // What a solver sees of a problem: unknowns, forces, tangent, and a way to step on the configuration
 // (directors live on a sphere, so a step is a retraction, not a sum). Three configurations: committed,
@@ -18,22 +24,24 @@ class Problem {
  public:
   virtual ~Problem() = default;
   virtual Index size() const = 0;
-  // At the committed configuration: the tangent K, and the residual r in which the supports' move to their
-  // targets is linearised, r = f_ext - f_int - K_fp du_p. Sets iterate = trial = committed. False: the law
-  // failed.
-  virtual bool predict(SparseMatrix& K, std::span<double> r) = 0;
+  // At the committed configuration: the tangent K (which takes the problem's pattern), and the residual r in
+  // which the supports' move to their targets is linearised, r = f_ext - f_int - K_fp du_p. Sets iterate =
+  // trial = committed. False: the law failed.
+  virtual bool predict(Matrix& K, std::span<double> r) = 0;
   // trial = iterate moved by scale * delta, supports at their targets.
   virtual void retract(std::span<const double> delta, double scale) = 0;
+  // The share of a step from the iterate along delta that is safe to take, above 0, at most 1.
+  virtual double limit(std::span<const double> /*delta*/) { return 1; }
   virtual void accept() = 0;                       // iterate = trial
   virtual bool residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
-  virtual bool tangent(SparseMatrix& K) = 0;       // at the trial configuration
+  virtual bool tangent(Matrix& K) = 0;             // at the trial configuration
   // The largest entry of a residual, N (moments over the problem's length), and which unknown carries it (-1:
   // none).
   virtual std::pair<double, Index> largest(std::span<const double> r) const = 0;
   virtual double force_scale() const = 0;  // N: what that is measured against
   // N: the residual that rounding of the coordinates alone makes at this stiffness; none smaller can be asked
   // for.
-  virtual double rounding_floor(const SparseMatrix& K) const = 0;
+  virtual double rounding_floor(const Matrix& K) const = 0;
 };
 
 struct NewtonOptions {
@@ -61,7 +69,7 @@ inline void keep_doubt(Archive& archive, LinearSolver& linear) {
 
 class Newton {
  public:
-  Newton(std::unique_ptr<LinearSolver> linear, SparseMatrix pattern);
+  explicit Newton(std::unique_ptr<LinearSolver> linear) : linear_(std::move(linear)) {}
   NewtonResult solve(Problem& problem, const NewtonOptions& options);    // from the committed configuration
   NewtonResult correct(Problem& problem, const NewtonOptions& options);  // from the trial configuration
   LinearReport linear_report() const { return linear_->report(); }
@@ -71,10 +79,10 @@ class Newton {
   NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);
   bool direction(std::span<const double> r);  // delta_ = K^-1 r
   bool search(Problem& problem, bool line_search);
+  void resize(Index size);
   std::unique_ptr<LinearSolver> linear_;
-  SparseMatrix K_;
-  std::vector<double> r_, delta_, trial_r_;
-  bool analysed_ = false;
+  Matrix K_;
+  linear::Vector r_, delta_, trial_r_;
 };
 
 }  // namespace fabricsh::solver

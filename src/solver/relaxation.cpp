@@ -11,17 +11,19 @@ constexpr int kRefresh = 200;  // iterations after which the masses are renewed 
 constexpr double kGrown = 2;   // times the residual of the last renewal
 }  // namespace
 
-Relaxation::Relaxation(SparseMatrix pattern)
-    : K_(std::move(pattern)), r_(K_.size), mass_(K_.size), velocity_(K_.size) {}
+void Relaxation::resize(Index size) {
+  for (auto* v : {&r_, &mass_, &velocity_}) v->resize(static_cast<std::size_t>(size));
+}
 
 // With a time step of 1, stable below omega_max = 2; Gershgorin: omega^2 <= max_i sum_j |K_ij| / m_i. A tenth
 // is kept in hand for the stiffening between two renewals.
 bool Relaxation::masses(Problem& problem) {
   if (!problem.tangent(K_)) return false;
   double largest = 0;
-  for (Index c = 0; c < K_.size; ++c) {
+  const auto& column = K_.pattern->column;
+  for (Index c = 0; c < K_.size(); ++c) {
     double sum = 0;
-    for (Index k = K_.column[c]; k < K_.column[c + 1]; ++k) sum += std::abs(K_.value[k]);
+    for (Index k = column[c]; k < column[c + 1]; ++k) sum += std::abs(K_.value[k]);
     mass_[c] = 1.1 * sum / 4;
     largest = std::max(largest, mass_[c]);
   }
@@ -30,6 +32,7 @@ bool Relaxation::masses(Problem& problem) {
 }
 
 NewtonResult Relaxation::solve(Problem& problem, const RelaxationOptions& options) {
+  resize(problem.size());
   std::fill(velocity_.begin(), velocity_.end(), 0.0);
   if (!problem.predict(K_, r_)) {
     NewtonResult result;
@@ -46,9 +49,10 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     result.status = status;
     return result;
   };
+  resize(problem.size());
   std::fill(velocity_.begin(), velocity_.end(), 0.0);
   problem.accept();
-  if (K_.size > 0 && !masses(problem)) return stop(NewtonStatus::law_failed);
+  if (problem.size() > 0 && !masses(problem)) return stop(NewtonStatus::law_failed);
   double before = 0, renewed = std::numeric_limits<double>::infinity();  // residual when the masses were
   bool starts = true;  // at rest: the first step of the leapfrog is half a one
   for (int since = 0; result.iterations < options.max_iterations; ++result.iterations, ++since) {

@@ -14,7 +14,6 @@ struct RelaxationOptions {
 
 class Relaxation {
  public:
-  explicit Relaxation(SparseMatrix pattern);
   // From the committed configuration (supports moved to their targets first), or on from the trial one.
   // iterations: of the fictitious motion; residuals: at the peaks and at the end.
   NewtonResult solve(Problem& problem, const RelaxationOptions& options);
@@ -22,8 +21,9 @@ class Relaxation {
 
  private:
   bool masses(Problem& problem);
-  SparseMatrix K_;
-  std::vector<double> r_, mass_, velocity_;
+  void resize(Index size);
+  Matrix K_;
+  linear::Vector r_, mass_, velocity_;
 };
 
 }  // namespace fabricsh::solver

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "assembly/assembly.hpp"
 #include "fabric/data.hpp"
+#include "mechanics/assembly.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -86,17 +86,17 @@ class Sheet {
     assembly_.residual(external_, residual_);
     for (std::size_t i = 0; i < rate_.size(); ++i) rate_[i] += step_ * residual_[i] / mass_[i];
     time_ += step_;
-    assembly_.state().commit(time_);
+    assembly_.commit(time_);
   }
   void forces() {
-    if (assembly_.forces(fabric::AtSwitch::loading)) return;
+    if (assembly_.forces({})) return;
     std::printf("the law failed at %g s\n", time_);
     std::exit(1);
   }
   void count(Branches& b) const {
     const bool first = b.sign.empty();
     std::size_t at = 0;
-    for (assembly::Index e = 0; e < assembly_.elements(); e += 7)
+    for (mechanics::Index e = 0; e < assembly_.elements(); e += 7)
       assembly_.visit(e, [&](double, const fabric::Law& law, const double* E, const double* state) {
         const auto i = fabric::internal(law, E, state);
         for (const auto branch : {i.warp, i.weft}) {
@@ -120,7 +120,7 @@ class Sheet {
 
  private:
   std::shared_ptr<model::Model> model_;
-  assembly::Assembly assembly_;
+  mechanics::Assembly assembly_;
   std::vector<double> mass_, rate_, residual_, external_;
   double step_ = 0, time_ = 0;
 };

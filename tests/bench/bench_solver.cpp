@@ -51,10 +51,10 @@ struct Factor {
   double fill = 0;  // million entries
 };
 
-Factor measure(solver::LinearSolver& solver, const solver::SparseMatrix& K, int repeats) {
+Factor measure(linear::LinearSolver& solver, const linear::Matrix& K, int repeats) {
   Factor f;
-  std::vector<double> b(K.size, 1.0), x(K.size);
-  f.analyse = best(1, [&] { solver.analyse(K); });
+  std::vector<double> b(K.size(), 1.0), x(K.size());
+  f.analyse = best(1, [&] { solver.prepare(K); });
   f.numeric = best(repeats, [&] {
     if (!solver.factorise(K)) std::printf("  not factorised\n");
   });
@@ -71,20 +71,20 @@ void print(const char* name, const Factor& f) {
 void run(const char* name, const card::Card& card, int n, bool orderings) {
   const int repeats = n <= 64 ? 5 : 2;
   auto plate = make_plate(card, n);
-  assembly::Assembly assembly(*plate);
-  auto K = assembly.pattern();
-  std::printf("%s, %d x %d elements, %lld unknowns\n", name, n, n, static_cast<long long>(K.size));
-  const double tangent = best(repeats, [&] { assembly.tangent(fabric::AtSwitch::loading, K, {}, {}); });
-  const double force = best(repeats, [&] { assembly.forces(fabric::AtSwitch::loading); });
+  mechanics::Assembly assembly(*plate);
+  linear::Matrix K(assembly.pattern());
+  std::printf("%s, %d x %d elements, %lld unknowns\n", name, n, n, static_cast<long long>(K.size()));
+  const double tangent = best(repeats, [&] { assembly.tangent({}, K, {}, {}); });
+  const double force = best(repeats, [&] { assembly.forces({}); });
   const bool symmetric = plate->section().symmetric;
-  using solver::Ordering;
+  using linear::Ordering;
   const auto chosen =
-      measure(*(symmetric ? solver::make_symmetric_solver() : solver::make_unsymmetric_solver()), K, repeats);
+      measure(*(symmetric ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()), K, repeats);
   if (orderings) {
-    print("CHOLMOD AMD", measure(*solver::make_symmetric_solver(Ordering::amd), K, repeats));
-    print("CHOLMOD METIS", measure(*solver::make_symmetric_solver(Ordering::metis), K, repeats));
-    print("UMFPACK AMD", measure(*solver::make_unsymmetric_solver(Ordering::amd), K, repeats));
-    print("UMFPACK METIS", measure(*solver::make_unsymmetric_solver(Ordering::metis), K, repeats));
+    print("CHOLMOD AMD", measure(*linear::make_symmetric_solver(Ordering::amd), K, repeats));
+    print("CHOLMOD METIS", measure(*linear::make_symmetric_solver(Ordering::metis), K, repeats));
+    print("UMFPACK AMD", measure(*linear::make_unsymmetric_solver(Ordering::amd), K, repeats));
+    print("UMFPACK METIS", measure(*linear::make_unsymmetric_solver(Ordering::metis), K, repeats));
   }
   print("automatic", chosen);
   analysis::Static a(make_plate(card, n), {.duration = 1, .step = 0.05}, test::quiet());

@@ -1,4 +1,4 @@
-// The card's check: every line of the report, its numbers against PHYSICS.
+// The card's check: every line of the report, its numbers against those worked out apart.
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -24,7 +24,7 @@ double value(const fabric::CheckReport& report, const std::string& key, const st
 
 }  // namespace
 
-TEST_CASE("the four cards are usable and their numbers are those of PHYSICS", "[check]") {
+TEST_CASE("the four cards are usable and their numbers are those worked out apart", "[check]") {
   const double step[] = {74, 54, 47, 93};                                       // us
   const double bending[4][2] = {{37, 169}, {179, 556}, {16, 11}, {820, 1756}};  // uN.m
   for (int f = 0; f < 4; ++f) {

@@ -105,7 +105,7 @@ TEST_CASE("the thesis' rule tends to the incremental law with the first power of
 }
 
 TEST_CASE("the endpoint rule's error at 40 steps", "[law][rate]") {
-  // PHYSICS section 3, 3: 2-3 % high at the peak, more on the way.
+  // Measured on a prototype: 2-3 % high at the peak, more on the way.
   for (const int f : {0, 2}) {
     const double top = std::get<card::Woven>(thesis_card(f).law).tested.warp;
     LawPoint point(thesis_card(f, card::LawKind::thesis));

@@ -1,4 +1,4 @@
-// The four cards of the thesis as its tables print them (PHYSICS section 5), for tests.
+// The four cards of the thesis as its tables print them (tables 7.1 to 7.3, densities corrected), for tests.
 #pragma once
 #include <array>
 #include <cmath>

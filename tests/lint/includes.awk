@@ -18,8 +18,8 @@ function owner(pattern, rooms) {
 }
 
 BEGIN {
-  owner("^(suitesparse/)?(umfpack|cholmod|amd|colamd|klu|SuiteSparse)[A-Za-z_]*\\.h$", "solver")
-  owner("^(openblas/)?(cblas|lapacke|openblas_config)[A-Za-z_0-9]*\\.h$", "solver")
+  owner("^(suitesparse/)?(umfpack|cholmod|amd|colamd|klu|SuiteSparse)[A-Za-z_]*\\.h$", "linear")
+  owner("^(openblas/)?(cblas|lapacke|openblas_config)[A-Za-z_0-9]*\\.h$", "linear")
   owner("^zlib\\.h$", "files")
   owner("^vtk[A-Za-z0-9]*\\.h$", "files render")
   owner("^(lua5\\.4/)?(lua|lauxlib|lualib|luaconf)\\.(h|hpp)$", "script repl")

@@ -11,7 +11,11 @@ using namespace fabricsh::solver;
 
 namespace {
 
-SparseMatrix one_by_one() { return {1, {0, 1}, {0}, {0}}; }
+std::shared_ptr<const fabricsh::linear::Pattern> one_by_one() {
+  static const auto pattern =
+      std::make_shared<const fabricsh::linear::Pattern>(std::vector<Index>{0, 1}, std::vector<Index>{0});
+  return pattern;
+}
 
 // r(u, t) = 0 for one unknown u; the solvers get the stiffness that they are told. Without a time, t is 0.
 class Scalar final : public PathProblem {
@@ -26,15 +30,15 @@ class Scalar final : public PathProblem {
 
   Index size() const override { return 1; }
   void aim(double time) override { time_ = time; }
-  bool predict(SparseMatrix& K, std::span<double> r) override {
+  bool predict(Matrix& K, std::span<double> r) override {
     trial_ = iterate_ = committed;
     return tangent(K) && residual(r);
   }
-  bool start(SparseMatrix& K, std::span<double> r, std::span<double> q) override {
+  bool start(Matrix& K, std::span<double> r, std::span<double> q) override {
     q[0] = 1;
     return predict(K, r);
   }
-  bool tangent_and_rate(SparseMatrix& K, std::span<double> q) override {
+  bool tangent_and_rate(Matrix& K, std::span<double> q) override {
     q[0] = 1;
     return tangent(K);
   }
@@ -47,14 +51,15 @@ class Scalar final : public PathProblem {
     r[0] = force(trial_, time_);
     return !std::isnan(r[0]);
   }
-  bool tangent(SparseMatrix& K) override {
+  bool tangent(Matrix& K) override {
+    K.follow(one_by_one());
     K.value[0] = stiffness(trial_);
     return true;
   }
   double product(std::span<const double> a, std::span<const double> b) const override { return a[0] * b[0]; }
   std::pair<double, Index> largest(std::span<const double> r) const override { return {std::abs(r[0]), 0}; }
   double force_scale() const override { return 1; }
-  double rounding_floor(const SparseMatrix&) const override { return 0; }
+  double rounding_floor(const Matrix&) const override { return 0; }
 
  private:
   double trial_ = 0, iterate_ = 0, time_ = 0;
@@ -63,7 +68,7 @@ class Scalar final : public PathProblem {
 NewtonResult correct(Scalar& problem, NewtonOptions options) {
   problem.shares.clear();
   problem.set_trial(problem.committed);
-  return Newton(make_unsymmetric_solver(), one_by_one()).correct(problem, options);
+  return Newton(fabricsh::linear::make_unsymmetric_solver()).correct(problem, options);
 }
 
 // The shares tried in one iteration from u = 0 with K = 1 and so with the increment r(0) = 1.
@@ -125,7 +130,7 @@ TEST_CASE("the first step of a predicted solve is taken whole, the later ones ar
   Scalar problem;
   problem.force = [](double u, double) { return 1 - 5 * u; };
   problem.stiffness = [](double u) { return u == 0 ? 1.0 : 2.0; };
-  Newton newton(make_unsymmetric_solver(), one_by_one());
+  Newton newton(fabricsh::linear::make_unsymmetric_solver());
   CHECK(newton.solve(problem, {.max_iterations = 2}).status == NewtonStatus::converged);
   REQUIRE(problem.shares.size() == 3);
   CHECK(problem.shares[0] == 1);
@@ -141,7 +146,7 @@ TEST_CASE("a step along an arc that ends off its path is refused, however well i
     problem.committed = 0.9;
     problem.force = [&](double u, double t) { return t - f(u); };
     problem.stiffness = [&](double u) { return u > 1 ? beyond : 1.0; };
-    ArcLength arc(make_unsymmetric_solver(), one_by_one());
+    ArcLength arc(fabricsh::linear::make_unsymmetric_solver());
     const auto result = arc.solve(problem, {.tolerance = 1e-9, .line_search = false},
                                   {.time = 0.9, .landing = 1.05, .length = 1, .largest_step = 1});
     CHECK(result.landed);

@@ -54,10 +54,10 @@ Patch run(const Field& field, const Mat3& turn, bool moments) {
   model::Options options;
   options.warp = [&](const Vec3&) { return model::Direction(Vec3(turn * Vec3::UnitX())); };
   model::Model m(mesh, plate(), options);
-  assembly::Assembly a(m);
-  solver::SparseMatrix K = a.pattern();
-  REQUIRE(a.forces(fabric::AtSwitch::loading));
-  REQUIRE(a.tangent(fabric::AtSwitch::loading, K, {}, {}));
+  mechanics::Assembly a(m);
+  linear::Matrix K;
+  REQUIRE(a.forces({}));
+  REQUIRE(a.tangent({}, K, {}, {}));
   const Vec3 normal = turn * Vec3::UnitZ();
   std::vector<double> u(a.unknowns(), 0.0), r(a.unknowns(), 0.0);
   const auto& state = std::as_const(a).state();
@@ -72,8 +72,9 @@ Patch run(const Field& field, const Mat3& turn, bool moments) {
     u[equation[3]] = D.dot(b1);
     u[equation[4]] = D.dot(b2);
   }
-  for (solver::Index j = 0; j < K.size; ++j)
-    for (auto k = K.column[j]; k < K.column[j + 1]; ++k) r[K.row[k]] += K.value[k] * u[j];
+  for (linear::Index j = 0; j < K.size(); ++j)
+    for (auto k = K.pattern->column[j]; k < K.pattern->column[j + 1]; ++k)
+      r[K.pattern->row[k]] += K.value[k] * u[j];
   Patch patch{0, 0};
   double largest = 0;
   for (std::size_t n = 0; n < flat.size(); ++n) {

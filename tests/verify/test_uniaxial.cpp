@@ -160,7 +160,7 @@ TEST_CASE(
 
 TEST_CASE("the same bits for any number of threads is a property of the colours") {
   const auto mesh = mesh::rectangle(1, 1, 7, 5);
-  const auto colours = assembly::colour(mesh);
+  const auto colours = mechanics::colour(mesh);
   for (std::size_t i = 0; i < colours.size(); ++i)
     for (std::size_t j = i + 1; j < colours.size(); ++j)
       if (colours[i] == colours[j])

@@ -1,0 +1,313 @@
+#include "mechanics/dofs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "mechanics/mesh_tools.hpp"
+#include "tensor/node_view.hpp"
+#include "tensor/turning.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+constexpr Index kShare = 2048;  // nodes from which threads share a loop
+}
+
+Dofs::Dofs(const model::Model& model, Configuration& configuration)
+    : configuration_(configuration),
+      X_(model.mesh().nodes),
+      directors_(mechanics::reference_directors(model.mesh())) {
+  lay_into_planes(model, directors_);
+  freedoms_ = number_freedoms(model, directors_);
+  meet_directors();
+  for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
+    at(configuration_.x(), n) = X_[n];
+    at(configuration_.d(), n) = directors_[n];
+    at(configuration_.b1(), n) = first_axis(directors_[n]);
+    first_axes_.push_back(at(configuration_.b1(), n));
+    realign(n);
+  }
+  retract_ties({}, 0);
+  configuration_.commit(0);
+  begin_iterate();
+  for (const auto& motion : freedoms_.motions) driven_nodes_.push_back(motion.node);
+  std::sort(driven_nodes_.begin(), driven_nodes_.end());
+  driven_nodes_.erase(std::unique(driven_nodes_.begin(), driven_nodes_.end()), driven_nodes_.end());
+  measure_unknowns(model);
+}
+
+// Which node an unknown moves, whether it turns it, and what its moments are divided by.
+void Dofs::measure_unknowns(const model::Model& model) {
+  const Index n = freedoms_.unknowns;
+  unknown_node_.assign(n, -1);
+  turns_.assign(n, false);
+  double edges = 0, count = 0;
+  for (const auto& e : model.mesh().elements) {
+    const int sides = e[3] < 0 ? 3 : 4;
+    for (int a = 0; a < sides; ++a) edges += (X_[e[a]] - X_[e[(a + 1) % sides]]).norm();
+    count += sides;
+  }
+  length_ = edges / count;
+  for (std::size_t i = 0; i < freedoms_.nodes.size(); ++i)
+    for (int c = 0; c < 5; ++c)
+      if (const Index eq = freedoms_.nodes[i].equation[c]; eq >= 0) {
+        unknown_node_[eq] = static_cast<Index>(i);
+        turns_[eq] = c >= 3;
+      }
+  lever_.assign(n, 1);
+  for (Index eq = 0; eq < n; ++eq)
+    if (turns_[eq]) lever_[eq] = length_;
+  if (!has_ties()) return;
+  led_.resize(X_.size());
+  for (std::size_t f = 0; f < freedoms_.followers.size(); ++f)
+    for (std::size_t k = 0; k < freedoms_.followers[f].leads.size(); ++k)
+      led_[freedoms_.followers[f].leads[k].node].emplace_back(static_cast<Index>(f), static_cast<int>(k));
+  for (const Body& body : freedoms_.bodies) {
+    const auto x = std::as_const(configuration_).x();
+    double radius = 0;
+    for (const Index i : body.nodes) radius = std::max(radius, (at(x, i) - centroid(body, x)).norm());
+    for (Index i = 0; i < 6; ++i) {
+      unknown_node_[body.equation + i] = body.nodes.front();
+      turns_[body.equation + i] = i >= 3;
+      if (i >= 3) lever_[body.equation + i] = radius;
+    }
+  }
+}
+
+// Where a node's director may turn about held axes alone, its first axis is the direction that is left.
+void Dofs::realign(Index node) {
+  const auto& held_axes = freedoms_.nodes[node].held_axes;
+  if (held_axes.empty()) return;
+  const Vec3 direction = allowed_direction(held_axes, at(configuration_.d(), node));
+  if (direction.isZero()) return;
+  // The longest shadow changes from one held axis to another, and turns round where the director passes an
+  // axis. A rate along b1 keeps its number through a step, so b1 has to keep its sense.
+  const Vec3 before = at(configuration_.b1(), node);
+  at(configuration_.b1(), node) = direction.dot(before) < 0 ? Vec3(-direction) : direction;
+}
+
+void Dofs::begin_iterate() {
+  iterate_is_committed_ = !configuration_.moved();
+  if (iterate_is_committed_) return;
+  const auto k = std::as_const(configuration_).kinematics();
+  iterate_.assign(k.begin(), k.end());
+}
+
+std::span<const double> Dofs::iterate() const {
+  return iterate_is_committed_ ? configuration_.committed_kinematics() : std::span<const double>(iterate_);
+}
+
+std::vector<double> Dofs::targets(double time) const {
+  std::vector<double> history(freedoms_.histories.size());
+  for (std::size_t h = 0; h < history.size(); ++h) history[h] = freedoms_.histories[h].value(time);
+  std::vector<double> values;
+  values.reserve(freedoms_.motions.size());
+  for (const auto& m : freedoms_.motions) values.push_back(m.of(history[m.history]));
+  return values;
+}
+
+void Dofs::retract(std::span<const double> delta, double scale, std::span<const double> targets) {
+  const std::size_t n = X_.size();
+  const std::span<const double> base = iterate();
+  configuration_.overwrite();
+  const auto step = [&](Index equation) { return equation >= 0 ? scale * delta[equation] : 0.0; };
+  const auto x = configuration_.x(), d = configuration_.d(), b1 = configuration_.b1();
+#pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= 128)
+  for (Index i = 0; i < static_cast<Index>(n); ++i) {
+    const NodeFreedoms& node = freedoms_.nodes[i];
+    Vec3 u = at(base, i) - X_[i];
+    if (node.oblique) u = node.frame * u;
+    for (int c = 0; c < 3; ++c) {
+      const Index equation = node.equation[c];
+      if (equation >= 0)
+        u[c] += step(equation);
+      else
+        u[c] = equation == held || equation == tied ? 0.0 : targets[motion_of(equation)];
+    }
+    if (node.oblique) u = node.frame.transpose() * u;
+    at(x, i) = X_[i] + u;
+    at(d, i) = at(base.subspan(3 * n), i);
+    at(b1, i) = at(base.subspan(6 * n), i);
+    if (node.turn_axis) {
+      const Mat3 R =
+          Eigen::AngleAxisd(targets[motion_of(node.equation[3])], *node.turn_axis).toRotationMatrix();
+      at(d, i) = R * directors_[i];
+      at(b1, i) = R * first_axes_[i];
+      continue;
+    }
+    const double q1 = step(node.equation[3]), q2 = step(node.equation[4]);
+    if (q1 == 0 && q2 == 0) continue;
+    const Vec3 director = at(d, i), first = at(b1, i);
+    turn(at(d, i), at(b1, i), q1 * first + q2 * director.cross(first));
+    realign(i);
+  }
+  retract_ties(delta, scale);
+  configuration_.touch();
+}
+
+namespace {
+
+// The residual force on a director: of loads and inertia, where there are any, less the internal one.
+Vec3 on_director(std::span<const double> on_d, std::span<const double> internal_d, Index node) {
+  const Vec3 internal = at(internal_d, node);
+  return on_d.empty() ? Vec3(-internal) : Vec3(at(on_d, node) - internal);
+}
+
+}  // namespace
+
+void Dofs::residual(std::span<const double> external, std::span<const double> internal_x,
+                    std::span<const double> internal_d, std::span<const double> on_d,
+                    const std::vector<Vec3>* moments, std::span<double> r) const {
+  const auto d = std::as_const(configuration_).d(), first = std::as_const(configuration_).b1();
+  const auto count = static_cast<Index>(X_.size());
+#pragma omp parallel for schedule(static) if (count >= kShare)
+  for (Index i = 0; i < count; ++i) {
+    const NodeFreedoms& node = freedoms_.nodes[i];
+    const Vec3 out = at(external, i) - at(internal_x, i), f = node.oblique ? Vec3(node.frame * out) : out;
+    for (int c = 0; c < 3; ++c)
+      if (node.equation[c] >= 0) r[node.equation[c]] = f[c];
+    if (node.equation[3] < 0) continue;
+    const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(first, i);
+    r[node.equation[3]] = b1.dot(turning);
+    if (node.equation[4] >= 0) r[node.equation[4]] = at(d, i).cross(b1).dot(turning);
+  }
+  if (has_ties()) add_tied_residual(external, internal_x, internal_d, on_d, moments, r);
+}
+
+Vec3 Dofs::support_force(Index n, std::span<const double> internal_x,
+                         std::span<const double> external) const {
+  const NodeFreedoms& node = freedoms_.nodes[n];
+  Vec3 f = at(internal_x, n) - at(external, n);
+  if (!led_.empty() && !led_[n].empty()) f += tied_force(n, internal_x, external);
+  f = node.frame * f;
+  for (int c = 0; c < 3; ++c)
+    if (node.equation[c] >= 0 || node.equation[c] == tied) f[c] = 0;
+  return node.frame.transpose() * f;
+}
+
+void Dofs::spread_rates(std::span<const double> rates, std::span<const double> driven,
+                        NodalRates& out) const {
+  out.x.assign(3 * X_.size(), 0);
+  out.d.assign(3 * X_.size(), 0);
+  const auto rate = [&](Index eq) {
+    return eq >= 0 ? rates[eq] : eq == held || eq == tied ? 0.0 : driven[motion_of(eq)];
+  };
+  const auto d = std::as_const(configuration_).d(), first = std::as_const(configuration_).b1();
+  std::vector<Link> node;
+  for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
+    const NodeFreedoms& free = freedoms_.nodes[n];
+    Eigen::Matrix<double, 5, 1> v = Eigen::Matrix<double, 5, 1>::Zero();
+    if (freedoms_.ties(n)) {
+      links(n, node);
+      for (const Link& link : node) v += rate(link.equation) * link.column;
+    } else {
+      for (int c = 0; c < 5; ++c) v[c] = rate(free.equation[c]);
+    }
+    at(out.x, n) = free.frame.transpose() * v.head<3>();
+    const Vec3 dn = at(d, n), b1 = at(first, n);
+    at(out.d, n) =
+        free.turn_axis ? Vec3(v[3] * free.turn_axis->cross(dn)) : Vec3(v[3] * b1 + v[4] * dn.cross(b1));
+  }
+}
+
+std::vector<double> Dofs::collect_rates(const NodalRates& nodal) const {
+  std::vector<double> rates(freedoms_.unknowns, 0);
+  const std::span<const double> v(nodal.x), w(nodal.d);
+  const Configuration& s = configuration_;
+  for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
+    const NodeFreedoms& free = freedoms_.nodes[n];
+    const Vec3 along = free.frame * at(v, n), b1 = at(s.b1(), n), dn = at(s.d(), n);
+    const double value[5] = {along[0], along[1], along[2], b1.dot(at(w, n)), dn.cross(b1).dot(at(w, n))};
+    for (int c = 0; c < 5; ++c)
+      if (free.equation[c] >= 0) rates[free.equation[c]] = value[c];
+  }
+  for (const Body& body : freedoms_.bodies) {
+    const Vec3 middle = centroid(body, s.x());
+    Vec3 mean = Vec3::Zero(), spin = Vec3::Zero();
+    Mat3 J = Mat3::Zero();
+    for (const Index n : body.nodes) {
+      mean += at(v, n) / static_cast<double>(body.nodes.size());
+      for (const auto& [arm, rate] : {std::pair<Vec3, Vec3>{at(s.x(), n) - middle, at(v, n)},
+                                      std::pair<Vec3, Vec3>{at(s.d(), n), at(w, n)}}) {
+        J += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
+        spin += arm.cross(rate);
+      }
+    }
+    const Vec3 turn = J.ldlt().solve(spin);
+    for (int i = 0; i < 3; ++i) {
+      rates[body.equation + i] = mean[i];
+      rates[body.equation + 3 + i] = turn[i];
+    }
+  }
+  return rates;
+}
+
+std::vector<double> Dofs::lump(std::span<const double> nodal, std::span<const double> rotary) const {
+  std::vector<double> mass(freedoms_.unknowns, 0);
+  std::vector<Link> node;
+  for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
+    if (!freedoms_.ties(n)) {
+      const auto& eq = freedoms_.nodes[n].equation;
+      for (int c = 0; c < 5; ++c)
+        if (eq[c] >= 0) mass[eq[c]] += c < 3 ? nodal[n] : rotary[n];
+      continue;
+    }
+    // The row sum of L^T M L, where the columns of a freedom's links add up to one.
+    links(n, node);
+    for (const Link& link : node)
+      if (link.equation >= 0)
+        mass[link.equation] +=
+            nodal[n] * link.column.head<3>().sum() + rotary[n] * link.column.tail<2>().sum();
+  }
+  for (const double m : mass)
+    if (!(m > 0) || !freedoms_.bodies.empty())
+      throw Error(
+          "dynamic: field 'scheme': ties of the kinds \"rigid\" and \"periodic\" have no lumped mass; "
+          "expected "
+          "scheme=\"implicit\"");
+  return mass;
+}
+
+double Dofs::lead_of(Index motion, std::span<const double> lead) const {
+  const DrivenFreedom& m = freedoms_.motions[motion];
+  if (m.component < 3) return lead[motion];
+  const Vec3 d = at(std::as_const(configuration_).d(), m.node),
+             b1 = at(std::as_const(configuration_).b1(), m.node);
+  const Vec3 rate = freedoms_.nodes[m.node].turn_axis->cross(d);
+  return lead[motion] * rate.dot(m.component == 3 ? b1 : Vec3(d.cross(b1)));
+}
+
+std::pair<double, Index> Dofs::largest_residual(std::span<const double> r) const {
+  std::pair<double, Index> best{0, -1};
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const double size = std::abs(r[i]) / lever_[i];
+    if (!std::isfinite(size)) return {std::numeric_limits<double>::infinity(), static_cast<Index>(i)};
+    if (size > best.first) best = {size, static_cast<Index>(i)};
+  }
+  return best;
+}
+
+double Dofs::largest_force(std::span<const double> on_x, std::span<const double> on_d) const {
+  double largest = 0, moment = 0;
+  for (const double f : on_x) largest = std::max(largest, std::abs(f));
+  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
+    const Vec3 d = at(std::as_const(configuration_).d(), i), f = at(on_d, i);
+    moment = std::max(moment, (f - f.dot(d) * d).cwiseAbs().maxCoeff());
+  }
+  return std::max(largest, moment / length_);
+}
+
+double Dofs::rounding_floor(const linear::Matrix& K) const {
+  double stiffest[2] = {0, 0}, farthest = 0;  // displacements, rotations
+  for (Index eq = 0; eq < K.size(); ++eq) {
+    const double k = std::abs(K.value[K.pattern->slot(eq, eq)]);
+    stiffest[turns_[eq]] = std::max(stiffest[turns_[eq]], k);
+  }
+  for (const double x : std::as_const(configuration_).x()) farthest = std::max(farthest, std::abs(x));
+  return 16 * std::numeric_limits<double>::epsilon() *
+         std::max(farthest * stiffest[0], stiffest[1] / length_);
+}
+
+}  // namespace fabricsh::mechanics

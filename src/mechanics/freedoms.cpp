@@ -1,0 +1,192 @@
+#include "mechanics/freedoms.hpp"
+
+#include <numbers>
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+constexpr double kNoShadow =
+    1e-8;  // a held axis this close to the director (sine of the angle) holds nothing
+
+Vec3 shadow(const Vec3& axis, const Vec3& d) { return axis - axis.dot(d) * d; }
+
+// How many of the two director rotations the held axes take away: the rank of their shadows on the tangent
+// plane.
+int held_rotations(const std::vector<Vec3>& axes, const Vec3& d) {
+  const Vec3 first = allowed_direction(axes, d);
+  if (first.isZero()) return 0;
+  for (const Vec3& axis : axes) {
+    const Vec3 s = shadow(axis, d);
+    if ((s - s.dot(first) * first).norm() > kNoShadow) return 2;
+  }
+  return 1;
+}
+
+struct Held {
+  std::array<bool, 3> translation{};
+  std::vector<Vec3> axes;
+  bool rotation = false;
+};
+
+Index add_history(const model::History& history, Freedoms& f) {
+  f.histories.push_back(history);
+  return static_cast<Index>(f.histories.size()) - 1;
+}
+
+// Every node of the set gets its director driven, and with a centre its three displacements.
+void add_turn(const model::Turn& turn, const mesh::Mesh& mesh, Freedoms& f,
+              std::vector<std::array<Index, 3>>& motion) {
+  using Kind = DrivenFreedom::Kind;
+  const Index angle = add_history(turn.angle, f);  // degrees
+  for (const Index n : mesh.set(turn.set)) {
+    NodeFreedoms& node = f.nodes[n];
+    node.turn_axis = turn.axis;
+    for (int c = 3; c < 5; ++c) {
+      node.equation[c] = driven(static_cast<Index>(f.motions.size()));
+      f.motions.push_back({n, c, angle, Kind::angle});
+    }
+    if (!turn.centre) continue;
+    const Vec3 arm = mesh.nodes[n] - *turn.centre;
+    for (int i = 0; i < 3; ++i) {
+      motion[n][i] = static_cast<Index>(f.motions.size());
+      f.motions.push_back({n, i, angle, Kind::arm, arm, turn.axis});
+    }
+  }
+}
+
+// Marks the freedoms that follow others and the nodes of rigid bodies.
+void mark_ties(const model::Model& model, Freedoms& f) {
+  auto ties = model::work_out_ties(model);
+  for (const auto& follower : ties.followers) {
+    auto& equation = f.nodes[follower.node].equation;
+    equation[follower.component] = tied;
+    if (follower.component == 3) equation[4] = tied;
+  }
+  f.followers = std::move(ties.followers);
+  if (!ties.bodies.empty()) f.body_of.assign(f.nodes.size(), -1);
+  for (auto& nodes : ties.bodies) {
+    for (const Index n : nodes) {
+      f.nodes[n].equation.fill(tied);
+      f.body_of[n] = static_cast<Index>(f.bodies.size());
+    }
+    f.bodies.push_back({std::move(nodes)});
+  }
+}
+
+}  // namespace
+
+double DrivenFreedom::of(double value) const {
+  if (kind == Kind::displacement) return value;
+  const double angle = value * std::numbers::pi / 180;
+  if (kind == Kind::angle) return angle;
+  return (Eigen::AngleAxisd(angle, axis) * arm - arm)[component];
+}
+
+Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d) {
+  Vec3 best = Vec3::Zero();
+  for (const Vec3& axis : held_axes) {
+    const Vec3 s = shadow(axis, d);
+    if (s.norm() > best.norm()) best = s;
+  }
+  return best.norm() > kNoShadow ? Vec3(best.normalized()) : Vec3(Vec3::Zero());
+}
+
+namespace {
+
+// Which axis of its frame a support is a plane of symmetry normal to; -1: none.
+int plane_normal(const model::Freedoms& fixed) {
+  if (fixed.rotation) return -1;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (fixed.translation[i] && !fixed.translation[j] && !fixed.translation[k] && !fixed.axis[i] &&
+        fixed.axis[j] && fixed.axis[k])
+      return i;
+  }
+  return -1;
+}
+
+}  // namespace
+
+void lay_into_planes(const model::Model& model, std::vector<Vec3>& directors) {
+  constexpr double kAcross = 1e-6;  // a shorter shadow on the planes is no direction
+  std::vector<std::vector<Vec3>> normals(directors.size());
+  for (const auto& support : model.supports())
+    if (const int i = plane_normal(support.fixed); i >= 0)
+      for (const Index n : model.mesh().set(support.set))
+        normals[n].push_back(support.frame.row(i).transpose());
+  for (std::size_t n = 0; n < directors.size(); ++n) {
+    Vec3 d = directors[n];
+    std::vector<Vec3> crossed;  // orthonormal
+    for (Vec3 normal : normals[n]) {
+      for (const Vec3& e : crossed) normal -= normal.dot(e) * e;
+      if (normal.norm() < kAcross) continue;
+      crossed.push_back(normal.normalized());
+      d -= d.dot(crossed.back()) * crossed.back();
+    }
+    if (d.norm() > kAcross) directors[n] = d.normalized();
+  }
+}
+
+Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors) {
+  const auto& mesh = model.mesh();
+  Freedoms f;
+  f.nodes.resize(mesh.nodes.size());
+  std::vector<Held> holds(mesh.nodes.size());
+  std::vector<std::array<Index, 3>> motion(mesh.nodes.size(), {-1, -1, -1});
+  auto use_frame = [&](Index n, const Mat3& frame) {
+    f.nodes[n].frame = frame;
+    f.nodes[n].oblique = frame != Mat3::Identity();
+  };
+  for (const auto& support : model.supports())
+    for (const Index n : mesh.set(support.set)) {
+      Held& h = holds[n];
+      bool translates = false;
+      for (int i = 0; i < 3; ++i) {
+        h.translation[i] = h.translation[i] || support.fixed.translation[i];
+        translates = translates || support.fixed.translation[i];
+        if (support.fixed.axis[i]) h.axes.push_back(support.frame.row(i).transpose());
+      }
+      h.rotation = h.rotation || support.fixed.rotation;
+      // A node held along all three directions may keep any frame.
+      const bool whole =
+          support.fixed.translation[0] && support.fixed.translation[1] && support.fixed.translation[2];
+      if (translates && !whole) use_frame(n, support.frame);
+      if (whole) h.translation = {true, true, true};
+    }
+  for (const auto& move : model.motions()) {
+    std::array<Index, 3> history{-1, -1, -1};
+    for (int i = 0; i < 3; ++i)
+      if (move.displacement[i]) history[i] = add_history(*move.displacement[i], f);
+    for (const Index n : mesh.set(move.set)) {
+      use_frame(n, move.frame);
+      for (int i = 0; i < 3; ++i)
+        if (history[i] >= 0) {
+          motion[n][i] = static_cast<Index>(f.motions.size());
+          f.motions.push_back({n, i, history[i]});
+        }
+    }
+  }
+  for (const auto& turn : model.turns()) add_turn(turn, mesh, f, motion);
+  mark_ties(model, f);
+  for (std::size_t n = 0; n < f.nodes.size(); ++n) {
+    auto& node = f.nodes[n];
+    for (int i = 0; i < 3; ++i)
+      if (node.equation[i] != tied)
+        node.equation[i] = motion[n][i] >= 0         ? driven(motion[n][i])
+                           : holds[n].translation[i] ? held
+                                                     : f.unknowns++;
+    if (node.turn_axis || node.equation[3] == tied) continue;
+    const int lost = holds[n].rotation ? 2 : held_rotations(holds[n].axes, directors[n]);
+    if (lost == 1) node.held_axes = holds[n].axes;
+    node.equation[3] = lost == 2 ? held : f.unknowns++;
+    node.equation[4] = lost >= 1 ? held : f.unknowns++;
+  }
+  for (Body& body : f.bodies) {
+    body.equation = f.unknowns;
+    f.unknowns += 6;
+  }
+  return f;
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,299 @@
+#include "mechanics/stiffness.hpp"
+
+#include <algorithm>
+
+#include "tensor/node_view.hpp"
+#include "tensor/turning.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+using element::shell4_dofs;
+using Column = Eigen::Matrix<double, 5, 1>;
+using Dense = Eigen::Matrix<double, shell4_dofs, shell4_dofs>;
+constexpr int kEntries = shell4_dofs * shell4_dofs;
+constexpr int kBlocks = 4 * shell4_dofs;  // slots of an element
+
+std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std::array<Index, 4>& nodes) {
+  std::array<Index, shell4_dofs> eq;
+  for (int a = 0; a < 4; ++a)
+    for (int i = 0; i < 5; ++i) eq[5 * a + i] = nodes[a] < 0 ? held : freedoms.nodes[nodes[a]].equation[i];
+  return eq;
+}
+
+// Turns the translations of oblique nodes into their frames.
+void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, Dense& K) {
+  for (int a = 0; a < 4; ++a) {
+    if (nodes[a] < 0 || !freedoms.nodes[nodes[a]].oblique) continue;
+    const NodeFreedoms& node = freedoms.nodes[nodes[a]];
+    K.middleRows<3>(5 * a) = (node.frame * K.middleRows<3>(5 * a)).eval();
+    K.middleCols<3>(5 * a) = (K.middleCols<3>(5 * a) * node.frame.transpose()).eval();
+  }
+}
+
+// The columns of an element tangent into their slots: entry (r, c) at k[(rows * c + r) * stride].
+void add_columns(const double* k, int stride, int corners, int rows, const Index* slot,
+                 const signed char* offset, double* value) {
+  bool whole[4];
+  for (int a = 0; a < corners; ++a) whole[a] = offset[5 * a] == 0 && offset[5 * a + 4] == 4;
+  for (int c = 0; c < 5 * corners; ++c, slot += 4) {
+    const double* column = k + static_cast<long>(rows) * c * stride;
+    for (int a = 0; a < corners; ++a) {
+      if (slot[a] < 0) continue;
+      double* to = value + slot[a];
+      const double* from = column + 5L * a * stride;
+      if (whole[a]) {
+        for (int i = 0; i < 5; ++i) to[i] += from[i * stride];
+        continue;
+      }
+      for (int i = 0; i < 5; ++i)
+        if (offset[5 * a + i] >= 0) to[offset[5 * a + i]] += from[i * stride];
+    }
+  }
+}
+
+}  // namespace
+
+Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places,
+                     const std::vector<std::pair<Index, Index>>& pairs)
+    : dofs_(dofs), batches_(batches) {
+  list_tied_elements(places);
+  make_pattern(pairs);
+  make_slots();
+}
+
+void Stiffness::list_tied_elements(std::span<const Place> places) {
+  if (!dofs_.has_ties()) return;
+  const Freedoms& freedoms = dofs_.freedoms();
+  tied_place_.assign(batches_.size() * lanes, -1);
+  for (const Place place : places) {
+    const auto& nodes = batches_[place.batch].nodes[place.lane];
+    if (!std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return n >= 0 && freedoms.ties(n); }))
+      continue;
+    tied_place_[place.batch * lanes + place.lane] = static_cast<Index>(tied_elements_.size());
+    tied_elements_.push_back(place);
+  }
+  tied_tangent_.resize(tied_elements_.size() * kEntries);
+}
+
+namespace {
+
+// The unknowns that a node's freedoms lead to.
+void add_unknowns(const Dofs& dofs, Index node, std::vector<Index>& out) {
+  if (node < 0) return;
+  std::vector<Link> links;
+  if (dofs.freedoms().ties(node)) {
+    dofs.links(node, links);
+    for (const Link& l : links)
+      if (l.equation >= 0) out.push_back(l.equation);
+    return;
+  }
+  for (const Index eq : dofs.freedoms().nodes[node].equation)
+    if (eq >= 0) out.push_back(eq);
+}
+
+void couple_all(const std::vector<Index>& unknowns, std::vector<std::vector<Index>>& columns) {
+  for (const Index c : unknowns) columns[c].insert(columns[c].end(), unknowns.begin(), unknowns.end());
+}
+
+}  // namespace
+
+void Stiffness::make_pattern(const std::vector<std::pair<Index, Index>>& pairs) {
+  std::vector<std::vector<Index>> columns(dofs_.unknowns());
+  std::vector<Index> all;
+  for (const Batch& batch : batches_)
+    for (int l = 0; l < batch.used; ++l) {
+      all.clear();
+      for (const Index n : batch.nodes[l]) add_unknowns(dofs_, n, all);
+      couple_all(all, columns);
+    }
+  for (const auto& [a, b] : pairs) {
+    all.clear();
+    add_unknowns(dofs_, a, all);
+    add_unknowns(dofs_, b, all);
+    couple_all(all, columns);
+  }
+  for (const Body& body : dofs_.freedoms().bodies)
+    for (Index i = 0; i < 6; ++i)
+      for (Index j = 0; j < 6; ++j) columns[body.equation + i].push_back(body.equation + j);
+  pattern_ = std::make_shared<const linear::Pattern>(std::move(columns));
+}
+
+// A node's unknowns are numbered one after the other, so that its rows in a column are neighbours: one slot
+// for each column of the element and node, and one offset for each row.
+void Stiffness::make_slots() {
+  const Freedoms& freedoms = dofs_.freedoms();
+  slots_.assign(batches_.size() * lanes * kBlocks, -1);
+  offsets_.assign(batches_.size() * lanes * shell4_dofs, -1);
+  care_.assign(batches_.size() * lanes, Care::none);
+  for (std::size_t b = 0; b < batches_.size(); ++b)
+    for (int l = 0; l < batches_[b].used; ++l) {
+      const auto eq = equations_of(freedoms, batches_[b].nodes[l]);
+      for (const Index e : eq)
+        if (e < held && e != tied) care_[b * lanes + l] = Care::driven;
+      for (const Index n : batches_[b].nodes[l])
+        if (n >= 0 && (freedoms.nodes[n].oblique || freedoms.ties(n))) care_[b * lanes + l] = Care::frames;
+      Index first[4];
+      for (int a = 0; a < 4; ++a) {
+        first[a] = -1;
+        for (int i = 5 * a; i < 5 * a + 5; ++i) {
+          if (eq[i] < 0) continue;
+          if (first[a] < 0) first[a] = eq[i];
+          offsets_[(b * lanes + l) * shell4_dofs + i] = static_cast<signed char>(eq[i] - first[a]);
+        }
+      }
+      Index* slot = slots_.data() + (b * lanes + l) * kBlocks;
+      for (int c = 0; c < shell4_dofs; ++c)
+        for (int a = 0; a < 4; ++a)
+          if (first[a] >= 0 && eq[c] >= 0) slot[4 * c + a] = pattern_->slot(first[a], eq[c]);
+    }
+}
+
+void Stiffness::scatter(Index b, const double* K, const Target& to) {
+  const Batch& batch = batches_[b];
+  for (int l = 0; l < batch.used; ++l) {
+    const Index element = b * lanes + l;
+    if (care_[element] == Care::frames || (care_[element] == Care::driven && !to.lead.empty()))
+      scatter_with_care(batch, element, l, K, to);
+    else
+      add_columns(K + l, lanes, batch.kind->corners, batch.kind->dofs, slots_.data() + element * kBlocks,
+                  offsets_.data() + element * shell4_dofs, to.K.value.data());
+  }
+}
+
+// An element with oblique, tied or driven nodes, by way of its whole matrix; a triangle fills its first
+// fifteen rows and columns.
+void Stiffness::scatter_with_care(const Batch& batch, Index element, int lane, const double* K,
+                                  const Target& to) {
+  const Freedoms& freedoms = dofs_.freedoms();
+  const int dofs = batch.kind->dofs;
+  Dense k = Dense::Zero();
+  for (int c = 0; c < dofs; ++c)
+    for (int r = 0; r < dofs; ++r) k(r, c) = K[(dofs * c + r) * lanes + lane];
+  into_frames(freedoms, batch.nodes[lane], k);
+  if (!tied_place_.empty() && tied_place_[element] >= 0) {
+    std::copy_n(k.data(), kEntries, tied_tangent_.data() + tied_place_[element] * kEntries);
+    return;
+  }
+  add_columns(k.data(), 1, batch.kind->corners, shell4_dofs, slots_.data() + element * kBlocks,
+              offsets_.data() + element * shell4_dofs, to.K.value.data());
+  if (to.lead.empty()) return;
+  const auto eq = equations_of(freedoms, batch.nodes[lane]);
+  for (int c = 0; c < dofs; ++c) {
+    if (eq[c] >= 0 || eq[c] == held) continue;
+    const double move = dofs_.lead_of(motion_of(eq[c]), to.lead);
+    for (int r = 0; r < dofs; ++r)
+      if (eq[r] >= 0) to.product[eq[r]] += k(r, c) * move;
+  }
+}
+
+void Stiffness::scatter_tied(const Target& to) const {
+  std::vector<Link> node[4];
+  for (std::size_t e = 0; e < tied_elements_.size(); ++e) {
+    const Place place = tied_elements_[e];
+    const Batch& batch = batches_[place.batch];
+    const auto& nodes = batch.nodes[place.lane];
+    const Eigen::Map<const Dense> k(tied_tangent_.data() + e * kEntries);
+    const int corners = batch.kind->corners;
+    for (int a = 0; a < corners; ++a) dofs_.links(nodes[a], node[a]);
+    for (int b = 0; b < corners; ++b)
+      for (const Link& column : node[b]) {
+        const Eigen::Matrix<double, shell4_dofs, 1> kc = k.middleCols<5>(5 * b) * column.column;
+        for (int a = 0; a < corners; ++a)
+          for (const Link& row : node[a])
+            add_entry(row.equation, column.equation, row.column.dot(kc.segment<5>(5 * a)), to);
+      }
+  }
+}
+
+// One number into K, or through a driven column into the product.
+void Stiffness::add_entry(Index r, Index c, double v, const Target& to) const {
+  if (r < 0 || c == held || v == 0) return;
+  if (c < held) {
+    if (!to.lead.empty()) to.product[r] += v * dofs_.lead_of(motion_of(c), to.lead);
+    return;
+  }
+  to.K.add(r, c, v);
+}
+
+void Stiffness::add_block(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k, const Target& to) const {
+  std::vector<Link> A, B;
+  dofs_.links(a, A);
+  dofs_.links(b, B);
+  for (const Link& column : B) {
+    const Column kc = k * column.column;
+    for (const Link& row : A) add_entry(row.equation, column.equation, row.column.dot(kc), to);
+  }
+}
+
+void Stiffness::add_diagonal(std::span<const double> c_x, std::span<const double> c_d,
+                             linear::Matrix& K) const {
+  const Target to{K, {}, {}};
+  for (Index n = 0; n < static_cast<Index>(dofs_.reference().size()); ++n) {
+    if (dofs_.freedoms().ties(n)) {
+      Column c;
+      c << c_x[n], c_x[n], c_x[n], c_d[n], c_d[n];
+      add_block(n, n, c.asDiagonal(), to);
+      continue;
+    }
+    const auto& eq = dofs_.freedoms().nodes[n].equation;
+    for (int c = 0; c < 5; ++c)
+      if (eq[c] >= 0) add_entry(eq[c], eq[c], c < 3 ? c_x[n] : c_d[n], to);
+  }
+}
+
+// The director's own second variation, -(f.d) on its two rotations, is in K already; what remains is the
+// force along the sphere, and a moment about the director.
+void Stiffness::add_body_stiffness(const Configuration& s, std::span<const double> internal_x,
+                                   std::span<const double> internal_d, std::span<const double> external,
+                                   const std::vector<Vec3>* moments, const Target& to) const {
+  for (const Body& body : dofs_.freedoms().bodies) {
+    Mat3 k = Mat3::Zero();
+    const Vec3 c = dofs_.centroid(body, s.x());
+    for (const Index n : body.nodes) {
+      const Vec3 d = at(s.d(), n), f = at(internal_d, n), along = f - f.dot(d) * d;
+      k += turning_stiffness(at(s.x(), n) - c, at(internal_x, n) - at(external, n)) +
+           turning_stiffness(d, along);
+      if (moments == nullptr) continue;
+      const Vec3& moment = (*moments)[n];
+      const Vec3 drill = moment.dot(d) * d;
+      // Its derivative, in the measure of the exponential map about the trial configuration.
+      k -= d * d.cross(moment).transpose() - cross_matrix(drill) / 2;
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        add_entry(body.equation + 3 + i, body.equation + 3 + j, k(i, j), {to.K, {}, {}});
+  }
+}
+
+bool Stiffness::Sink::through_ties(Index a, Index b) const {
+  const Freedoms& freedoms = stiffness_.dofs_.freedoms();
+  return stiffness_.dofs_.has_ties() && (freedoms.ties(a) || freedoms.ties(b));
+}
+
+void Stiffness::Sink::on_positions(Index a, Index b, const Mat3& k) {
+  const auto& nodes = stiffness_.dofs_.freedoms().nodes;
+  const Mat3 turned = nodes[a].frame * k * nodes[b].frame.transpose();
+  if (through_ties(a, b)) {
+    Eigen::Matrix<double, 5, 5> block = Eigen::Matrix<double, 5, 5>::Zero();
+    block.topLeftCorner<3, 3>() = turned;
+    return stiffness_.add_block(a, b, block, to_);
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      stiffness_.add_entry(nodes[a].equation[i], nodes[b].equation[j], turned(i, j), to_);
+}
+
+void Stiffness::Sink::on_director(Index a, const Eigen::Matrix2d& k) {
+  if (through_ties(a, a)) {
+    Eigen::Matrix<double, 5, 5> block = Eigen::Matrix<double, 5, 5>::Zero();
+    block.bottomRightCorner<2, 2>() = k;
+    return stiffness_.add_block(a, a, block, to_);
+  }
+  const auto& equation = stiffness_.dofs_.freedoms().nodes[a].equation;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) stiffness_.add_entry(equation[3 + i], equation[3 + j], k(i, j), to_);
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,435 @@
+#include "mechanics/terms/cloth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "tensor/node_view.hpp"
+
+namespace fabricsh::mechanics {
+
+Cloth::Cloth(const model::Model& model, const Configuration& configuration,
+             const std::vector<Vec3>& directors)
+    : model_(model), configuration_(configuration), X_(model.mesh().nodes) {
+  set_kinds();
+  make_batches();
+  std::size_t law = 0, geometry = 0;
+  for (Batch& batch : batches_) {
+    batch.law = law;
+    batch.geometry = geometry;
+    law += static_cast<std::size_t>(batch.kind->in_plane) * batch.section->state_size * lanes;
+    geometry += static_cast<std::size_t>(batch.kind->geometry_size) * lanes;
+  }
+  geometry_.assign(geometry, 0);
+  states_ = LawStates(law);
+  make_geometry(directors);
+  make_force_slots();
+  add_inertia();
+  find_tested();
+}
+
+Cloth::~Cloth() = default;
+
+void Cloth::set_kinds() {
+  for (const auto& section : model_.sections()) {
+    const int points = static_cast<int>(section.points.size());
+    const element::Shell4Layout four(points);
+    const element::Shell3Layout three(points);
+    kinds_.push_back({element::shell4_kernels(best_isa()), 4, element::gauss_points, element::shell4_dofs,
+                      four.point(0, 0), four.size()});
+    kinds_.push_back({element::shell3_kernels(best_isa()), 3, element::shell3_points, element::shell3_dofs,
+                      three.point(0, 0), three.size()});
+  }
+}
+
+void Cloth::make_batches() {
+  const auto& mesh = model_.mesh();
+  const auto colours = colour(mesh);
+  const int count = *std::max_element(colours.begin(), colours.end()) + 1;
+  const auto regions = static_cast<int>(model_.sections().size());
+  place_.resize(mesh.elements.size());
+  node_element_.assign(mesh.nodes.size(), -1);
+  for (int c = 0; c < count; ++c) {
+    colour_start_.push_back(static_cast<Index>(batches_.size()));
+    for (int r = 0; r < regions; ++r) {
+      add_batches(colours, c, false, r);
+      add_batches(colours, c, true, r);
+    }
+  }
+  colour_start_.push_back(static_cast<Index>(batches_.size()));
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (const auto n : mesh.elements[e])
+      if (n >= 0) node_element_[n] = static_cast<Index>(e);
+}
+
+// The elements of one colour, kind and region.
+void Cloth::add_batches(const std::vector<int>& colours, int colour, bool triangles, int region) {
+  const auto& elements = model_.mesh().elements;
+  int lane = lanes;
+  for (std::size_t e = 0; e < colours.size(); ++e) {
+    if (colours[e] != colour || (elements[e][3] < 0) != triangles) continue;
+    if (model_.region_of(static_cast<Index>(e)) != region) continue;
+    if (lane == lanes) {
+      batches_.emplace_back();
+      batches_.back().kind = &kinds_[2 * region + (triangles ? 1 : 0)];
+      batches_.back().section = &model_.sections()[region];
+      lane = 0;
+    }
+    Batch& batch = batches_.back();
+    place_[e] = {static_cast<Index>(batches_.size()) - 1, lane};
+    // Lanes that stay empty repeat the batch's last element, and are never scattered.
+    for (int l = lane; l < lanes; ++l) {
+      batch.element[l] = static_cast<Index>(e);
+      batch.nodes[l] = elements[e];
+    }
+    batch.used = ++lane;
+  }
+}
+
+namespace {
+
+template <std::size_t corners>
+void put_geometry(const section::Section& section, const std::vector<Vec3>& X,
+                  const std::vector<Vec3>& directors, const std::array<Index, 4>& nodes,
+                  const element::WarpAt& warp, double* geometry, int lane) {
+  std::array<Vec3, corners> x, d;
+  for (std::size_t a = 0; a < corners; ++a) {
+    x[a] = X[nodes[a]];
+    d[a] = directors[nodes[a]];
+  }
+  if constexpr (corners == 3)
+    element::shell3_geometry(section, x, d, warp, geometry, lane, lanes);
+  else
+    element::shell4_geometry(section, x, d, warp, geometry, lane, lanes);
+}
+
+}  // namespace
+
+void Cloth::make_geometry(const std::vector<Vec3>& directors) {
+  mass_.assign(X_.size(), 0);
+  mass_moment_.assign(X_.size(), 0);
+  for (Batch& batch : batches_) {
+    double* geometry = geometry_.data() + batch.geometry;
+    for (int l = 0; l < lanes; ++l) {
+      const auto warp = [this, e = batch.element[l]](const Vec3& X, const Vec3& n) {
+        return model_.warp_at(e, X, n);
+      };
+      try {
+        if (batch.kind->corners == 3)
+          put_geometry<3>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
+        else
+          put_geometry<4>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
+      } catch (const Error& e) {
+        const std::string what = e.what();
+        if (what.rfind("is ", 0) != 0) throw;
+        throw Error("mesh: element " + std::to_string(batch.element[l] + 1) + " " + what);
+      }
+      if (l < batch.used) add_mass(batch, l);
+    }
+    batch.sharing = batch.kind->corners == 3 ? element::shell3_sharing(*batch.section, geometry)
+                                             : element::shell4_sharing(*batch.section, geometry);
+  }
+}
+
+void Cloth::add_mass(const Batch& batch, int lane) {
+  const auto& section = *batch.section;
+  const int points = static_cast<int>(section.points.size());
+  double mass = 0, moment = 0;  // kg, kg m
+  for (int g = 0; g < batch.kind->in_plane; ++g)
+    for (int k = 0; k < points; ++k) {
+      const double m = section.points[k].density *
+                       geometry_[batch.geometry + (batch.kind->point(g, k, points) + 7) * lanes + lane];
+      mass += m;
+      moment += m * section.thickness / 2 * (section.points[k].zeta - section.offset);
+    }
+  for (int a = 0; a < batch.kind->corners; ++a) {
+    mass_[batch.nodes[lane][a]] += mass / batch.kind->corners;
+    mass_moment_[batch.nodes[lane][a]] += moment / batch.kind->corners;
+  }
+}
+
+// --- forces
+
+void Cloth::make_force_slots() {
+  std::size_t size = 0;
+  for (Batch& batch : batches_) {
+    batch.force = size;
+    size += 6 * static_cast<std::size_t>(batch.kind->corners) * lanes;
+  }
+  if (size > std::numeric_limits<std::uint32_t>::max()) throw Error("mesh: more elements than 170 million");
+  element_force_.assign(size, 0);
+  first_slot_.assign(X_.size() + 1, 0);
+  for (const auto& e : model_.mesh().elements)
+    for (const auto n : e)
+      if (n >= 0) ++first_slot_[n + 1];
+  for (std::size_t n = 0; n < X_.size(); ++n) first_slot_[n + 1] += first_slot_[n];
+  force_slots_.resize(first_slot_.back());
+  auto next = first_slot_;
+  for (const Place place : place_) {
+    const Batch& batch = batches_[place.batch];
+    for (int a = 0; a < batch.kind->corners; ++a) {
+      const auto on_x = static_cast<std::uint32_t>(batch.force + 3 * a * lanes + place.lane);
+      force_slots_[next[batch.nodes[place.lane][a]]++] = {
+          on_x, on_x + static_cast<std::uint32_t>(3 * batch.kind->corners * lanes)};
+    }
+  }
+}
+
+void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
+  const double* px = configuration_.x().data();
+  const double* pd = configuration_.d().data();
+  const double* pb = configuration_.b1().data();
+  const int corners = batch.kind->corners;
+  for (int l = 0; l < lanes; ++l)
+    for (int a = 0; a < corners; ++a) {
+      const Index n = 3 * batch.nodes[l][a];
+      for (int i = 0; i < 3; ++i) {
+        x[(3 * a + i) * lanes + l] = px[n + i];
+        d[(3 * a + i) * lanes + l] = pd[n + i];
+      }
+      if (b == nullptr) continue;
+      const Eigen::Map<const Vec3> dd(pd + n), b1(pb + n);
+      const Vec3 b2 = dd.cross(b1);
+      for (int i = 0; i < 3; ++i) {
+        b[(6 * a + i) * lanes + l] = b1[i];
+        b[(6 * a + 3 + i) * lanes + l] = b2[i];
+      }
+    }
+}
+
+// Forces of one batch into its slots, and its tangent if K is not null. Returns an element whose law failed,
+// or -1. trial: the law's trial states.
+Index Cloth::evaluate(Index b, const fabric::Step& step, double* trial, double* K, bool law_only) {
+  alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
+  const Batch& batch = batches_[b];
+  const auto& kernels = batch.kind->kernels;
+  gather(batch, x, d, K == nullptr ? nullptr : basis);
+  const double* committed = states_.committed().data();
+  const element::ShellBatch data{geometry_.data() + batch.geometry,
+                                 x,
+                                 d,
+                                 basis,
+                                 committed + batch.law,
+                                 trial + batch.law,
+                                 batch.sharing,
+                                 law_only};
+  double* f = element_force_.data() + batch.force;
+  const unsigned failed = (K == nullptr ? kernels.force(*batch.section, step.at, data, f)
+                                        : kernels.tangent(*batch.section, step.at, data, f, K)) &
+                          ((1u << batch.used) - 1);
+  if (!share_.empty() && !law_only) share_[b] = share_of(batch, trial);
+  return failed == 0 ? -1 : batch.element[__builtin_ctz(failed)];
+}
+
+// Elements in their order, node by node.
+void Cloth::sum_forces(Forces& forces) const {
+  const auto nodes = static_cast<Index>(X_.size());
+  const double* f = element_force_.data();
+#pragma omp parallel for schedule(static) if (nodes >= few_batches * lanes)
+  for (Index n = 0; n < nodes; ++n) {
+    double sum[6] = {};
+    for (auto s = first_slot_[n]; s < first_slot_[n + 1]; ++s)
+      for (int i = 0; i < 3; ++i) {
+        sum[i] += f[force_slots_[s].on_x + i * lanes];
+        sum[3 + i] += f[force_slots_[s].on_d + i * lanes];
+      }
+    std::copy_n(sum, 3, forces.on_x.data() + 3 * n);
+    std::copy_n(sum + 3, 3, forces.on_d.data() + 3 * n);
+  }
+}
+
+Outcome Cloth::add_forces(const fabric::Step& step, const Trial&, Forces& forces) {
+  const auto batches = static_cast<Index>(batches_.size());
+  double* trial = states_.evaluate().data();
+  Index failed = -1;
+#pragma omp parallel for schedule(static) reduction(max : failed) if (batches >= few_batches)
+  for (Index b = 0; b < batches; ++b) failed = std::max(failed, evaluate(b, step, trial, nullptr));
+  sum_forces(forces);
+  return {failed};
+}
+
+Outcome Cloth::scatter_tangents(const fabric::Step& step, bool law_only, Stiffness& stiffness,
+                                const Stiffness::Target& to) {
+  double* trial = states_.evaluate().data();
+  Index failed = -1;
+  for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : failed) if (colour_start_[c + 1] - colour_start_[c] >= few_batches)
+    for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
+      alignas(64) double k[element::shell4_dofs * element::shell4_dofs * lanes];
+      failed = std::max(failed, evaluate(b, step, trial, k, law_only));
+      stiffness.scatter(b, k, to);
+    }
+  }
+  return {failed};
+}
+
+bool Cloth::symmetric() const {
+  return std::all_of(model_.sections().begin(), model_.sections().end(),
+                     [](const section::Section& s) { return s.symmetric; });
+}
+
+// --- reading
+
+void Cloth::visit(Index element, const PointVisitor& f) const {
+  const Place place = place_[element];
+  const Batch& batch = batches_[place.batch];
+  const auto& section = *batch.section;
+  const int points = static_cast<int>(section.points.size());
+  const Kind& kind = *batch.kind;
+  alignas(64) double x[12 * lanes], d[12 * lanes];
+  std::vector<double> E(static_cast<std::size_t>(kind.in_plane) * points * 5 * lanes),
+      state(section.state_size + 1);
+  gather(batch, x, d, nullptr);
+  const double* geometry = geometry_.data() + batch.geometry;
+  kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, E.data());
+  const double* law = states_.current().data() + batch.law;
+  for (int g = 0; g < kind.in_plane; ++g)
+    for (int k = 0; k < points; ++k) {
+      const auto& point = section.points[k];
+      double e[5];
+      for (int i = 0; i < 5; ++i) e[i] = E[((g * points + k) * 5 + i) * lanes + place.lane];
+      const int size = fabric::state_size(*point.law);
+      for (int i = 0; i < size; ++i)
+        state[i] = law[(g * section.state_size + point.state + i) * lanes + place.lane];
+      f(geometry[(kind.point(g, k, points) + 7) * lanes + place.lane], *point.law, e, state.data());
+    }
+}
+
+Vec3 Cloth::centre(Index element) const {
+  const Batch& batch = batches_[place_[element].batch];
+  Vec3 sum = Vec3::Zero();
+  for (int a = 0; a < batch.kind->corners; ++a)
+    sum += at(configuration_.x(), batch.nodes[place_[element].lane][a]);
+  return sum / batch.kind->corners;
+}
+
+std::pair<Vec3, Vec3> Cloth::yarns(Index element) const {
+  const Place place = place_[element];
+  const Batch& batch = batches_[place.batch];
+  const Kind& kind = *batch.kind;
+  const auto& nodes = batch.nodes[place.lane];
+  const auto x = configuration_.x();
+  Vec3 a1 = at(x, nodes[1]) - at(x, nodes[0]), a2 = at(x, nodes[2]) - at(x, nodes[0]);
+  if (kind.corners == 4) {
+    a1 = (at(x, nodes[1]) + at(x, nodes[2]) - at(x, nodes[0]) - at(x, nodes[3])) / 4;
+    a2 = (at(x, nodes[2]) + at(x, nodes[3]) - at(x, nodes[0]) - at(x, nodes[1])) / 4;
+  }
+  // A material direction m_i = T_i1 G_1 + T_i2 G_2 goes to T_i1 a_1 + T_i2 a_2; T is averaged over the
+  // in-plane points.
+  const int points = static_cast<int>(batch.section->points.size());
+  double T[4] = {};
+  for (int g = 0; g < kind.in_plane; ++g)
+    for (int i = 0; i < 4; ++i)
+      T[i] += geometry_[batch.geometry + (kind.point(g, points / 2, points) + i) * lanes + place.lane];
+  return {(T[0] * a1 + T[1] * a2).normalized(), (T[2] * a1 + T[3] * a2).normalized()};
+}
+
+BendingEnergy Cloth::bending_energy(Index element) const {
+  const Place place = place_[element];
+  const Batch& batch = batches_[place.batch];
+  const auto& section = *batch.section;
+  if (!section.bends_apart) return {};
+  const Kind& kind = *batch.kind;
+  alignas(64) double x[12 * lanes], d[12 * lanes], kappa[element::gauss_points * 3 * lanes];
+  gather(batch, x, d, nullptr);
+  const double* geometry = geometry_.data() + batch.geometry;
+  kind.kernels.curvature(section, {geometry, x, d, nullptr, nullptr, nullptr}, kappa);
+  const double* law = states_.current().data() + batch.law;
+  BendingEnergy sum;
+  for (int g = 0; g < kind.in_plane; ++g) {
+    const double area = geometry[(kind.point(g, 0, 1) + 7) * lanes + place.lane] / section.thickness;
+    for (int m = 0; m < 3; ++m) {
+      fabric::BendingState<double> state;
+      const auto number = [&](int i) {
+        return law[(g * section.state_size + section.bending_state + 2 * m + i) * lanes + place.lane];
+      };
+      if (section.bending_state >= 0 && m < 2) state = {number(0), number(1)};
+      sum.stored +=
+          area * fabric::bending_stored(section.bending[m], kappa[(3 * g + m) * lanes + place.lane], state);
+      sum.lost += area * state.lost;
+    }
+  }
+  return sum;
+}
+
+// J of the elements of one batch: stored, dissipated in warp, weft and shear, created, as
+// fabric::BatchEnergy; entry i of lane l at [i * lanes + l].
+void Cloth::batch_energies(const Batch& batch, double* sum) const {
+  const auto& section = *batch.section;
+  const int points = static_cast<int>(section.points.size());
+  const Kind& kind = *batch.kind;
+  constexpr int most_points = 9 * element::gauss_points;
+  alignas(64) double x[12 * lanes], d[12 * lanes], E[5 * most_points * lanes],
+      one[fabric::energy_values * lanes];
+  std::vector<double, LineAllocator<double>> many;
+  double* strain = E;
+  if (kind.in_plane * points > most_points) {
+    many.resize(static_cast<std::size_t>(5 * kind.in_plane * points * lanes));
+    strain = many.data();
+  }
+  gather(batch, x, d, nullptr);
+  const double* geometry = geometry_.data() + batch.geometry;
+  kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, strain);
+  const double* law = states_.current().data() + batch.law;
+  const auto energies = fabric::batch_energy(best_isa());
+  std::fill_n(sum, fabric::energy_values * lanes, 0.0);
+  for (int g = 0; g < kind.in_plane; ++g)
+    for (int k = 0; k < points; ++k) {
+      const auto& point = section.points[k];
+      energies(*point.law, strain + (g * points + k) * 5 * lanes,
+               law + (g * section.state_size + point.state) * lanes, one);
+      const double* weight = geometry + (kind.point(g, k, points) + 7) * lanes;
+      for (int i = 0; i < fabric::energy_values; ++i)
+        for (int l = 0; l < lanes; ++l) sum[i * lanes + l] += weight[l] * one[i * lanes + l];
+    }
+}
+
+// Batches side by side, their elements' energies added in the elements' order.
+void Cloth::add_energies(const Trial&, std::vector<Energy>& out) const {
+  const auto count = static_cast<Index>(batches_.size());
+  constexpr int each = fabric::energy_values * lanes;
+  std::vector<double> per(static_cast<std::size_t>(count) * each);
+  std::vector<BendingEnergy> bending;
+  const bool bends = std::any_of(model_.sections().begin(), model_.sections().end(),
+                                 [](const section::Section& s) { return s.bends_apart; });
+  if (bends) bending.resize(static_cast<std::size_t>(elements()));
+#pragma omp parallel for schedule(static) if (count >= few_batches)
+  for (Index b = 0; b < count; ++b) {
+    batch_energies(batches_[b], per.data() + b * each);
+    for (int l = 0; bends && l < batches_[b].used; ++l)
+      bending[batches_[b].element[l]] = bending_energy(batches_[b].element[l]);
+  }
+  double sum[fabric::energy_values] = {}, bent = 0;
+  for (Index e = 0; e < elements(); ++e) {
+    const Place place = place_[e];
+    for (int i = 0; i < fabric::energy_values; ++i)
+      sum[i] += per[place.batch * each + i * lanes + place.lane];
+    if (!bends) continue;
+    sum[0] += bending[e].stored;
+    bent += bending[e].lost;
+  }
+  out.push_back({"cloth", Account::stored, sum[0]});
+  out.push_back({"warp", Account::dissipated, sum[1]});
+  out.push_back({"weft", Account::dissipated, sum[2]});
+  out.push_back({"shear", Account::dissipated, sum[3]});
+  out.push_back({"bending", Account::dissipated, bent});
+  out.push_back({"cloth", Account::created, sum[4]});
+}
+
+Index Cloth::inverted_element() const {
+  Index first = -1;
+  for (const Batch& batch : batches_) {
+    alignas(64) double x[12 * lanes], d[12 * lanes];
+    gather(batch, x, d, nullptr);
+    const unsigned lost =
+        batch.kind->kernels.inverted({nullptr, x, d, nullptr, nullptr, nullptr}) & ((1u << batch.used) - 1);
+    for (int l = 0; l < batch.used; ++l)
+      if ((lost >> l & 1u) != 0 && (first < 0 || batch.element[l] < first)) first = batch.element[l];
+  }
+  return first;
+}
+
+}  // namespace fabricsh::mechanics

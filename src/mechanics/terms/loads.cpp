@@ -1,0 +1,284 @@
+#include "mechanics/terms/loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "tensor/node_view.hpp"
+#include "tensor/turning.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+Vec3 value_at(const model::Components& value, double time) {
+  Vec3 v = Vec3::Zero();
+  for (int c = 0; c < 3; ++c)
+    if (value[c]) v[c] = value[c]->value(time);
+  return v;
+}
+
+bool is_constant(const model::Components& value) {
+  return std::all_of(value.begin(), value.end(), [](const auto& h) { return !h || h->is_constant(); });
+}
+
+Spread spread(const mesh::Mesh& mesh, const std::string& set, const model::Components& value,
+              const Mat3& frame, bool total) {
+  Spread s{mesh.set(set), {}, value, frame};
+  const Tributary t = tributary(mesh, s.nodes);
+  if (!total && t.kind == Tributary::Kind::count)
+    throw Error("traction: set '" + set + "' holds neither whole elements nor whole edges");
+  s.share = t.measure;
+  if (total)
+    for (double& share : s.share) share /= t.total;
+  return s;
+}
+
+}  // namespace
+
+Vec3 Spread::at(double time) const {
+  Vec3 total = Vec3::Zero();
+  for (int c = 0; c < 3; ++c)
+    if (value[c]) total += value[c]->value(time) * frame.row(c).transpose();
+  return total;
+}
+
+// --- gravity
+
+Gravity::Gravity(const model::Model& model, const std::vector<double>& mass,
+                 const std::vector<double>& mass_moment)
+    : acceleration_(model.gravity()), mass_(mass), mass_moment_(mass_moment) {
+  const bool weighs =
+      std::any_of(acceleration_.begin(), acceleration_.end(), [](const auto& g) { return bool(g); });
+  turns_ = weighs && std::any_of(mass_moment_.begin(), mass_moment_.end(), [](double m) { return m != 0; });
+  aim(0);
+}
+
+Vec3 Gravity::at(double time) const { return value_at(acceleration_, time); }
+bool Gravity::constant() const { return is_constant(acceleration_); }
+
+void Gravity::add_dead(double time, std::span<double> on_x) const {
+  const Vec3 gravity = at(time);
+  for (std::size_t i = 0; i < mass_.size(); ++i)
+    fabricsh::at(on_x, static_cast<Index>(i)) += mass_[i] * gravity;
+}
+
+Outcome Gravity::add_forces(const fabric::Step&, const Trial&, Forces& forces) {
+  for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
+    fabricsh::at(forces.on_d, static_cast<Index>(i)) -= mass_moment_[i] * aimed_;
+  return {};
+}
+
+void Gravity::add_follower(double time, const Trial&, std::span<double>, std::span<double> on_d) const {
+  const Vec3 gravity = at(time);
+  for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
+    fabricsh::at(on_d, static_cast<Index>(i)) += mass_moment_[i] * gravity;
+}
+
+void Gravity::add_tangent(const Trial& trial, TangentSink& sink) const {
+  if (!(aimed_.norm() > 0)) return;
+  const auto d = trial.configuration.d();
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    if (mass_moment_[i] == 0) continue;
+    const auto n = static_cast<Index>(i);
+    // The second variation of the director.
+    sink.on_director(n, (mass_moment_[i] * aimed_).dot(fabricsh::at(d, n)) * Eigen::Matrix2d::Identity());
+  }
+}
+
+// --- dead loads
+
+DeadLoads::DeadLoads(const model::Model& model) {
+  const auto& mesh = model.mesh();
+  for (const auto& f : model.forces()) loads_.push_back(spread(mesh, f.set, f.total, f.frame, true));
+  for (const auto& t : model.tractions()) loads_.push_back(spread(mesh, t.set, t.intensity, t.frame, false));
+}
+
+void DeadLoads::add_dead(double time, std::span<double> on_x) const {
+  for (const auto& load : loads_) {
+    const Vec3 total = load.at(time);
+    for (std::size_t i = 0; i < load.nodes.size(); ++i) at(on_x, load.nodes[i]) += load.share[i] * total;
+  }
+}
+
+bool DeadLoads::constant() const {
+  return std::all_of(loads_.begin(), loads_.end(), [](const Spread& s) { return is_constant(s.value); });
+}
+
+// --- pressure
+
+namespace {
+
+// Shape functions of a face at one of its Gauss points: 2x2 of a quadrilateral; of a triangle one is enough,
+// its weight 1/2 in N.
+struct FacePoint {
+  double N[4], N1[4], N2[4];
+};
+
+int points(const std::array<Index, 4>& face) { return face[3] < 0 ? 1 : 4; }
+
+FacePoint face_point(const std::array<Index, 4>& face, int g) {
+  if (corners(face) == 3) return {{1.0 / 6, 1.0 / 6, 1.0 / 6, 0}, {-1, 1, 0, 0}, {-1, 0, 1, 0}};
+  static constexpr double sx[4] = {-1, 1, 1, -1}, sy[4] = {-1, -1, 1, 1};
+  const double r = sx[g] / std::sqrt(3.0), s = sy[g] / std::sqrt(3.0);
+  FacePoint p;
+  for (int a = 0; a < 4; ++a) {
+    p.N[a] = (1 + sx[a] * r) * (1 + sy[a] * s) / 4;
+    p.N1[a] = sx[a] * (1 + sy[a] * s) / 4;
+    p.N2[a] = sy[a] * (1 + sx[a] * r) / 4;
+  }
+  return p;
+}
+
+struct Tangents {
+  Vec3 a1 = Vec3::Zero(), a2 = Vec3::Zero();
+};
+
+Tangents tangents(const FacePoint& p, const std::array<Index, 4>& nodes, std::span<const double> x) {
+  Tangents t;
+  for (int a = 0; a < corners(nodes); ++a) {
+    t.a1 += p.N1[a] * at(x, nodes[a]);
+    t.a2 += p.N2[a] * at(x, nodes[a]);
+  }
+  return t;
+}
+
+}  // namespace
+
+Pressure::Pressure(const model::Model& model) {
+  const auto& mesh = model.mesh();
+  for (const auto& p : model.pressures()) {
+    Faces faces{{}, p.value};
+    for (const auto e : mesh.elements_in(mesh.set(p.set))) faces.elements.push_back(mesh.elements[e]);
+    faces_.push_back(std::move(faces));
+  }
+  aim(0);
+}
+
+void Pressure::aim(double time) {
+  aimed_.clear();
+  for (const auto& p : faces_) aimed_.push_back(p.value.value(time));
+}
+
+void Pressure::add(const Faces& faces, double pressure, std::span<const double> x,
+                   std::span<double> on_x) const {
+  for (const auto& nodes : faces.elements)
+    for (int g = 0; g < points(nodes); ++g) {
+      const FacePoint point = face_point(nodes, g);
+      const Tangents t = tangents(point, nodes, x);
+      const Vec3 f = pressure * t.a1.cross(t.a2);
+      for (int a = 0; a < corners(nodes); ++a) at(on_x, nodes[a]) += point.N[a] * f;
+    }
+}
+
+Outcome Pressure::add_forces(const fabric::Step&, const Trial& trial, Forces& forces) {
+  for (std::size_t k = 0; k < faces_.size(); ++k)
+    add(faces_[k], -aimed_[k], trial.configuration.x(), forces.on_x);
+  return {};
+}
+
+void Pressure::add_follower(double time, const Trial& trial, std::span<double> on_x,
+                            std::span<double>) const {
+  for (const auto& faces : faces_) add(faces, faces.value.value(time), trial.configuration.x(), on_x);
+}
+
+void Pressure::add_tangent(const Trial& trial, TangentSink& sink) const {
+  for (std::size_t k = 0; k < faces_.size(); ++k)
+    for (const auto& nodes : faces_[k].elements) {
+      Mat3 block[4][4];
+      for (auto& row : block)
+        for (auto& b : row) b.setZero();
+      const int n = corners(nodes);
+      for (int g = 0; g < points(nodes); ++g) {
+        const FacePoint p = face_point(nodes, g);
+        const Tangents t = tangents(p, nodes, trial.configuration.x());
+        const Mat3 C1 = cross_matrix(t.a1), C2 = cross_matrix(t.a2);
+        // delta (a1 x a2) = -a2 x delta a1 + a1 x delta a2; counted against the internal force.
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b) block[a][b] -= aimed_[k] * p.N[a] * (p.N2[b] * C1 - p.N1[b] * C2);
+      }
+      for (int a = 0; a < n; ++a)
+        for (int b = 0; b < n; ++b) sink.on_positions(nodes[a], nodes[b], block[a][b]);
+    }
+}
+
+// --- moments
+
+Moments::Moments(const model::Model& model) : aimed_(model.mesh().nodes.size(), Vec3::Zero()) {
+  for (const auto& m : model.moments()) loads_.push_back(spread(model.mesh(), m.set, m.total, m.frame, true));
+  aim(0);
+}
+
+std::vector<Vec3> Moments::at_time(double time) const {
+  std::vector<Vec3> all(aimed_.size(), Vec3::Zero());
+  for (const auto& m : loads_) {
+    const Vec3 total = m.at(time);
+    for (std::size_t i = 0; i < m.nodes.size(); ++i) all[m.nodes[i]] += m.share[i] * total;
+  }
+  return all;
+}
+
+void Moments::aim(double time) { aimed_ = at_time(time); }
+
+Outcome Moments::add_forces(const fabric::Step&, const Trial& trial, Forces& forces) {
+  const auto d = trial.configuration.d();
+  for (std::size_t i = 0; i < aimed_.size(); ++i)
+    at(forces.on_d, static_cast<Index>(i)) -= aimed_[i].cross(at(d, static_cast<Index>(i)));
+  return {};
+}
+
+void Moments::add_follower(double time, const Trial& trial, std::span<double>, std::span<double> on_d) const {
+  const auto d = trial.configuration.d();
+  const auto moments = at_time(time);
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    at(on_d, static_cast<Index>(i)) += moments[i].cross(at(d, static_cast<Index>(i)));
+}
+
+void Moments::add_tangent(const Trial& trial, TangentSink& sink) const {
+  const auto d = trial.configuration.d(), b1 = trial.configuration.b1();
+  for (std::size_t i = 0; i < aimed_.size(); ++i) {
+    const auto n = static_cast<Index>(i);
+    const Vec3& M = aimed_[i];
+    const Vec3 dd = at(d, n), first = at(b1, n), second = dd.cross(first);
+    Eigen::Matrix2d k = M.cross(dd).dot(dd) * Eigen::Matrix2d::Identity();  // second variation of d
+    k(0, 0) -= M.cross(first).dot(first);
+    k(0, 1) -= M.cross(second).dot(first);
+    k(1, 0) -= M.cross(first).dot(second);
+    k(1, 1) -= M.cross(second).dot(second);
+    sink.on_director(n, k);
+  }
+}
+
+// --- springs
+
+Springs::Springs(const model::Model& model) {
+  for (const auto& s : model.springs()) {
+    const auto& nodes = model.mesh().set(s.set);
+    const Tributary t = tributary(model.mesh(), nodes);
+    const Vec3 k(s.stiffness[0], s.stiffness[1], s.stiffness[2]);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      springs_.push_back({nodes[i], t.measure[i] / t.total * s.frame.transpose() * k.asDiagonal() * s.frame});
+  }
+}
+
+Outcome Springs::add_forces(const fabric::Step&, const Trial& trial, Forces& forces) {
+  const auto x = trial.configuration.x();
+  for (const auto& s : springs_) at(forces.on_x, s.node) += s.stiffness * (at(x, s.node) - trial.X[s.node]);
+  return {};
+}
+
+void Springs::add_tangent(const Trial&, TangentSink& sink) const {
+  for (const auto& s : springs_) sink.on_positions(s.node, s.node, s.stiffness);
+}
+
+void Springs::add_energies(const Trial& trial, std::vector<Energy>& out) const {
+  const auto x = trial.configuration.x();
+  double sum = 0;
+  for (const auto& s : springs_) {
+    const Vec3 u = at(x, s.node) - trial.X[s.node];
+    sum += u.dot(s.stiffness * u) / 2;
+  }
+  out.push_back({"springs", Account::stored, sum});
+}
+
+}  // namespace fabricsh::mechanics

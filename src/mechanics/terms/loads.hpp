@@ -1,0 +1,115 @@
+// The loads of a model, a term each: gravity, forces and tractions (dead), pressure and moments (following
+// the configuration), springs to ground.
+#pragma once
+#include <vector>
+
+#include "mechanics/mesh_tools.hpp"
+#include "mechanics/term.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::mechanics {
+
+// Weight on the nodes, and on their directors where the reference surface is not the middle one.
+class Gravity final : public Term {
+ public:
+  // mass: kg per node; mass_moment: kg m, its first moment about the reference surface.
+  Gravity(const model::Model& model, const std::vector<double>& mass, const std::vector<double>& mass_moment);
+  const char* name() const override { return "gravity"; }
+  void aim(double time) override { aimed_ = at(time); }
+  void add_dead(double time, std::span<double> on_x) const override;
+  bool constant() const override;
+  bool follows_directors() const override { return turns_; }
+  void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
+  Outcome add_forces(const fabric::Step&, const Trial&, Forces& forces) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+
+ private:
+  Vec3 at(double time) const;
+  model::Components acceleration_;
+  const std::vector<double>&mass_, &mass_moment_;
+  bool turns_ = false;  // does it act on directors
+  Vec3 aimed_ = Vec3::Zero();
+};
+
+// A vector history shared by the nodes of a set.
+struct Spread {
+  mesh::NodeSet nodes;
+  std::vector<double> share;
+  model::Components value;
+  Mat3 frame;
+  Vec3 at(double time) const;
+};
+
+// Forces and tractions that keep their direction and the reference area that they act on. Error: a traction
+// on a set that holds neither whole elements nor whole edges.
+class DeadLoads final : public Term {
+ public:
+  explicit DeadLoads(const model::Model& model);
+  const char* name() const override { return "forces"; }
+  void add_dead(double time, std::span<double> on_x) const override;
+  bool constant() const override;
+
+ private:
+  std::vector<Spread> loads_;
+};
+
+// Pressure along the normal of the current surface: f_A = p sum_g N_A a1 x a2. Its stiffness is not
+// symmetric.
+class Pressure final : public Term {
+ public:
+  explicit Pressure(const model::Model& model);
+  const char* name() const override { return "pressure"; }
+  void aim(double time) override;
+  bool follows_positions() const override { return true; }
+  void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
+  bool symmetric() const override { return false; }
+  Outcome add_forces(const fabric::Step&, const Trial& trial, Forces& forces) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+
+ private:
+  struct Faces {
+    std::vector<std::array<Index, 4>> elements;
+    model::History value;
+  };
+  void add(const Faces& faces, double pressure, std::span<const double> x, std::span<double> on_x) const;
+  std::vector<Faces> faces_;
+  std::vector<double> aimed_;  // Pa
+};
+
+// Moments about axes fixed in space: M . (d x delta d) makes M x d on a director. Not symmetric.
+class Moments final : public Term {
+ public:
+  explicit Moments(const model::Model& model);
+  const char* name() const override { return "moments"; }
+  void aim(double time) override;
+  bool follows_directors() const override { return true; }
+  void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
+  bool symmetric() const override { return false; }
+  const std::vector<Vec3>* moments() const override { return &aimed_; }
+  Outcome add_forces(const fabric::Step&, const Trial& trial, Forces& forces) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+
+ private:
+  std::vector<Vec3> at_time(double time) const;
+  std::vector<Spread> loads_;
+  std::vector<Vec3> aimed_;  // N m per node
+};
+
+// Linear springs to ground.
+class Springs final : public Term {
+ public:
+  explicit Springs(const model::Model& model);
+  const char* name() const override { return "springs"; }
+  Outcome add_forces(const fabric::Step&, const Trial& trial, Forces& forces) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
+
+ private:
+  struct Grounded {
+    Index node;
+    Mat3 stiffness;
+  };
+  std::vector<Grounded> springs_;
+};
+
+}  // namespace fabricsh::mechanics

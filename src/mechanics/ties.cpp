@@ -1,0 +1,142 @@
+// Ties by elimination: followers take the weighted sum of their leads' displacements, rigid sets six
+// unknowns. A tied node's forces go to what it follows through the columns of its links, the same that carry
+// increments to it.
+#include <algorithm>
+
+#include "mechanics/dofs.hpp"
+#include "tensor/node_view.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+using Column = Eigen::Matrix<double, 5, 1>;
+}
+
+// Directors of nodes tied to each other become their mean: the two sides of a seam see half the elements
+// each.
+void Dofs::meet_directors() {
+  std::vector<Vec3> sum = directors_;
+  for (const auto& f : freedoms_.followers)
+    if (f.component == 3) sum[f.leads[0].node] += directors_[f.node];
+  for (const auto& f : freedoms_.followers)
+    if (f.component == 3) {
+      directors_[f.leads[0].node] = sum[f.leads[0].node].normalized();
+      directors_[f.node] = directors_[f.leads[0].node];
+    }
+}
+
+Vec3 Dofs::centroid(const Body& body, std::span<const double> x) const {
+  Vec3 sum = Vec3::Zero();
+  for (const Index n : body.nodes) sum += at(x, n);
+  return sum / static_cast<double>(body.nodes.size());
+}
+
+void Dofs::links(Index n, std::vector<Link>& out) const {
+  out.clear();
+  const NodeFreedoms& node = freedoms_.nodes[n];
+  if (const Index which = freedoms_.body(n); which >= 0) {
+    const Body& body = freedoms_.bodies[which];
+    const Configuration& s = configuration_;
+    const Vec3 r = at(s.x(), n) - centroid(body, s.x()), d = at(s.d(), n), b1 = at(s.b1(), n);
+    for (int i = 0; i < 3; ++i) out.push_back({body.equation + i, Column::Unit(i)});
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 spin = Vec3::Unit(i).cross(d);
+      Column c;
+      c << Vec3::Unit(i).cross(r), b1.dot(spin), d.cross(b1).dot(spin);
+      out.push_back({body.equation + 3 + i, c});
+    }
+    return;
+  }
+  for (int c = 0; c < 5; ++c)
+    if (node.equation[c] != tied && node.equation[c] != held)
+      out.push_back({node.equation[c], Column::Unit(c)});
+  auto f = std::lower_bound(freedoms_.followers.begin(), freedoms_.followers.end(), n,
+                            [](const model::Follower& a, Index b) { return a.node < b; });
+  for (; f != freedoms_.followers.end() && f->node == n; ++f)
+    for (const auto& lead : f->leads) {
+      const NodeFreedoms& from = freedoms_.nodes[lead.node];
+      if (f->component == 3) {
+        for (int c = 3; c < 5; ++c)
+          if (from.equation[c] != held) out.push_back({from.equation[c], Column::Unit(c)});
+        continue;
+      }
+      for (int j = 0; j < 3; ++j)
+        if (const double w = lead.weight * from.frame(j, f->component); w != 0 && from.equation[j] != held)
+          out.push_back({from.equation[j], w * Column::Unit(f->component)});
+    }
+}
+
+// Tied nodes after all others: bodies from the iterate, followers from their leads.
+void Dofs::retract_ties(std::span<const double> delta, double scale) {
+  const std::size_t n = X_.size();
+  const std::span<const double> base = iterate();
+  const auto x = configuration_.x(), d = configuration_.d(), b1 = configuration_.b1();
+  for (const Body& body : freedoms_.bodies) {
+    if (delta.empty()) break;
+    const Vec3 c = centroid(body, base);
+    const double* step = delta.data() + body.equation;
+    const Vec3 move = scale * Vec3(step[0], step[1], step[2]), turn = scale * Vec3(step[3], step[4], step[5]);
+    const Mat3 R = turn.norm() > 0 ? Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix()
+                                   : Mat3::Identity();
+    for (const Index i : body.nodes) {
+      at(x, i) = c + move + R * (at(base, i) - c);
+      at(d, i) = (R * at(base.subspan(3 * n), i)).normalized();
+      at(b1, i) = R * at(base.subspan(6 * n), i);
+    }
+  }
+  for (const auto& f : freedoms_.followers) {
+    if (f.component == 3) {
+      at(d, f.node) = at(d, f.leads[0].node);
+      at(b1, f.node) = at(b1, f.leads[0].node);
+      continue;
+    }
+    double u = 0;
+    for (const auto& lead : f.leads)
+      u += lead.weight * (x[3 * lead.node + f.component] - X_[lead.node][f.component]);
+    x[3 * f.node + f.component] = X_[f.node][f.component] + u;
+  }
+}
+
+void Dofs::add_tied_residual(std::span<const double> external, std::span<const double> internal_x,
+                             std::span<const double> internal_d, std::span<const double> on_d,
+                             const std::vector<Vec3>* moments, std::span<double> r) const {
+  const Configuration& s = configuration_;
+  for (const Body& body : freedoms_.bodies)
+    for (Index i = 0; i < 6; ++i) r[body.equation + i] = 0;
+  std::vector<Link> node;
+  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
+    if (!freedoms_.ties(i)) continue;
+    const Vec3 b1 = at(s.b1(), i), b2 = Vec3(at(s.d(), i)).cross(b1);
+    Column f;
+    const Vec3 internal = at(internal_d, i),
+               turning = on_d.empty() ? Vec3(-internal) : Vec3(at(on_d, i) - internal);
+    f << freedoms_.nodes[i].frame * (at(external, i) - at(internal_x, i)), b1.dot(turning), b2.dot(turning);
+    // What an untied freedom of this node carries is there already.
+    for (int c = 0; c < 5; ++c)
+      if (freedoms_.nodes[i].equation[c] != tied && !(c == 4 && freedoms_.nodes[i].equation[3] == tied))
+        f[c] = 0;
+    links(i, node);
+    for (const Link& l : node)
+      if (l.equation >= 0) r[l.equation] += l.column.dot(f);
+    // A director has no rotation about itself: that part of a moment works on the body alone.
+    if (const Index which = freedoms_.body(i); which >= 0 && moments != nullptr) {
+      const Vec3 drill = (*moments)[i].dot(at(s.d(), i)) * at(s.d(), i);
+      for (int k = 0; k < 3; ++k) r[freedoms_.bodies[which].equation + 3 + k] += drill[k];
+    }
+  }
+}
+
+// Internal minus external force that a node's followers hand to it, N, global.
+Vec3 Dofs::tied_force(Index lead, std::span<const double> internal_x,
+                      std::span<const double> external) const {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& [which, k] : led_[lead]) {
+    const auto& f = freedoms_.followers[which];
+    if (f.component == 3) continue;
+    const Index i = 3 * f.node + f.component;
+    sum[f.component] += f.leads[k].weight * (internal_x[i] - external[i]);
+  }
+  return sum;
+}
+
+}  // namespace fabricsh::mechanics
