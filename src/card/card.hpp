@@ -26,7 +26,7 @@ enum class Measure { tensor, engineering };  // dS12/dE12 in E12 | dS12/d(2 E12)
 enum class ShearMemory {
   printed,
   fading
-};  // the old branch is forgotten at once, or fades
+};  // share/doc/law.md, shear: the old branch is forgotten at once, or fades
 struct Shear {
   Curve loading;
   double unloading = 0;
@@ -75,7 +75,7 @@ struct Woven {
   std::optional<Bands> bands;  // polynomial loading curves only
 };
 
-struct Svk {  // St. Venant-Kirchhoff (share/doc/theory.md, 4); shear is the engineering modulus, S12 = 2 G E12
+struct Svk {  // St. Venant-Kirchhoff (theory.md, 4); shear is the engineering modulus, S12 = 2 G E12
   double warp = 0, weft = 0, shear = 0, nu12 = 0, nu21 = 0;
   std::optional<double> g13, g23;  // default 5/6 shear
 };

@@ -9,13 +9,13 @@ failures=0
 # A tree with three rooms, in order, without a fault.
 good_tree() {
   rm -rf "$work/tree"
-  mkdir -p "$work/tree/src/base" "$work/tree/src/solver" "$work/tree/src/app" "$work/tree/scripts"
+  mkdir -p "$work/tree/src/base" "$work/tree/src/linear" "$work/tree/src/app" "$work/tree/scripts"
   cd "$work/tree" || exit 1
-  printf '# rooms\nbase:\nsolver: base\nfiles: base\napp: base solver\n' >src/LAYERS
+  printf '# rooms\nbase:\nlinear: base\nfiles: base\napp: base linear\n' >src/LAYERS
   printf '#pragma once\n#include <vector>\n// printf("x") is only words\n' >src/base/a.hpp
   printf '#include "base/a.hpp"\n#include "fabricsh_config.hpp"\n' >src/base/a.cpp
-  printf '#include <umfpack.h>\n#include "base/a.hpp"\n' >src/solver/s.cpp
-  printf '#include "solver/s.hpp"\nint main() { std::cout << 1; std::exit(0); }\n' >src/app/main.cpp
+  printf '#include <umfpack.h>\n#include "base/a.hpp"\n' >src/linear/s.cpp
+  printf '#include "linear/s.hpp"\nint main() { std::cout << 1; std::exit(0); }\n' >src/app/main.cpp
   printf 'fabric.expect{ {"x", 1, 1} }\n' >scripts/deck.lua
 }
 
@@ -44,33 +44,33 @@ if ! sh "$here/lint.sh" "$work/tree"; then
   failures=$((failures + 1))
 fi
 
-bad src/base/a.hpp '#include "solver/s.hpp"' "of a room below it"
-bad src/solver/s.cpp '  #  include "app/x.hpp"' "of a room below it"
-bad src/LAYERS 'output: files solver assembly' "needs 'assembly', which does not stand above it"
+bad src/base/a.hpp '#include "linear/s.hpp"' "of a room below it"
+bad src/linear/s.cpp '  #  include "app/x.hpp"' "of a room below it"
+bad src/LAYERS 'output: files linear assembly' "needs 'assembly', which does not stand above it"
 bad src/LAYERS 'base: base' "stands there twice"
 bad src/LAYERS 'Base = x' "expected 'room: rooms it needs'"
 bad src/app/main.cpp '#include "files/csv.hpp"' "src/LAYERS does not name 'files' for it"
 bad src/app/main.cpp '#include "plugin/x.hpp"' "is no room of src/LAYERS"
 bad src/app/main.cpp '#include "x.hpp"' "without its room"
-bad src/solver/s.cpp '#include "fabricsh_config.hpp"' "without its room"
-bad src/base/a.cpp '#include "../solver/s.hpp"' "is no room of src/LAYERS"
+bad src/linear/s.cpp '#include "fabricsh_config.hpp"' "without its room"
+bad src/base/a.cpp '#include "../linear/s.hpp"' "is no room of src/LAYERS"
 bad src/extra/x.cpp 'int x;' "room 'extra' is not in src/LAYERS"
-bad src/app/main.cpp '#include <umfpack.h>' "<umfpack.h>, which belongs to: solver"
-bad src/app/main.cpp '#include <suitesparse/cholmod.h>' "which belongs to: solver"
-bad src/solver/s.cpp '#include <vtkNew.h>' "which belongs to: files"
-bad src/solver/s.cpp '#include <lauxlib.h>' "which belongs to: script repl"
-bad src/solver/s.cpp '#include <lua.hpp>' "which belongs to: script repl"
+bad src/app/main.cpp '#include <umfpack.h>' "<umfpack.h>, which belongs to: linear"
+bad src/app/main.cpp '#include <suitesparse/cholmod.h>' "which belongs to: linear"
+bad src/linear/s.cpp '#include <vtkNew.h>' "which belongs to: files"
+bad src/linear/s.cpp '#include <lauxlib.h>' "which belongs to: script repl"
+bad src/linear/s.cpp '#include <lua.hpp>' "which belongs to: script repl"
 bad src/app/main.cpp '#include <histedit.h>' "which belongs to: repl"
 bad src/base/a.hpp '#include "base/a.hpp"' "in a circle"
-bad src/solver/s.cpp '  std::cerr << 1;' "prints; only app and repl do"
-bad src/solver/s.cpp '  printf("x");' "prints; only app and repl do"
-bad src/solver/s.cpp '  std::fputs(text, stderr);' "prints; only app and repl do"
-bad src/solver/s.cpp '  std::exit(1);' "ends the program"
-bad src/solver/s.cpp '  std::ifstream file(path);' "past the gate"
-bad src/solver/s.cpp '  const int n = ::open(path, O_RDONLY);' "past the gate"
-bad src/solver/s.cpp '  if (std::filesystem::exists(path, trouble)) return;' "asks for a file past the gate"
-bad src/solver/s.cpp '  if (fs::is_regular_file(path)) return;' "asks for a file past the gate"
-bad src/solver/s.cpp '  if (::stat(path, &about) == 0) return;' "asks for a file past the gate"
+bad src/linear/s.cpp '  std::cerr << 1;' "prints; only app and repl do"
+bad src/linear/s.cpp '  printf("x");' "prints; only app and repl do"
+bad src/linear/s.cpp '  std::fputs(text, stderr);' "prints; only app and repl do"
+bad src/linear/s.cpp '  std::exit(1);' "ends the program"
+bad src/linear/s.cpp '  std::ifstream file(path);' "past the gate"
+bad src/linear/s.cpp '  const int n = ::open(path, O_RDONLY);' "past the gate"
+bad src/linear/s.cpp '  if (std::filesystem::exists(path, trouble)) return;' "asks for a file past the gate"
+bad src/linear/s.cpp '  if (fs::is_regular_file(path)) return;' "asks for a file past the gate"
+bad src/linear/s.cpp '  if (::stat(path, &about) == 0) return;' "asks for a file past the gate"
 bad src/base/long.hpp "$(yes '//' | head -n 801)" "is 801 lines long"
 bad scripts/other.lua 'print(1)' "scripts/other.lua: has no expect{...} block"
 
