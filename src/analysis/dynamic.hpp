@@ -38,8 +38,8 @@ class Dynamic : public Run {
   void set(const Settings& settings) override;
   void keep_settings(Archive& archive) override;
   double scaled_share() const override { return now_.scaled; }
-  double stable_step() const { return stable_; }  // s, of the reference configuration (theory.md, 7)
-  double step_size() const { return now_.step; }  // s, that the run goes by, landings apart
+  double stable_step() const { return stable_; }           // s, of the reference configuration (theory.md, 7)
+  double step_size() const { return now_.step; }           // s, that the run goes by, landings apart
   virtual const mechanics::NodalRates& rates() const = 0;  // of the committed state
 
  protected:
