@@ -53,7 +53,8 @@ class Speaker {
     progress.clear();
     std::fflush(stdout);
     if (lines == nullptr || !lines->interject(style_.dress(repl::Tone::notice, text)))
-      std::cerr << style_.dress(repl::Tone::notice, text) << std::endl;
+      // In one piece: copies of a run that work side by side write to the same terminal.
+      std::cerr << style_.dress(repl::Tone::notice, text) + "\n" << std::flush;
   }
   repl::Lines* lines = nullptr;
   app::ProgressLine progress{stderr, isatty(STDERR_FILENO) != 0 && !is_dumb()};
