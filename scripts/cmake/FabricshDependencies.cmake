@@ -18,7 +18,7 @@ pkg_check_modules(EDIT REQUIRED IMPORTED_TARGET libedit)
 
 include(FabricshLibraries)
 
-# What the room files reads and writes with, which C++ users of the core link too; and what draws.
+# What the room format reads and writes with, which C++ users of the core link too; and what draws.
 set(FABRICSH_VTK_FILES CommonCore CommonDataModel IOCore IOImage IOLegacy IOXML)
 foreach(folder ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/build)  # unpacked there beside ParaView: scripts/lib.sh
   if(EXISTS ${folder}/vtk/version)

@@ -3,11 +3,11 @@
 include(CMakePackageConfigHelpers)
 
 # The installed data keeps the layout of the source tree, so that one rule finds a file in either.
-foreach(folder lua share/cards share/data share/doc share/lua-ls scripts meshes)
+foreach(folder lua share/cards share/data share/doc share/lua-ls share/python scripts meshes)
   get_filename_component(parent ${folder} DIRECTORY)
   install(DIRECTORY ${folder} DESTINATION ${FABRICSH_DATA_DIR}/${parent} COMPONENT program OPTIONAL
-    PATTERN "scripts/cmake" EXCLUDE PATTERN "scripts/demo" EXCLUDE PATTERN "scripts/test" EXCLUDE PATTERN "scripts/sanitize" EXCLUDE
-    PATTERN "scripts/lib.sh" EXCLUDE)
+    PATTERN "scripts/cmake" EXCLUDE PATTERN "scripts/demo" EXCLUDE PATTERN "scripts/test" EXCLUDE PATTERN "scripts/sanitize" EXCLUDE PATTERN "scripts/site" EXCLUDE PATTERN "draw.sh" EXCLUDE
+    PATTERN "scripts/lib.sh" EXCLUDE PATTERN "__pycache__" EXCLUDE)
 endforeach()
 install(FILES share/references.bib DESTINATION ${FABRICSH_DATA_DIR}/share COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
@@ -48,6 +48,8 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "workbench for the mechanics of woven clot
 set(CPACK_PACKAGE_DESCRIPTION "Pulls, shears, drapes and unloads fabric as a thin shell in finite deformation, from Lua decks or\n an interactive prompt, with a law that knows warp and weft, nonlinearity and hysteresis; reduces\n measurements to material cards.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+# Not those of whoever builds: with SOURCE_DATE_EPOCH set a package has the same bits each time.
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program dev)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

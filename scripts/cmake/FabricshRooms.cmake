@@ -20,7 +20,7 @@ target_link_options(fabricsh_flags INTERFACE
 target_link_libraries(fabricsh_flags INTERFACE Eigen3::Eigen OpenMP::OpenMP_CXX)
 
 # Sources named *_isa.cpp hold the batch kernels: compiled once per instruction set, each into its own
-# namespace (FABRICSH_ISA), and chosen at run time by base/isa.hpp.
+# namespace (FABRICSH_ISA), and chosen at run time by simd/isa.hpp.
 function(fabricsh_isa_sources target)
   foreach(source ${ARGN})
     get_filename_component(stem ${source} NAME_WE)
@@ -76,7 +76,7 @@ function(fabricsh_rooms layers)
   set(FABRICSH_ROOM_TARGETS ${targets} PARENT_SCOPE)
   # The only rooms that may see a third-party library.
   fabricsh_room_uses(linear PRIVATE fabricsh_suitesparse)
-  fabricsh_room_uses(files PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOCore VTK::IOImage VTK::IOXML
+  fabricsh_room_uses(format PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOCore VTK::IOImage VTK::IOXML
     ZLIB::ZLIB PNG::PNG JPEG::JPEG TIFF::TIFF)
   fabricsh_room_uses(render PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::IOImage VTK::IOXML
     VTK::RenderingAnnotation VTK::RenderingCore VTK::RenderingFreeType VTK::RenderingOpenGL2)

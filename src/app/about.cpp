@@ -6,11 +6,11 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "base/isa.hpp"
 #include "base/version.hpp"
-#include "files/libraries.hpp"
+#include "format/libraries.hpp"
 #include "linear/libraries.hpp"
 #include "repl/libraries.hpp"
+#include "simd/isa.hpp"
 
 namespace fabricsh::app {
 
@@ -35,7 +35,7 @@ std::string about() {
   std::ostringstream out;
   out << headline() << "\n";
   const char* between = "";
-  for (const auto& list : {repl::libraries(), linear::libraries(), files::libraries()})
+  for (const auto& list : {repl::libraries(), linear::libraries(), format::libraries()})
     for (const Library& library : list) {
       out << between << library.name << " " << library.version;
       between = ", ";

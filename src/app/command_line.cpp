@@ -56,6 +56,10 @@ class Reader {
 
  private:
   void take_deck(const std::string& name) {
+    if (name.empty()) {  // as of a variable of the shell's that is not set
+      c_.trouble = "the name of the deck is empty (- is standard input)";
+      return;
+    }
     c_.has_deck = true;
     c_.deck = name == "-" ? "" : name;
     c_.deck_place = at_;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "base/isa.hpp"
+#include "simd/isa.hpp"
 
 namespace fabricsh::app {
 

@@ -17,6 +17,7 @@
 #include "repl/commands.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/history.hpp"
+#include "repl/interrupt.hpp"
 #include "repl/prompt.hpp"
 #include "script/checkpoint.hpp"
 
@@ -82,14 +83,14 @@ script::Options session_options(const app::CommandLine& command, Speaker& speake
 // A checkpoint that no analysis of the deck took up.
 repl::Result check_restart(const script::Session& session, repl::Result result) {
   const auto& from = session.restart();
-  if (result.outcome != Outcome::done || !from || from->analysis <= session.analyses()) return result;
+  if (result.outcome != Outcome::done || !from || from->number <= session.analyses()) return result;
   return {Outcome::deck_error, "--restart: '" + from->path + "' was written by analysis " +
-                                   std::to_string(from->analysis) + " of its deck; this one makes " +
+                                   std::to_string(from->number) + " of its deck; this one makes " +
                                    std::to_string(session.analyses())};
 }
 
 // -e and -l in their order, then the deck. The first failure ends it.
-repl::Result run(script::Session& session, const app::CommandLine& command) {
+repl::Result run_all(script::Session& session, const app::CommandLine& command) {
   repl::Result result;
   const bool spill = command.interactive || !command.has_deck || !command.before.empty();
   repl::set_arguments(session, command.line, command.deck_place);
@@ -105,8 +106,8 @@ repl::Result run(script::Session& session, const app::CommandLine& command) {
 
 // A session that nobody sits at fails as a deck would, after all of it has been read.
 int converse(script::Session& session, Speaker& speaker) {
-  const repl::InterruptGuard guard(session);
   const bool terminal = isatty(STDIN_FILENO) != 0;
+  const repl::InterruptGuard guard(session, terminal ? repl::Attended::yes : repl::Attended::no);
   if (terminal) std::cout << app::headline() << "\n" << repl::greeting << "\n";
   const auto lines =
       terminal
@@ -149,7 +150,7 @@ int main(int count, char** words) {
     const int code = [&] {
       const repl::InterruptGuard guard(session);
       const repl::Running running(session);
-      return exit_code(session, run(session, command));
+      return exit_code(session, run_all(session, command));
     }();
     const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
     if (!prompt || session.terminated() != 0) return code;

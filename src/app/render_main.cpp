@@ -9,7 +9,7 @@ int main() {
   using namespace fabricsh;
   try {
     render::collect_complaints();
-    const files::Picture picture = files::read_picture(std::cin);
+    const plot::Picture picture = plot::read_picture(std::cin);
     const render::Display display;
     render::draw(picture);
     return 0;

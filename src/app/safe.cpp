@@ -9,8 +9,8 @@
 
 #include "app/wall.hpp"
 #include "base/error.hpp"
-#include "base/paths.hpp"
-#include "files/gate.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::app {
 
@@ -92,7 +92,7 @@ void go_safe(const CommandLine& command, char** words) {
     throw Error("--safe: the program cannot start itself anew");
   }
   limit_process(command.limits);
-  files::Gate::close_process(files::Gate(readable, writable));
+  system::Gate::close_process(system::Gate(readable, writable));
 }
 
 }  // namespace fabricsh::app

@@ -14,9 +14,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "base/computing_time.hpp"
-#include "base/paths.hpp"
-#include "files/descriptor.hpp"
+#include "system/computing_time.hpp"
+#include "system/descriptor.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::app {
 
@@ -53,12 +53,12 @@ class Landlock {
     if (version_ < 1) return;
     const Ruleset all{known_to(version_), version_ >= 4 ? 3u : 0u, version_ >= 6 ? 3u : 0u};
     const std::size_t size = version_ >= 6 ? 24 : version_ >= 4 ? 16 : 8;
-    rules_ = files::Descriptor(static_cast<int>(syscall(create_ruleset, &all, size, 0)));
+    rules_ = system::Descriptor(static_cast<int>(syscall(create_ruleset, &all, size, 0)));
   }
 
   // A path that is not there needs no right.
   void allow(const std::string& path, std::uint64_t rights) const {
-    const files::Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
+    const system::Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
     struct stat about {};
     if (!rules_.open() || !place.open() || fstat(place.number(), &about) != 0) return;
     if (!S_ISDIR(about.st_mode)) rights &= of_files;
@@ -72,7 +72,7 @@ class Landlock {
 
  private:
   long version_;
-  files::Descriptor rules_;
+  system::Descriptor rules_;
 };
 
 // Programs are found as execvp finds them.
@@ -98,7 +98,7 @@ void allow_system(const Landlock& wall) {
   const std::filesystem::path program = program_path();
   wall.allow(program, execute | read_file);
   for (const auto& folder : {program.parent_path(), program.parent_path().parent_path()})
-    wall.allow(folder / "fabricsh.home", read_file);  // says where the data are (base/paths.hpp)
+    wall.allow(folder / "fabricsh.home", read_file);  // says where the data are (system/paths.hpp)
   allow_program(wall, "gnuplot");
 }
 

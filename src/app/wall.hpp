@@ -1,4 +1,4 @@
-// What the system itself forbids this process under --safe, behind the gate of the room files: a second wall
+// What the system itself forbids this process under --safe, behind the gate of the room system: a second wall
 // for the case that the first has a hole. Nothing here can be taken back, and children inherit it.
 #pragma once
 #include <string>

@@ -2,6 +2,12 @@
 // can't differ. Numbers as the machine has them; who stores the bytes says for which machine.
 //
 //   void keep(Archive& archive) { archive(time_, steps_, names_); }
+//
+// A section is a part with a name and a hash of the kinds of its members in their order, so that bytes which
+// a build with other members wrote are refused by the name of what has changed, before any of them is taken
+// up:
+//
+//   archive.section("motion", [&] { archive(v_, a_); });
 #pragma once
 #include <concepts>
 #include <cstdint>
@@ -13,15 +19,16 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 
 namespace fabricsh {
 
 class Archive {
  public:
   Archive() = default;  // writes
-  explicit Archive(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
+  explicit Archive(std::string bytes) : bytes_(std::move(bytes)), mode_(Mode::read) {}
 
-  bool reading() const { return reading_; }
+  bool reading() const { return mode_ == Mode::read; }
   bool at_end() const { return at_ == bytes_.size(); }  // of reading
   const std::string& bytes() const { return bytes_; }
 
@@ -32,49 +39,156 @@ class Archive {
     (one(values), ...);
   }
 
+  // `members` archives the members of the section; it is called once to write, and to read once before that
+  // to learn of which kinds they are here (reading() is false then). Error when reading: another section
+  // comes, or its members are of other kinds.
+  template <class Members>
+  void section(const std::string& name, Members members) {
+    if (mode_ == Mode::learn) return members();
+    const std::uint64_t outer = kinds_;
+    if (mode_ == Mode::write)
+      write_section(name, members);
+    else
+      read_section(name, members);
+    kinds_ = outer;
+  }
+
   // Numbers whose count is known: as many as there are. Error when reading: another count was written.
   void filled(std::span<double> values) {
     std::uint64_t count = values.size();
-    one(count);
+    learn("numbers");
+    plain(count);
     if (count != values.size())
       throw Error("expected " + std::to_string(values.size()) + " numbers, got " + std::to_string(count));
     raw(values.data(), values.size_bytes());
   }
 
  private:
+  enum class Mode { write, read, learn };
+
+  template <class Members>
+  void write_section(std::string name, Members& members) {
+    text(name);
+    const std::size_t place = bytes_.size();
+    std::uint64_t kinds = 0, size = 0;
+    plain(kinds);
+    plain(size);
+    kinds_ = 0;
+    members();
+    kinds = kinds_;
+    size = bytes_.size() - place - sizeof kinds - sizeof size;
+    bytes_.replace(place, sizeof kinds, reinterpret_cast<const char*>(&kinds), sizeof kinds);
+    bytes_.replace(place + sizeof kinds, sizeof size, reinterpret_cast<const char*>(&size), sizeof size);
+  }
+  template <class Members>
+  void read_section(const std::string& name, Members& members) {
+    std::string there;
+    text(there);
+    if (there != name) throw Error("it has '" + there + "' where '" + name + "' is expected");
+    std::uint64_t kinds = 0, size = 0;
+    plain(kinds);
+    plain(size);
+    kinds_ = 0;
+    mode_ = Mode::learn;
+    members();
+    mode_ = Mode::read;
+    if (kinds != kinds_)
+      throw Error("its part '" + name + "' was written by a build in which that part has other members");
+    const std::size_t begin = at_;
+    members();
+    if (at_ - begin != size) throw Error("its part '" + name + "' has another size than its members");
+  }
+
+  // What a member is made of goes into the hash of its section once, however many of it there are.
+  void learn(const char* kind) {
+    if (silent_ == 0) kinds_ = hash(kind, kinds_);
+  }
+  template <class T>
+  void learn_element() {
+    if (silent_ > 0) return;
+    const Mode mode = mode_;
+    mode_ = Mode::learn;
+    T element{};
+    one(element);
+    mode_ = mode;
+  }
+
+  template <class T>
+  static const char* kind_of() {
+    constexpr const char* signed_kinds[] = {"i1", "i2", "i4", "i8"};
+    constexpr const char* unsigned_kinds[] = {"u1", "u2", "u4", "u8"};
+    if constexpr (std::is_floating_point_v<T>) return sizeof(T) == 8 ? "f8" : "f4";
+    constexpr int place = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
+    if constexpr (std::is_signed_v<T>) return signed_kinds[place];
+    return std::is_enum_v<T> ? "enum" : unsigned_kinds[place];
+  }
+
   template <class T>
   void one(T& value) {
     if constexpr (std::is_same_v<T, bool>) {
-      std::uint8_t byte = value ? 1 : 0;
-      raw(&byte, 1);
-      value = byte != 0;
+      learn("bool");
+      plain(value);
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-      raw(&value, sizeof value);
+      learn(kind_of<T>());
+      plain(value);
     } else {
+      learn("{");
       value.keep(*this);
+      learn("}");
     }
   }
-  void one(std::string& text) {
-    const std::size_t bytes = resize(text, 1);  // before data(), which it moves
-    raw(text.data(), bytes);
+  void one(std::string& value) {
+    learn("text");
+    text(value);
   }
   template <class T>
   void one(std::optional<T>& value) {
+    learn("optional");
+    learn_element<T>();
     bool there = value.has_value();
-    one(there);
-    if (!there) return value.reset();
+    plain(there);
+    if (!there) {
+      if (reading()) value.reset();
+      return;
+    }
     if (!value) value.emplace();
-    one(*value);
+    quietly([&] { one(*value); });
   }
   template <class T>
   void one(std::vector<T>& values) {
+    learn("list");
+    learn_element<T>();
+    if (mode_ == Mode::learn) return;
     if constexpr (std::is_arithmetic_v<T>) {
       const std::size_t bytes = resize(values, sizeof(T));
       raw(values.data(), bytes);
     } else {
       resize(values, 1);
-      for (T& value : values) one(value);
+      quietly([&] {
+        for (T& value : values) one(value);
+      });
     }
+  }
+  template <class Work>
+  void quietly(Work work) {
+    ++silent_;
+    work();
+    --silent_;
+  }
+
+  void plain(bool& value) {
+    std::uint8_t byte = value ? 1 : 0;
+    raw(&byte, 1);
+    value = byte != 0;
+  }
+  template <class T>
+  void plain(T& value) {
+    raw(&value, sizeof value);
+  }
+  void text(std::string& value) {
+    if (mode_ == Mode::learn) return;
+    const std::size_t bytes = resize(value, 1);  // before data(), which it moves
+    raw(value.data(), bytes);
   }
 
   // Writes the count of items, or reads it and makes room; at least `least` bytes an item follow. Returns the
@@ -82,8 +196,8 @@ class Archive {
   template <class Items>
   std::size_t resize(Items& items, std::size_t least) {
     std::uint64_t count = items.size();
-    one(count);
-    if (reading_) {
+    plain(count);
+    if (reading()) {
       if (count > (bytes_.size() - at_) / least) too_short();
       items.resize(count);
     }
@@ -91,7 +205,8 @@ class Archive {
   }
 
   void raw(void* data, std::size_t size) {
-    if (!reading_) {
+    if (mode_ == Mode::learn) return;
+    if (mode_ == Mode::write) {
       bytes_.append(static_cast<const char*>(data), size);
       return;
     }
@@ -103,7 +218,9 @@ class Archive {
 
   std::string bytes_;
   std::size_t at_ = 0;
-  bool reading_ = false;
+  Mode mode_ = Mode::write;
+  std::uint64_t kinds_ = 0;  // hash of the kinds of the members so far, of the innermost section
+  int silent_ = 0;           // inside a list, whose kind is known already
 };
 
 }  // namespace fabricsh

@@ -5,8 +5,8 @@
 
 namespace fabricsh {
 
-inline std::uint64_t hash(std::string_view bytes) {
-  std::uint64_t h = 14695981039346656037ull;
+// `h`: a hash of what comes before, to go on from.
+inline std::uint64_t hash(std::string_view bytes, std::uint64_t h = 14695981039346656037ull) {
   for (const char c : bytes) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211ull;
   return h;
 }

@@ -27,11 +27,17 @@ enum class ShearMemory {
   printed,
   fading
 };  // share/doc/law.md, shear: the old branch is forgotten at once, or fades
+// Elastic-frictional shear: the loading curve is elastic, and beside it friction of the yield stress
+// stress + growth |strain|, Pa, in the measure's strain.
+struct ShearFriction {
+  double stress = 0, growth = 0;
+};
 struct Shear {
   Curve loading;
   double unloading = 0;
   Measure measure = Measure::tensor;
   ShearMemory memory = ShearMemory::printed;
+  std::optional<ShearFriction> friction = {};  // law "potential" only
 };
 
 struct Tested {  // strains up to which the curves were measured; shear in tensor E12. 0: not stated
@@ -42,13 +48,20 @@ struct Biaxial {  // optional fourth spring: y = <E11 + alpha E22 - offset>, bac
   double alpha = 0, offset = 0, loading = 0, unloading = 0;  // -, -, Pa, Pa
 };
 
+enum class FrictionMemory { slip, fading };
 struct BendingFriction {  // KES 2HB: friction moment per width, N, and the curvature (1/m) over which it
                           // builds up
   double moment = 0, curvature = 0;
+  FrictionMemory memory = FrictionMemory::slip;
 };
-struct Bending {  // rigidities, N.m (N.m^2 per metre of width); used instead of thickness integration
+// Rigidities, N.m (N.m^2 per metre of width); used instead of thickness integration. A curve in place of a
+// number: coefficients of the tangent rigidity B(kappa), N.m, N.m^2, ..., or points of curvature, 1/m, and
+// moment per width, N.
+struct Bending {
   double warp = 0, weft = 0, twist = 0;
   std::optional<BendingFriction> friction_warp, friction_weft;
+  Curve warp_curve = {}, weft_curve = {};  // empty: the number holds at any curvature
+  double tested = 0;                       // 1/m, up to which they were measured. 0: not stated
 };
 
 // Confidence bands of measured parameters, in the order loading coefficients, unloading, poisson (shear has
@@ -59,6 +72,15 @@ struct Band {
 struct Bands {
   double level = 0.95;  // probability that a parameter lies in its band
   Band warp, weft, shear;
+};
+
+// A spring and a dashpot in series beside a spring: modulus in the strain's own measure, Pa, and the time in
+// which its stress falls to 1/e at rest, s.
+struct Relaxation {
+  double modulus = 0, time = 0;
+};
+struct Viscous {
+  Relaxation shear;
 };
 
 enum class LawKind { potential, incremental, thesis };
@@ -72,7 +94,8 @@ struct Woven {
   Transverse transverse = Transverse::elastic;  // comparison laws only
   bool shear_hysteresis = true;                 // comparison laws only
   std::optional<Biaxial> biaxial;
-  std::optional<Bands> bands;  // polynomial loading curves only
+  std::optional<Viscous> viscous;  // law "potential" only
+  std::optional<Bands> bands;      // polynomial loading curves only
 };
 
 struct Svk {  // St. Venant-Kirchhoff (theory.md, 4); shear is the engineering modulus, S12 = 2 G E12
@@ -85,12 +108,20 @@ struct Linear {  // linear orthotropic, small strain [williams2010, eq. 4.2]; re
   double warp = 0, weft = 0, shear = 0, nu12 = 0, nu21 = 0;
 };
 
+// What a card takes for its bending where it is asked to, since nobody measured it.
+struct Estimate {
+  Bending bending;
+  std::string source;
+};
+
 struct Card {
   std::string name, source;
   double density = 0;    // kg/m^3
   double thickness = 0;  // m
   std::variant<Woven, Svk, Linear> law;
   std::optional<Bending> bending;
+  std::optional<Estimate> estimate = {};
+  bool through_thickness = false;  // bending by integration is meant, however stiff it is
 };
 
 }  // namespace fabricsh::card

@@ -42,6 +42,20 @@ double pair_share(const Candidate& c, const Law& law, const Corners& x, const Co
   return to >= 0.1 * from ? 1 : 0.9 * from / (from - to);
 }
 
+// Neighbours in a sheet have less way than the law, by what their lengths are scaled.
+double narrowest(const Scene& scene, double least) {
+  double gap = 0;
+  for (const Interaction& it : scene.interactions()) {
+    least = std::min(least, it.law.gap() - it.law.floor());
+    gap = std::max(gap, it.law.gap());
+  }
+  for (const Candidate& c : find_pairs(scene, scene.reference(), 0.2 * gap)) {
+    const Law& law = scene.interactions()[std::size_t(c.interaction)].law;
+    least = std::min(least, c.pair.scale * (law.gap() - law.floor()));
+  }
+  return least;
+}
+
 }  // namespace
 
 Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins) {
@@ -50,7 +64,8 @@ Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
-  gap_.assign(scene.reference().size(), 0);
+  narrowest_ = narrowest(scene, widest_);
+  gap_.assign(scene.reference().size(), widest_);
   pressure_.assign(scene.reference().size(), 0);
 }
 
@@ -127,14 +142,14 @@ void Contact::index_slots() {
   energy_.resize(touched_.size());
   guard_.resize(touched_.size());
   lost_.resize(touched_.size());
-  std::fill(gap_.begin(), gap_.end(), std::numeric_limits<double>::infinity());
+  std::fill(gap_.begin(), gap_.end(), widest_);
   std::fill(pressure_.begin(), pressure_.end(), 0);
 }
 
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion) {
   prepare(x);
   Totals totals;
-  double least = widest_;
+  double least = narrowest_;
   const auto n = std::ptrdiff_t(inner_.size());
 #pragma omp parallel for schedule(static) reduction(min : least) if (n > 256)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
@@ -154,7 +169,7 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     }
     Force& slot = slots_[std::size_t(i)];
     slot = pair_force(it.law, c.pair, corners, slides ? &sliding : nullptr);
-    least = std::min(least, slot.gap);
+    if (slot.active) least = std::min(least, slot.gap);
   }
   totals.gap = least;
   gather(force, totals);
@@ -169,11 +184,11 @@ void Contact::gather(std::span<Vec3> force, Totals& totals) {
     const auto row = std::size_t(t);
     const auto p = std::size_t(touched_[row]);
     Vec3 sum = Vec3::Zero();
-    double contact = 0, guard = 0, lost = 0, nearest = std::numeric_limits<double>::infinity();
+    double contact = 0, guard = 0, lost = 0, nearest = widest_;
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
       const Force& slot = slots_[of_point_[k] / 4];
-      nearest = std::min(nearest, slot.gap);
       if (!slot.active) continue;
+      nearest = std::min(nearest, slot.gap);
       sum += slot.on[of_point_[k] % 4];
       if (of_point_[k] % 4 != 0) continue;  // a pair's energies are counted at its first corner
       contact += slot.contact;
@@ -269,6 +284,17 @@ std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
     if (scene_->between(edge.surface, triangle.surface) == nullptr) continue;
     const std::int32_t apex = triangle.nodes[2];
     found.push_back({{edge.a, edge.b, triangle.nodes[0], apex}, 0});
+  }
+  return found;
+}
+
+Contact::Overlap Contact::nearest(std::span<const Vec3> x) {
+  prepare(x);
+  Overlap found{{-1, -1, -1, -1}, widest_};
+  for (const Candidate& c : inner_) {
+    const double gap = gap_of(c, corners_of(c, x)), scale = c.pair.scale;
+    if (gap >= law(c).gap() * scale || gap - law(c).floor() * scale >= found.gap) continue;
+    found = {c.point, gap - law(c).floor() * scale};
   }
   return found;
 }

@@ -23,8 +23,9 @@ struct Motion {
 struct Totals {
   double contact = 0, guard = 0;  // J
   double lost = 0;                // W with a Motion, J with a start: what friction takes
-  double gap = 0;  // m: the smallest gap above the floor, of all pairs within reach of contact; the largest
-                   // way that a law has between its gap and its floor where there is none
+  double gap =
+      0;  // m: the smallest gap above the floor, of all pairs within reach of contact; the smallest
+          // way between a gap and its floor that a pair can have where there is none: so none has less
   std::size_t touching = 0;  // pairs
 };
 
@@ -66,6 +67,10 @@ class Contact {
     double gap;                         // m; 0 where they cut
   };
   std::vector<Overlap> overlaps(std::span<const Vec3> x) const;
+  // The pair within reach of contact that is nearest to its floor, its gap above that; none: no corners, and
+  // the gap that contact reaches.
+  Overlap nearest(std::span<const Vec3> x);
+  double reach() const { return widest_; }  // m, above the floor: the largest of all laws
 
   // Per point: the smallest gap (m, no more than the law's) and the pressure on it (Pa) of the last forces.
   std::span<const double> gaps() const { return gap_; }
@@ -85,7 +90,7 @@ class Contact {
 
   const Scene* scene_;
   Skins skins_;
-  double widest_ = 0;  // m: the largest way between a law's gap and its floor
+  double widest_ = 0, narrowest_ = 0;  // m: the largest and smallest way between a pair's gap and its floor
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_;
   std::vector<Force> slots_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tensor/vec.hpp"
+#include "geometry/vec.hpp"
 
 namespace fabricsh::contact {
 

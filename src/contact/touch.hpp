@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-#include "tensor/vec.hpp"
+#include "geometry/vec.hpp"
 
 namespace fabricsh::contact {
 

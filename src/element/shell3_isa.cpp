@@ -116,14 +116,14 @@ inline void store_forces(const Forces3& f, double* out) {
   }
 }
 
-unsigned force(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f) {
+unsigned force(const section::Section& section, const law::Step& step, const ShellBatch& batch, double* f) {
   const Triangle t = load_triangle(section, batch);
   Totals s;
   clear(s);
   unsigned failed = 0;
   for (int g = 0; g < shell3_points; ++g) {
     Resultants r;
-    failed |= integrate(section, at, batch, columns_at(section, batch, g), strains_at(t, g), g, r, nullptr);
+    failed |= integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, nullptr);
     add(r, section.thickness, g, s);
   }
   store_forces(forces_of(t, s), f);
@@ -207,8 +207,8 @@ inline void add_geometric(const Totals& s, const Forces3& f, const Triangle& t, 
 }
 
 template <bool symmetric>
-unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f,
-                    double* out) {
+unsigned tangent_of(const section::Section& section, const law::Step& step, const ShellBatch& batch,
+                    double* f, double* out) {
   const Triangle t = load_triangle(section, batch);
   V3 b[3][2];
   for (int a = 0; a < 3; ++a)
@@ -223,7 +223,7 @@ unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const 
   for (int g = 0; g < shell3_points; ++g) {
     Resultants r;
     Stiffness k;
-    failed |= integrate(section, at, batch, columns_at(section, batch, g), strains_at(t, g), g, r, &k);
+    failed |= integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, &k);
     add(r, section.thickness, g, s);
     fill_shear(t, section.thickness, g, b, B);
     add_material<symmetric>(B, k, K);
@@ -237,10 +237,10 @@ unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const 
   return failed;
 }
 
-unsigned tangent(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f,
+unsigned tangent(const section::Section& section, const law::Step& step, const ShellBatch& batch, double* f,
                  double* out) {
-  return section.symmetric ? tangent_of<true>(section, at, batch, f, out)
-                           : tangent_of<false>(section, at, batch, f, out);
+  return section.symmetric ? tangent_of<true>(section, step, batch, f, out)
+                           : tangent_of<false>(section, step, batch, f, out);
 }
 
 void strain(const section::Section& section, const ShellBatch& batch, double* E) {

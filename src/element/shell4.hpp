@@ -17,9 +17,9 @@
 #include <functional>
 #include <vector>
 
-#include "base/isa.hpp"
+#include "geometry/vec.hpp"
 #include "section/section.hpp"
-#include "tensor/vec.hpp"
+#include "simd/isa.hpp"
 
 namespace fabricsh::element {
 
@@ -82,8 +82,8 @@ using Shell4Batch = ShellBatch;
 // f   24 per lane: internal force on x (12, N) and on d (12, N m), the derivative of the internal energy.
 // K   20x20 per lane, column-major: tangent on (u, q) with the directors' second variation -(f_d . d) I2 of
 // the INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
-using Shell4Force = unsigned (*)(const section::Section&, fabric::AtSwitch, const Shell4Batch&, double* f);
-using Shell4Tangent = unsigned (*)(const section::Section&, fabric::AtSwitch, const Shell4Batch&, double* f,
+using Shell4Force = unsigned (*)(const section::Section&, const law::Step&, const Shell4Batch&, double* f);
+using Shell4Tangent = unsigned (*)(const section::Section&, const law::Step&, const Shell4Batch&, double* f,
                                    double* K);
 using Shell4Strain = void (*)(const section::Section&, const Shell4Batch&, double* E);
 // kappa  [gauss][3] material curvatures k11 k22 2k12 at the section's first thickness point, 1/m.

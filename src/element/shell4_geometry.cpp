@@ -96,12 +96,12 @@ Mat3 weighing_tangent(const section::Section& section, const PointFrame& middle,
   Mat3 sum = Mat3::Zero();
   constexpr int in_plane[3] = {0, 1, 4};
   const bool linear = std::all_of(section.points.begin(), section.points.end(),
-                                  [](const auto& point) { return fabric::linear(*point.law); });
+                                  [](const auto& point) { return law::linear(*point.law); });
   for (std::size_t k = 0; k < section.points.size(); ++k) {
     Mat3 C3 = Vec3(1, 1, 0.5).asDiagonal();
     if (linear) {
       double E[5] = {}, S[5], C[25];
-      fabric::evaluate(*section.points[k].law, fabric::AtSwitch::loading, E, nullptr, nullptr, S, C);
+      law::evaluate(*section.points[k].law, law::Step{}, E, nullptr, nullptr, S, C);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) C3(i, j) = C[5 * in_plane[i] + in_plane[j]];
     }

@@ -13,7 +13,8 @@ using Tangent4 = Tangent<kX, kD>;
 
 // The loops over the points are apart, so that the law's stands once and the others are unrolled.
 template <Sharing sharing>
-unsigned force_of(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f) {
+unsigned force_of(const section::Section& section, const law::Step& step, const Shell4Batch& batch,
+                  double* f) {
   const Kinematics k = kinematics(batch);
   const Shell4Layout layout(static_cast<int>(section.points.size()));
   Pack gamma[4];
@@ -26,7 +27,7 @@ unsigned force_of(const section::Section& section, fabric::AtSwitch at, const Sh
   unsigned failed = 0;
   for (int g = 0; g < gauss_points; ++g) {
     const int first = layout.point(sharing == Sharing::element ? 0 : g, 0);
-    failed |= integrate(section, at, batch, batch.geometry + first * lanes, p[g], g, r[g], nullptr);
+    failed |= integrate(section, step, batch, batch.geometry + first * lanes, p[g], g, r[g], nullptr);
   }
   Forces forces;
   clear(forces);
@@ -37,11 +38,11 @@ unsigned force_of(const section::Section& section, fabric::AtSwitch at, const Sh
   return failed;
 }
 
-unsigned force(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f) {
+unsigned force(const section::Section& section, const law::Step& step, const Shell4Batch& batch, double* f) {
   if (batch.sharing == Sharing::element && section.plain != nullptr)
-    return force_of<Sharing::element>(section, at, batch, f);
-  if (batch.sharing != Sharing::none) return force_of<Sharing::through>(section, at, batch, f);
-  return force_of<Sharing::none>(section, at, batch, f);
+    return force_of<Sharing::element>(section, step, batch, f);
+  if (batch.sharing != Sharing::none) return force_of<Sharing::through>(section, step, batch, f);
+  return force_of<Sharing::none>(section, step, batch, f);
 }
 
 // How the edges' directors follow the rotations: each edge has four columns, two of its first node and two of
@@ -230,8 +231,8 @@ inline void add_edge_geometric(const Kinematics& k, const Geometric& s, const Fo
 }
 
 template <bool symmetric>
-unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f,
-                    double* out) {
+unsigned tangent_of(const section::Section& section, const law::Step& step, const Shell4Batch& batch,
+                    double* f, double* out) {
   const Kinematics k = kinematics(batch);
   const Rotations q = rotations(k, batch.b);
   const Shell4Layout layout(static_cast<int>(section.points.size()));
@@ -251,7 +252,8 @@ unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const 
     const InPlane p = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
     Resultants r;
     Stiffness stiffness;
-    failed |= integrate(section, at, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, &stiffness);
+    failed |=
+        integrate(section, step, batch, batch.geometry + layout.point(g, 0) * lanes, p, g, r, &stiffness);
     add_force(p, r, section.thickness, g, forces);
     add_geometric(r, g, geometric);
     position_columns(k, p, samples, section.thickness, g, B);
@@ -277,10 +279,10 @@ unsigned tangent_of(const section::Section& section, fabric::AtSwitch at, const 
   return failed;
 }
 
-unsigned tangent(const section::Section& section, fabric::AtSwitch at, const Shell4Batch& batch, double* f,
+unsigned tangent(const section::Section& section, const law::Step& step, const Shell4Batch& batch, double* f,
                  double* out) {
-  return section.symmetric ? tangent_of<true>(section, at, batch, f, out)
-                           : tangent_of<false>(section, at, batch, f, out);
+  return section.symmetric ? tangent_of<true>(section, step, batch, f, out)
+                           : tangent_of<false>(section, step, batch, f, out);
 }
 
 // The in-plane points one after the other: visit(g, strains, first transform).

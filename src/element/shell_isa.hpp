@@ -2,9 +2,9 @@
 // material ones and back, the law through the thickness. Included by the *_isa.cpp of this room only.
 #pragma once
 #include "element/shell4.hpp"
-#include "fabric/part.hpp"
-#include "fabric/potential.hpp"
-#include "tensor/pack.hpp"
+#include "law/part.hpp"
+#include "law/potential.hpp"
+#include "simd/pack.hpp"
 
 namespace fabricsh::element {
 inline namespace FABRICSH_ISA {
@@ -166,21 +166,24 @@ inline void add_symmetric_tangent(const Transform& t, const double* C, double z,
 }
 
 // Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point, with
-// friction states s0, s1 (slip and lost of warp, then of weft; null without friction).
-inline void add_bending(const section::Section& section, fabric::AtSwitch at, const Strains& p,
+// friction states s0, s1 (slip, lost and, where it fades, last of warp, then of weft; null without friction).
+inline void add_bending(const section::Section& section, const law::Step& step, const Strains& p,
                         const Transform& t, const double* s0, double* s1, Resultants& r, Stiffness* k) {
   const Pack area = t.weight / Pack(section.thickness);
   constexpr int row[3] = {0, 1, 4};
   for (int m = 0; m < 3; ++m) {
     const Pack* L = t.L[row[m]];
     const Pack kappa = L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2];
-    fabric::BendingState<Pack> state;
+    law::BendingState<Pack> state;
     const bool rubs = s0 != nullptr && m < 2;
-    if (rubs) state = {load(s0 + 2 * m * lanes), load(s0 + (2 * m + 1) * lanes)};
-    const auto bent = fabric::bending_moment(section.bending[m], at, kappa, state);
+    const int first = section.bending_states * m * lanes;
+    if (rubs) state = {load(s0 + first), load(s0 + first + lanes)};
+    if (rubs && section.bending_states == 3) state.last = load(s0 + first + 2 * lanes);
+    const auto bent = law::bending_moment(section.bending[m], step.at, kappa, state);
     if (rubs) {
-      store(s1 + 2 * m * lanes, state.slip);
-      store(s1 + (2 * m + 1) * lanes, state.lost);
+      store(s1 + first, state.slip);
+      store(s1 + first + lanes, state.lost);
+      if (section.bending_states == 3) store(s1 + first + 2 * lanes, state.last);
     }
     for (int i = 0; i < 3; ++i) {
       r.M[i] += L[i] * area * bent.M;
@@ -195,20 +198,21 @@ inline double height(const section::Section& section, int k) {
 }
 
 // Bending of in-plane point g, with the transform of the section's only point.
-inline void add_bending_at(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch,
+inline void add_bending_at(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                            const Strains& p, const Transform& t, int g, Resultants& r, Stiffness* k) {
   const bool rubs = section.bending_state >= 0;
   const long offset = static_cast<long>(g * section.state_size + section.bending_state) * lanes;
-  add_bending(section, at, p, t, rubs ? batch.s0 + offset : nullptr, rubs ? batch.s1 + offset : nullptr, r,
+  add_bending(section, step, p, t, rubs ? batch.s0 + offset : nullptr, rubs ? batch.s1 + offset : nullptr, r,
               k);
 }
 
 // Law updates through the thickness where one plain law and one transform hold: strains E = e + z k + z^2 q
 // and resultants in material axes. The sum of the stresses shows whether any of them is not finite.
-[[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section, fabric::AtSwitch at,
-                                                         const ShellBatch& batch, const Transform& t,
-                                                         const Strains& p, int g, Resultants& r) {
-  constexpr int row[3] = {0, 1, 4}, states = fabric::potential_state::count;
+[[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section,
+                                                         const law::Step& step, const ShellBatch& batch,
+                                                         const Transform& t, const Strains& p, int g,
+                                                         Resultants& r) {
+  constexpr int row[3] = {0, 1, 4}, states = law::potential_state::count;
   Pack e[3], k[3], q[3], E[5], old[states], trial[states];
   for (int i = 0; i < 3; ++i) {
     const Pack* L = t.L[row[i]];
@@ -225,7 +229,7 @@ inline void add_bending_at(const section::Section& section, fabric::AtSwitch at,
     for (int i = 0; i < 3; ++i) E[row[i]] = e[i] + z * (k[i] + z * q[i]);
     const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
     for (int i = 0; i < states; ++i) old[i] = load(batch.s0 + offset + i * lanes);
-    const auto out = fabric::potential_update(*section.plain, at, E, old, trial);
+    const auto out = law::potential_update(*section.plain, step.at, E, old, trial);
     for (int i = 0; i < states; ++i) store(batch.s1 + offset + i * lanes, trial[i]);
     for (int i = 0; i < 3; ++i) {
       const Pack S = weight * out.S[row[i]], zS = z * S;
@@ -243,16 +247,16 @@ inline void add_bending_at(const section::Section& section, fabric::AtSwitch at,
     r.K[j] = L[0] * m.K[0] + L[1] * m.K[1] + L[2] * m.K[2];
   }
   for (int j = 0; j < 2; ++j) r.Q[j] = volume * (t.L[2][3 + j] * m.Q[0] + t.L[3][3 + j] * m.Q[1]);
-  if (section.bends_apart) add_bending_at(section, at, batch, p, t, g, r, nullptr);
+  if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, nullptr);
   const Pack sum = (m.N[0] + m.N[1]) + (m.N[2] + m.Q[0]) + m.Q[1];
   return bits(!(sum - sum == Pack(0.0)));
 }
 
 // Law evaluations of in-plane point g, all through the thickness; columns: its first transform.
-inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, const ShellBatch& batch,
+inline unsigned integrate(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                           const double* columns, const Strains& p, int g, Resultants& r, Stiffness* k) {
   if (k == nullptr && batch.sharing != Sharing::none && section.plain != nullptr)
-    return integrate_plain(section, at, batch, transform(columns), p, g, r);
+    return integrate_plain(section, step, batch, transform(columns), p, g, r);
   const int n = static_cast<int>(section.points.size());
   alignas(64) double E[5 * lanes], S[5 * lanes], C[25 * lanes];
   unsigned failed = 0;
@@ -264,11 +268,11 @@ inline unsigned integrate(const section::Section& section, fabric::AtSwitch at, 
     const double z = height(section, i);
     material_strain(p, t, z, E);
     const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
-    failed |= fabric::part_for(*point.law)(*point.law, at, E, batch.s0 + offset, batch.s1 + offset, S,
-                                           k != nullptr ? C : nullptr);
+    failed |= law::part_for(*point.law)(*point.law, step, E, batch.s0 + offset, batch.s1 + offset, S,
+                                        k != nullptr ? C : nullptr);
     add_stress(t, S, z, r);
     if (k != nullptr) section.symmetric ? add_symmetric_tangent(t, C, z, *k) : add_tangent(t, C, z, *k);
-    if (section.bends_apart) add_bending_at(section, at, batch, p, t, g, r, k);
+    if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, k);
   }
   return failed;
 }
@@ -284,11 +288,11 @@ template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4C
           Shell4Inverted inverted>
 Shell4Kernels kernels_of_parts() {
   using section::Section;
-  return {[](const Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f) {
-            return at_parts([&](int i) { return force(section, at, part(batch, i), f + i); });
+  return {[](const Section& section, const law::Step& step, const ShellBatch& batch, double* f) {
+            return at_parts([&](int i) { return force(section, step, part(batch, i), f + i); });
           },
-          [](const Section& section, fabric::AtSwitch at, const ShellBatch& batch, double* f, double* K) {
-            return at_parts([&](int i) { return tangent(section, at, part(batch, i), f + i, K + i); });
+          [](const Section& section, const law::Step& step, const ShellBatch& batch, double* f, double* K) {
+            return at_parts([&](int i) { return tangent(section, step, part(batch, i), f + i, K + i); });
           },
           [](const Section& section, const ShellBatch& batch, double* E) {
             for (int i = 0; i < lanes; i += pack_width) strain(section, part(batch, i), E + i);

@@ -8,7 +8,7 @@
 
 namespace fabricsh::lab {
 
-using files::Image;
+using format::Image;
 
 namespace {
 
@@ -230,7 +230,7 @@ std::vector<double> true_positions(const Scene& s) {
   return out;
 }
 
-files::Image photograph(const Scene& s) {
+format::Image photograph(const Scene& s) {
   const double det = s.F[0] * s.F[3] - s.F[1] * s.F[2];
   const std::array<double, 4> inverse{s.F[3] / det, -s.F[1] / det, -s.F[2] / det, s.F[0] / det};
   Image image{s.width, s.height,

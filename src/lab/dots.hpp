@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "files/image.hpp"
+#include "format/image.hpp"
 
 namespace fabricsh::lab {
 
@@ -25,7 +25,7 @@ struct DotOptions {
 // Connected spots beyond the threshold between ground and dots (Otsu's, of the picture smoothed over three
 // pixels [otsu1979]), not touching the rim. The middle is that of a blurred ellipse fitted to the pixels; of
 // a blot that is no ellipse, the centroid of its darkness.
-std::vector<Dot> find_dots(const files::Image& image, const DotOptions& options);
+std::vector<Dot> find_dots(const format::Image& image, const DotOptions& options);
 
 // A dot grid under an affine map, as a camera would take it.
 struct Scene {
@@ -38,7 +38,7 @@ struct Scene {
   double noise = 0.01;                  // of a pixel, brightness
   std::uint64_t seed = 1;
 };
-files::Image photograph(const Scene& scene);
+format::Image photograph(const Scene& scene);
 // Where the dots of the scene truly are, row by row: x0, y0, x1, y1, ...
 std::vector<double> true_positions(const Scene& scene);
 

@@ -39,7 +39,7 @@ struct Picture {
   using ValueType = Vector;
   using JacobianType = Eigen::MatrixXd;
 
-  const files::Image& image;
+  const format::Image& image;
   Window w;
 
   int inputs() const { return kParameters; }
@@ -56,7 +56,7 @@ struct Picture {
 
 }  // namespace
 
-std::optional<Ellipse> fit_ellipse(const files::Image& image, const Window& window, const Ellipse& start,
+std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& window, const Ellipse& start,
                                    double largest_rest) {
   Eigen::NumericalDiff<Picture> picture(Picture{image, window});
   Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Picture>> search(picture);

@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "files/image.hpp"
+#include "format/image.hpp"
 
 namespace fabricsh::lab {
 
@@ -21,7 +21,7 @@ struct Ellipse {
 // part of a Gaussian point spread that a straight rim at the pixel's distance covers. Every pixel of the rim
 // has its say, so noise weighs no more than it must. Nothing: it does not settle near `start`, or what
 // remains is more than `largest_rest` of the contrast (root mean square): no ellipse.
-std::optional<Ellipse> fit_ellipse(const files::Image& image, const Window& window, const Ellipse& start,
+std::optional<Ellipse> fit_ellipse(const format::Image& image, const Window& window, const Ellipse& start,
                                    double largest_rest);
 
 }  // namespace fabricsh::lab

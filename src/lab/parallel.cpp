@@ -16,8 +16,8 @@
 #include <optional>
 #include <system_error>
 
-#include "base/computing_time.hpp"
 #include "base/error.hpp"
+#include "system/computing_time.hpp"
 
 namespace fabricsh::lab {
 

@@ -24,7 +24,7 @@ struct Processes {
 
 // work(i) for i = 0 .. count-1, some at a time, each in a forked copy with one thread that ends with this
 // process; the answers in order. One that is killed, or calls exit(), has trouble that says so. With one at a
-// time nothing is forked unless `always`. A limit on computing time (base/computing_time.hpp) holds for all
+// time nothing is forked unless `always`. A limit on computing time (system/computing_time.hpp) holds for all
 // together. Error: nothing is left of it.
 std::vector<Answer> in_processes(std::size_t count,
                                  const std::function<std::vector<double>(std::size_t)>& work,

@@ -30,6 +30,8 @@ class Pattern {
   // The place of an entry among the values. An entry outside the pattern is a bug: asserted in debug builds,
   // and in release builds an exception rather than a neighbour's entry.
   Index slot(Index r, Index c) const;
+  // This pattern with further entries, columns as in the constructor.
+  Pattern with(std::vector<std::vector<Index>>&& further) const;
 };
 
 struct Matrix {
@@ -44,6 +46,8 @@ struct Matrix {
   void clear();  // all entries zero
   // Takes another pattern where its version differs; the values are then zero.
   void follow(const std::shared_ptr<const Pattern>& p);
+  // Takes another pattern with all values. One outside of it must be zero: a bug otherwise, as in add().
+  void carry(const std::shared_ptr<const Pattern>& p);
 };
 
 }  // namespace fabricsh::linear

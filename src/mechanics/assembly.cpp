@@ -2,42 +2,74 @@
 
 #include <algorithm>
 
+#include "geometry/node_view.hpp"
+#include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/loads.hpp"
-#include "tensor/node_view.hpp"
 
 namespace fabricsh::mechanics {
 
 template <class T, class... Arguments>
-T* Assembly::add(Arguments&&... arguments) {
-  auto term = std::make_unique<T>(std::forward<Arguments>(arguments)...);
-  T* made = term.get();
-  terms_.push_back(std::move(term));
-  return made;
+T* Assembly::make(Arguments&&... arguments) {
+  return &add(std::make_unique<T>(std::forward<Arguments>(arguments)...));
 }
 
 Assembly::Assembly(const model::Model& model)
     : model_(model), configuration_(model.mesh().nodes.size()), dofs_(model, configuration_) {
-  cloth_ = add<Cloth>(model, configuration_, dofs_.reference_directors());
+  cloth_ = make<Cloth>(model, configuration_, dofs_.reference_directors());
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
-    add<Gravity>(model, cloth_->mass(), cloth_->mass_moment());
-  if (!model.forces().empty() || !model.tractions().empty()) add<DeadLoads>(model);
-  if (!model.pressures().empty()) add<Pressure>(model);
-  if (!model.moments().empty()) moments_ = add<Moments>(model)->moments();
-  if (!model.springs().empty()) add<Springs>(model);
+    make<Gravity>(model, cloth_->mass(), cloth_->mass_moment());
+  if (!model.forces().empty() || !model.tractions().empty()) make<DeadLoads>(model);
+  if (!model.pressures().empty()) make<Pressure>(model);
+  if (!model.moments().empty()) moments_ = make<Moments>(model)->moments();
+  if (!model.springs().empty()) make<Springs>(model);
+  if (model.interactions().any())
+    contact_ = make<Contacts>(model, std::as_const(configuration_), *cloth_, freedoms());
   force_x_.assign(3 * configuration_.nodes(), 0);
   force_d_.assign(3 * configuration_.nodes(), 0);
 }
 
 Assembly::~Assembly() = default;
 
+void Assembly::begin_iterate() {
+  dofs_.begin_iterate();
+  if (contact_ != nullptr) contact_->begin_iterate();
+}
+
+void Assembly::retract(std::span<const double> delta, double scale, std::span<const double> targets) {
+  dofs_.retract(delta, scale, targets);
+  if (contact_ != nullptr) contact_->move(scale);
+}
+
+// Supports go the whole way whatever the share is: where that is not safe either, no share is.
+double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
+  constexpr int tries = 5;
+  double share = limit_of_terms(delta, targets);
+  if (contact_ == nullptr || !(share > 0)) return share;
+  contact_->mark(trial());
+  retract(delta, 1, targets);
+  share = std::min(share, contact_->safe_share(trial()));
+  for (int i = 0; share < 1 && share > 0; ++i) {
+    retract(delta, share, targets);
+    const double again = contact_->safe_share(trial());
+    if (again >= 1) return share;
+    if (i == tries) return 0;
+    share *= again;
+  }
+  return share;
+}
+
+bool Assembly::arrived() const { return contact_ == nullptr || contact_->arrived(); }
+
 void Assembly::commit(double time) {
   configuration_.commit(time);
   for (auto& term : terms_) term->commit();
+  committed_coupled_ = coupled_;
 }
 
 void Assembly::rollback() {
   configuration_.rollback();
   for (auto& term : terms_) term->rollback();
+  if (coupled_ != committed_coupled_) couple(committed_coupled_);
 }
 
 void Assembly::aim(double time) {
@@ -45,46 +77,76 @@ void Assembly::aim(double time) {
   for (auto& term : terms_) term->aim(time);
 }
 
-// The forces of all terms but the cloth.
-Outcome Assembly::add_rest(const fabric::Step& step, Forces& forces) {
-  Outcome outcome;
+// The forces of all terms but the cloth, and the worst of all outcomes.
+Outcome Assembly::with_rest(Outcome worst, const law::Step& step, Forces& forces) {
   for (std::size_t i = 1; i < terms_.size(); ++i) {
-    const Outcome one = terms_[i]->add_forces(step, trial(), forces);
-    outcome.failed_element = std::max(outcome.failed_element, one.failed_element);
+    Outcome one = terms_[i]->add_forces(step, trial(), forces);
+    if (one.answer > worst.answer) worst = std::move(one);
   }
-  return outcome;
+  return worst;
 }
 
-bool Assembly::forces(const fabric::Step& step) {
+bool Assembly::take(Outcome outcome) {
+  outcome_ = std::move(outcome);
+  return outcome_.ok();
+}
+
+bool Assembly::forces(const law::Step& step) {
   Forces sums = this->sums();
-  const Outcome cloth = cloth_->add_forces(step, trial(), sums), rest = add_rest(step, sums);
-  failed_element_ = std::max(cloth.failed_element, rest.failed_element);
-  return failed_element_ < 0;
+  return take(with_rest(cloth_->add_forces(step, trial(), sums), step, sums));
 }
 
-void Assembly::need_stiffness() {
-  if (stiffness_) return;
-  std::vector<std::pair<Index, Index>> pairs;
-  for (const auto& term : terms_) term->couple(pairs);
-  stiffness_ = std::make_unique<Stiffness>(dofs_, cloth_->batches(), cloth_->places(), pairs);
+// Leaves the trial configuration at the iterate, where a term limits steps.
+double Assembly::limit_of_terms(std::span<const double> delta, std::span<const double> targets) {
+  if (std::none_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->limits(); })) return 1;
+  dofs_.retract(delta, 1, targets);
+  const auto end = std::as_const(configuration_).x();
+  std::vector<double> way(end.begin(), end.end());
+  dofs_.return_to_iterate();
+  const auto from = std::as_const(configuration_).x();
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] -= from[i];
+  double share = 1;
+  for (const auto& term : terms_) share = std::min(share, term->limit(trial(), way));
+  return share;
+}
+
+void Assembly::couple(std::vector<NodePair> pairs) {
+  if (stiffness_) stiffness_->couple(pairs);
+  coupled_ = std::move(pairs);
+}
+
+// The pattern holds what the terms want to couple at the trial configuration.
+void Assembly::couple() {
+  if (!stiffness_) {
+    stiffness_ = std::make_unique<Stiffness>(dofs_, cloth_->batches(), cloth_->places());
+    stiffness_->couple(coupled_);
+  }
+  std::vector<NodePair> wanted;
+  for (const auto& term : terms_) term->couple(trial(), wanted);
+  for (auto& [a, b] : wanted)
+    if (a > b) std::swap(a, b);
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  if (!std::includes(coupled_.begin(), coupled_.end(), wanted.begin(), wanted.end()))
+    couple(std::move(wanted));
 }
 
 const std::shared_ptr<const linear::Pattern>& Assembly::pattern() {
-  need_stiffness();
+  if (!stiffness_) couple();
   return stiffness_->pattern();
 }
 
-bool Assembly::tangent(const fabric::Step& step, linear::Matrix& K, std::span<const double> lead,
+bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const double> lead,
                        std::span<double> product) {
+  couple();
   K.follow(pattern());
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  const Outcome cloth = cloth_->scatter_tangents(step, false, *stiffness_, to);
+  Outcome cloth = cloth_->scatter_tangents(step, false, *stiffness_, to);
   Forces sums = this->sums();
   cloth_->sum_forces(sums);
-  const Outcome rest = add_rest(step, sums);
-  failed_element_ = std::max(cloth.failed_element, rest.failed_element);
+  outcome_ = with_rest(std::move(cloth), step, sums);
   stiffness_->scatter_tied(to);
   Stiffness::Sink sink(*stiffness_, to);
   for (const auto& term : terms_) term->add_tangent(trial(), sink);
@@ -93,7 +155,7 @@ bool Assembly::tangent(const fabric::Step& step, linear::Matrix& K, std::span<co
     external(aimed_, dead);
     stiffness_->add_body_stiffness(configuration_, force_x_, force_d_, dead, moments_, to);
   }
-  return failed_element_ < 0;
+  return outcome_.ok();
 }
 
 bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product) {
@@ -101,13 +163,13 @@ bool Assembly::material_tangent(linear::Matrix& K, std::span<const double> lead,
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  failed_element_ = cloth_->scatter_tangents({}, true, *stiffness_, to).failed_element;
+  outcome_ = cloth_->scatter_tangents({}, true, *stiffness_, to);
   stiffness_->scatter_tied(to);
-  return failed_element_ < 0;
+  return outcome_.ok();
 }
 
 void Assembly::add_diagonal(std::span<const double> c_x, std::span<const double> c_d, linear::Matrix& K) {
-  need_stiffness();
+  pattern();
   stiffness_->add_diagonal(c_x, c_d, K);
 }
 
@@ -157,10 +219,51 @@ void Assembly::working_forces(std::span<const double> dead, WorkingForces& out) 
   }
 }
 
+void Assembly::expect_energies(bool expected) {
+  for (auto& term : terms_) term->expect_energies(expected);
+}
+
+double Assembly::step_work() const {
+  double sum = 0;
+  for (const auto& term : terms_) sum += term->step_work();
+  return sum;
+}
+
 std::vector<Energy> Assembly::energies() const {
   std::vector<Energy> all;
   for (const auto& term : terms_) term->add_energies(trial(), all);
   return all;
+}
+
+OnMass Assembly::on_mass() const {
+  OnMass sum;
+  for (const auto& term : terms_) {
+    const OnMass one = term->on_mass();
+    sum.acceleration += one.acceleration;
+    sum.velocity += one.velocity;
+  }
+  return sum;
+}
+
+bool Assembly::begin_step() {
+  Outcome worst;
+  for (auto& term : terms_) {
+    Outcome one = term->begin_step(*motion_);
+    if (one.answer > worst.answer) worst = std::move(one);
+  }
+  return take(std::move(worst));
+}
+
+void Assembly::resist(std::span<double> r) {
+  for (auto& term : terms_) term->resist(trial(), r);
+}
+
+void Assembly::add_resistance(linear::Matrix& K) {
+  for (auto& term : terms_) term->add_resistance(trial(), K);
+}
+
+void Assembly::finish_step() {
+  for (auto& term : terms_) term->finish_step(*motion_);
 }
 
 double Assembly::stable_step(bool scaled) const {
@@ -170,11 +273,20 @@ double Assembly::stable_step(bool scaled) const {
 }
 
 void Assembly::keep(Archive& archive) {
-  configuration_.keep(archive);
-  for (auto& term : terms_) term->keep(archive);
-  archive.filled(force_x_);
-  archive.filled(force_d_);
-  if (archive.reading()) rollback();
+  archive.section("configuration", [&] { configuration_.keep(archive); });
+  for (auto& term : terms_) archive.section(term->name(), [&] { term->keep(archive); });
+  archive.section("forces", [&] {
+    archive.filled(force_x_);
+    archive.filled(force_d_);
+  });
+  std::vector<Index> pairs;  // the pattern's, on which the bits of a solve hang
+  for (const auto& [a, b] : coupled_) pairs.insert(pairs.end(), {a, b});
+  archive.section("couplings", [&] { archive(pairs); });
+  if (!archive.reading()) return;
+  committed_coupled_.clear();
+  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
+    committed_coupled_.emplace_back(pairs[i], pairs[i + 1]);
+  rollback();
 }
 
 }  // namespace fabricsh::mechanics

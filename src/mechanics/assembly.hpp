@@ -19,6 +19,8 @@
 
 namespace fabricsh::mechanics {
 
+class Contacts;
+
 // What does work on the cloth from outside, 3 per node, global.
 struct WorkingForces {
   std::vector<double> on_x;  // N
@@ -36,35 +38,54 @@ class Assembly {
   const Dofs& dofs() const { return dofs_; }
   const Freedoms& freedoms() const { return dofs_.freedoms(); }
   const Cloth& cloth() const { return *cloth_; }
+  Contacts* contact() { return contact_; }  // null: nothing touches
+  const Contacts* contact() const { return contact_; }
   const std::vector<Vec3>& reference() const { return dofs_.reference(); }
   Configuration& state() { return configuration_; }
   const Configuration& state() const { return configuration_; }
   const std::vector<std::unique_ptr<Term>>& terms() const { return terms_; }
+  // A further term, before the first forces; which it returns.
+  template <class T>
+  T& add(std::unique_ptr<T> term) {
+    T& made = *term;
+    terms_.push_back(std::move(term));
+    return made;
+  }
 
   // --- configurations: see Dofs
-  void begin_iterate() { dofs_.begin_iterate(); }
-  void retract(std::span<const double> delta, double scale, std::span<const double> targets) {
-    dofs_.retract(delta, scale, targets);
-  }
+  void begin_iterate();
+  void retract(std::span<const double> delta, double scale, std::span<const double> targets);
+  // Has all that the step drives beside the supports come to where it ends.
+  bool arrived() const;
   std::vector<double> targets(double time) const { return dofs_.targets(time); }
   void commit(double time);
   void rollback();
   void aim(double time);  // of the next forces and tangents, whose loads are taken then
 
-  // --- at the trial configuration. False: some term failed (see failed_element).
-  bool forces(const fabric::Step& step);  // internal forces, trial states
+  // The share of a step from the iterate along delta, supports at their targets, that all terms take for
+  // safe, 0 to 1. Leaves the trial configuration somewhere along it. Of the terms but contact, whose explicit
+  // steps have a guard of their own: limit_of_terms.
+  double limit(std::span<const double> delta, std::span<const double> targets);
+  double limit_of_terms(std::span<const double> delta, std::span<const double> targets);
+
+  // --- at the trial configuration. False: some term failed (see outcome).
+  bool forces(const law::Step& step);  // internal forces, trial states
   // Tangent into K, which takes the pattern. With `lead` (increments of the driven freedoms) also the product
   // of the coupling block with them, one number per unknown, into `product`.
-  bool tangent(const fabric::Step& step, linear::Matrix& K, std::span<const double> lead,
+  bool tangent(const law::Step& step, linear::Matrix& K, std::span<const double> lead,
                std::span<double> product);
   // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]; forces stay as
   // they are. lead, product: as tangent().
   bool material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product);
-  Index failed_element() const { return failed_element_; }
+  const Outcome& outcome() const {
+    return outcome_;
+  }  // of the last forces or tangent: the worst of the terms'
   // c_x on the diagonal of the nodes' displacements, c_d on that of their rotations, through ties.
   void add_diagonal(std::span<const double> c_x, std::span<const double> c_d, linear::Matrix& K);
-  const std::shared_ptr<const linear::Pattern>& pattern();  // made when first asked for
-  bool symmetric() const;                                   // is every term's tangent symmetric
+  // Made when first asked for, and anew where terms couple more nodes than it holds (see Term::couple). A
+  // rollback goes back to the pairs that the last commit found.
+  const std::shared_ptr<const linear::Pattern>& pattern();
+  bool symmetric() const;  // is every term's tangent symmetric
 
   // Dead loads at a time, 3 per node, N, global.
   void external(double time, std::vector<double>& out) const;
@@ -72,6 +93,7 @@ class Assembly {
   void follower(double time, std::vector<double>& on_x) const;
   bool constant_loads() const;  // dead loads: the same at all times
   bool symmetric_loads() const;
+  bool hangs_on_time() const { return cloth_->hangs_on_time(); }  // do stresses change while nothing moves
   // r = f_ext - f_int on the unknowns, along the nodes' frames. on_d: N m, further forces on directors.
   void residual(std::span<const double> external, std::span<double> r,
                 std::span<const double> on_d = {}) const {
@@ -94,13 +116,24 @@ class Assembly {
   void working_forces(std::span<const double> dead, WorkingForces& out);
   // Are the working forces the dead loads alone, the same at all times?
   bool constant_work() const;
+  void expect_energies(bool expected);  // see Term
+  // J, done in the step from outside by what neither loads nor supports do.
+  double step_work() const;
   // Energies of all terms by name, at the trial configuration.
   std::vector<Energy> energies() const;
 
   double largest_share() const { return cloth_->largest_share(); }
   Strained most_strained() const { return cloth_->most_strained(); }
+  double share(Index element) const { return cloth_->share(element); }
 
   // --- motion
+  // Of the steps of a run, null: none; kept by reference. Terms that hang on it are added by the run.
+  void set_motion(const Motion* motion) { motion_ = motion; }
+  OnMass on_mass() const;                  // the sum of the terms'
+  bool begin_step();                       // see Term; false: some term failed (see outcome)
+  void resist(std::span<double> r);        // see Term
+  void add_resistance(linear::Matrix& K);  // see Term
+  void finish_step();                      // before commit()
   // kg per unknown displacement, kg m^2 per unknown rotation, lumped. Error: ties whose lumped mass is not
   // positive.
   std::vector<double> lumped_mass(bool scaled) const {
@@ -134,22 +167,27 @@ class Assembly {
 
  private:
   template <class T, class... Arguments>
-  T* add(Arguments&&... arguments);
-  Trial trial() const { return {configuration_, dofs_.reference(), aimed_}; }
+  T* make(Arguments&&... arguments);
+  Trial trial() const { return {configuration_, dofs_.reference(), aimed_, motion_}; }
   Forces sums() { return {force_x_, force_d_}; }
-  Outcome add_rest(const fabric::Step& step, Forces& forces);
-  void need_stiffness();
+  bool take(Outcome outcome);  // keeps it; is it ok
+  Outcome with_rest(Outcome cloth, const law::Step& step, Forces& forces);
+  void couple();
+  void couple(std::vector<NodePair> pairs);
 
   const model::Model& model_;
   Configuration configuration_;
   Dofs dofs_;
   std::vector<std::unique_ptr<Term>> terms_;  // the cloth first
   Cloth* cloth_ = nullptr;
+  Contacts* contact_ = nullptr;
   const std::vector<Vec3>* moments_ = nullptr;  // of the term that has them
   std::unique_ptr<Stiffness> stiffness_;
-  std::vector<double> force_x_, force_d_;  // internal, 3 per node
-  double aimed_ = 0;                       // s
-  Index failed_element_ = -1;
+  std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
+  std::vector<double> force_x_, force_d_;              // internal, 3 per node
+  double aimed_ = 0;                                   // s
+  const Motion* motion_ = nullptr;
+  Outcome outcome_;
 };
 
 }  // namespace fabricsh::mechanics

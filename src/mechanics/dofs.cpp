@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
 #include "mechanics/mesh_tools.hpp"
-#include "tensor/node_view.hpp"
-#include "tensor/turning.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -93,6 +93,13 @@ void Dofs::begin_iterate() {
   if (iterate_is_committed_) return;
   const auto k = std::as_const(configuration_).kinematics();
   iterate_.assign(k.begin(), k.end());
+}
+
+void Dofs::return_to_iterate() {
+  if (iterate_is_committed_) return configuration_.rollback();
+  configuration_.overwrite();
+  std::copy(iterate_.begin(), iterate_.end(), configuration_.kinematics().begin());
+  configuration_.touch();
 }
 
 std::span<const double> Dofs::iterate() const {

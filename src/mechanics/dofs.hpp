@@ -8,7 +8,7 @@
 #include "linear/matrix.hpp"
 #include "mechanics/configuration.hpp"
 #include "mechanics/freedoms.hpp"
-#include "mechanics/term.hpp"
+#include "mechanics/motion.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
@@ -31,6 +31,7 @@ class Dofs {
   // frames, rad).
   void begin_iterate();  // iterate = trial
   void retract(std::span<const double> delta, double scale, std::span<const double> targets);
+  void return_to_iterate();                        // trial = iterate
   std::vector<double> targets(double time) const;  // values of the driven freedoms; Error when not finite
 
   // --- forces on unknowns. All 3 per node, global; N, N m. on_d may be empty.

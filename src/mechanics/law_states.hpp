@@ -4,8 +4,8 @@
 #pragma once
 #include <span>
 
-#include "base/aligned.hpp"
 #include "base/archive.hpp"
+#include "simd/aligned.hpp"
 
 namespace fabricsh::mechanics {
 

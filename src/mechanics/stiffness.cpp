@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "tensor/node_view.hpp"
-#include "tensor/turning.hpp"
+#include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -55,11 +55,10 @@ void add_columns(const double* k, int stride, int corners, int rows, const Index
 
 }  // namespace
 
-Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places,
-                     const std::vector<std::pair<Index, Index>>& pairs)
+Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places)
     : dofs_(dofs), batches_(batches) {
   list_tied_elements(places);
-  make_pattern(pairs);
+  make_pattern();
   make_slots();
 }
 
@@ -99,7 +98,7 @@ void couple_all(const std::vector<Index>& unknowns, std::vector<std::vector<Inde
 
 }  // namespace
 
-void Stiffness::make_pattern(const std::vector<std::pair<Index, Index>>& pairs) {
+void Stiffness::make_pattern() {
   std::vector<std::vector<Index>> columns(dofs_.unknowns());
   std::vector<Index> all;
   for (const Batch& batch : batches_)
@@ -108,16 +107,24 @@ void Stiffness::make_pattern(const std::vector<std::pair<Index, Index>>& pairs) 
       for (const Index n : batch.nodes[l]) add_unknowns(dofs_, n, all);
       couple_all(all, columns);
     }
+  for (const Body& body : dofs_.freedoms().bodies)
+    for (Index i = 0; i < 6; ++i)
+      for (Index j = 0; j < 6; ++j) columns[body.equation + i].push_back(body.equation + j);
+  own_ = pattern_ = std::make_shared<const linear::Pattern>(std::move(columns));
+}
+
+void Stiffness::couple(std::span<const NodePair> pairs) {
+  if (pairs.empty() && pattern_ == own_) return;
+  std::vector<std::vector<Index>> columns(dofs_.unknowns());
+  std::vector<Index> all;
   for (const auto& [a, b] : pairs) {
     all.clear();
     add_unknowns(dofs_, a, all);
     add_unknowns(dofs_, b, all);
     couple_all(all, columns);
   }
-  for (const Body& body : dofs_.freedoms().bodies)
-    for (Index i = 0; i < 6; ++i)
-      for (Index j = 0; j < 6; ++j) columns[body.equation + i].push_back(body.equation + j);
-  pattern_ = std::make_shared<const linear::Pattern>(std::move(columns));
+  pattern_ = pairs.empty() ? own_ : std::make_shared<const linear::Pattern>(own_->with(std::move(columns)));
+  make_slots();
 }
 
 // A node's unknowns are numbered one after the other, so that its rows in a column are neighbours: one slot
@@ -283,6 +290,16 @@ void Stiffness::Sink::on_positions(Index a, Index b, const Mat3& k) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       stiffness_.add_entry(nodes[a].equation[i], nodes[b].equation[j], turned(i, j), to_);
+}
+
+void Stiffness::Sink::on_lead(Index a, const Vec3& force) {
+  if (to_.product.empty()) return;
+  Column f = Column::Zero();
+  f.head<3>() = stiffness_.dofs_.freedoms().nodes[a].frame * force;
+  std::vector<Link> links;
+  stiffness_.dofs_.links(a, links);
+  for (const Link& row : links)
+    if (row.equation >= 0) to_.product[row.equation] += row.column.dot(f);
 }
 
 void Stiffness::Sink::on_director(Index a, const Eigen::Matrix2d& k) {

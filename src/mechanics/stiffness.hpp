@@ -8,16 +8,19 @@
 #include "linear/matrix.hpp"
 #include "mechanics/batch.hpp"
 #include "mechanics/dofs.hpp"
+#include "mechanics/term.hpp"
 
 namespace fabricsh::mechanics {
 
 class Stiffness {
  public:
-  // batches: of the cloth; pairs: of nodes, beyond those of the elements, that terms couple.
-  Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places,
-            const std::vector<std::pair<Index, Index>>& pairs);
+  // batches: of the cloth.
+  Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places);
 
+  // Of the elements, ties and coupled pairs.
   const std::shared_ptr<const linear::Pattern>& pattern() const { return pattern_; }
+  // Makes the pattern anew, of the elements, ties and these pairs of nodes.
+  void couple(std::span<const NodePair> pairs);
 
   // One matrix being filled. With `lead` (increments of the driven freedoms) the product of the coupling
   // block with them is gathered too, one number per unknown.
@@ -44,14 +47,14 @@ class Stiffness {
   class Sink;  // of terms
 
  private:
-  void make_pattern(const std::vector<std::pair<Index, Index>>& pairs);
+  void make_pattern();
   void make_slots();
   void list_tied_elements(std::span<const Place> places);
   void scatter_with_care(const Batch& batch, Index element, int lane, const double* K, const Target& to);
 
   const Dofs& dofs_;
   std::span<const Batch> batches_;
-  std::shared_ptr<const linear::Pattern> pattern_;
+  std::shared_ptr<const linear::Pattern> own_, pattern_;  // of elements and ties; with the pairs
   // Per batch and lane: slots of each column's first row of each node (4 x 20, the column first), -1: none;
   // what is added to them for the node's five rows, -1: no unknown; what a scatter must mind besides.
   enum class Care : char { none, driven, frames };
@@ -68,6 +71,7 @@ class Stiffness::Sink final : public TangentSink {
   Sink(const Stiffness& stiffness, const Target& to) : stiffness_(stiffness), to_(to) {}
   void on_positions(Index a, Index b, const Mat3& k) override;
   void on_director(Index a, const Eigen::Matrix2d& k) override;
+  void on_lead(Index a, const Vec3& force) override;
 
  private:
   bool through_ties(Index a, Index b) const;

@@ -3,8 +3,8 @@
 // increments to it.
 #include <algorithm>
 
+#include "geometry/node_view.hpp"
 #include "mechanics/dofs.hpp"
-#include "tensor/node_view.hpp"
 
 namespace fabricsh::mechanics {
 

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "mesh/orientation.hpp"
 
 namespace fabricsh::mesh {
@@ -243,41 +244,37 @@ void Checker::unused() {
   if (!nodes.empty()) add("unused", Severity::warning, listed("node", nodes) + ": in no element", {}, nodes);
 }
 
-// Nodes closer than 1e-9 of the mesh's size. Boxes of twice that size: a near node lies in one of the eight
-// boxes around the corner of its box that is nearest.
+// Nodes closer than 1e-9 of the mesh's size. Cells of twice that size: a near node lies in one of the eight
+// cells around the corner of its cell that is nearest.
 void Checker::duplicates() {
   if (mesh_.nodes.empty()) return;
-  Vec3 low = mesh_.nodes.front(), high = low;
-  for (const Vec3& x : mesh_.nodes) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  const double near = 1e-9 * (high - low).norm();
+  const Box all = box_of(mesh_.nodes);
+  const double near = 1e-9 * all.size().norm();
   if (near == 0) return;
-  using Box = std::array<std::int64_t, 3>;
-  const auto hash = [](const Box& b) {
+  using Cell = std::array<std::int64_t, 3>;
+  const auto hash = [](const Cell& b) {
     return static_cast<std::size_t>(b[0]) * 73856093u ^ static_cast<std::size_t>(b[1]) * 19349663u ^
            static_cast<std::size_t>(b[2]) * 83492791u;
   };
-  std::unordered_map<Box, Index, decltype(hash)> boxes(mesh_.nodes.size(), hash);
+  std::unordered_map<Cell, Index, decltype(hash)> cells(mesh_.nodes.size(), hash);
   std::vector<Index> nodes;
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
-    const Vec3 place = (mesh_.nodes[i] - low) / (2 * near);
+    const Vec3 place = (mesh_.nodes[i] - all.low) / (2 * near);
     bool found = false;
     for (int corner = 0; corner < 8 && !found; ++corner) {
-      Box box;
+      Cell cell;
       for (std::size_t k = 0; k < 3; ++k)
-        box[k] = static_cast<std::int64_t>(
+        cell[k] = static_cast<std::int64_t>(
             std::floor(place[static_cast<int>(k)] + ((corner >> k & 1) != 0 ? 0.5 : -0.5)));
-      const auto at = boxes.find(box);
-      found = at != boxes.end() &&
+      const auto at = cells.find(cell);
+      found = at != cells.end() &&
               (mesh_.nodes[static_cast<std::size_t>(at->second)] - mesh_.nodes[i]).norm() <= near;
     }
     if (found) nodes.push_back(static_cast<Index>(i));
-    const Box own{static_cast<std::int64_t>(std::floor(place[0])),
-                  static_cast<std::int64_t>(std::floor(place[1])),
-                  static_cast<std::int64_t>(std::floor(place[2]))};
-    boxes.emplace(own, static_cast<Index>(i));
+    const Cell own{static_cast<std::int64_t>(std::floor(place[0])),
+                   static_cast<std::int64_t>(std::floor(place[1])),
+                   static_cast<std::int64_t>(std::floor(place[2]))};
+    cells.emplace(own, static_cast<Index>(i));
   }
   if (!nodes.empty())
     add("duplicate", Severity::warning,

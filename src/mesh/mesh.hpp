@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tensor/vec.hpp"
+#include "geometry/vec.hpp"
 
 namespace fabricsh::mesh {
 

@@ -101,6 +101,37 @@ void add_motions(Part& part, const Model& model) {
   }
 }
 
+void add_body(Part& part, const Interactions& all, const Rigid& body) {
+  const Facets shape = shown(body, 1);
+  for (const Vec3& v : shape.vertices) part.add_vector(v);
+  for (const auto& t : shape.triangles) part.add(t[0], t[1], t[2]);
+  part.add(body.shape().index(), body.mass().value_or(0));
+  if (const auto* moving = body.moving()) {
+    for (const double t : moving->times) part.add(t);
+    for (const auto& vertices : moving->shapes)
+      for (const Vec3& v : vertices) part.add_vector(v);
+  }
+  if (const auto* v = all.velocity_of(body)) part.add_vector(v->linear).add_vector(v->spin);
+  const auto* motion = all.motion_of(body);
+  if (motion == nullptr) return;
+  part.add_components(motion->displacement);
+  if (!motion->turn) return;
+  part.add_vector(motion->turn->axis).add_history(motion->turn->angle);
+  part.add_vector(motion->turn->centre.value_or(body.centre()));
+}
+
+void add_interactions(Part& part, const Model& model) {
+  const Interactions& all = model.interactions();
+  for (const auto& body : all.bodies()) add_body(part, all, *body);
+  const Surfaces surfaces = work_out_surfaces(all, model.mesh());
+  for (const auto& elements : surfaces.elements)
+    for (const Index e : elements) part.add(e);
+  for (const Meeting& m : surfaces.meetings) {
+    const ContactGiven& c = all.contacts()[m.contact];
+    part.add(m.first, m.second, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0), c.settle);
+  }
+}
+
 }  // namespace
 
 Fingerprint fingerprint(const Model& model, double duration) {
@@ -134,6 +165,7 @@ Fingerprint fingerprint(const Model& model, double duration) {
       }
     }
   });
+  if (model.interactions().any()) add("contacts and rigid bodies", "", add_interactions);
   return parts;
 }
 

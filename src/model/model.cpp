@@ -239,8 +239,61 @@ void Model::tie(Tie tie) {
   ties_.push_back(std::move(tie));
 }
 
+void Model::remove(Told kind, std::size_t i) {
+  check_open("remove");
+  const auto take = [i](auto& all) {
+    if (i >= all.size()) throw Error("remove: there is no such support or load");
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+  };
+  switch (kind) {
+    case Told::fix:
+      return take(supports_);
+    case Told::move:
+      return take(motions_);
+    case Told::turn:
+      return take(turns_);
+    case Told::spring:
+      return take(springs_);
+    case Told::tie:
+      return take(ties_);
+    case Told::force:
+      return take(forces_);
+    case Told::moment:
+      return take(moments_);
+    case Told::traction:
+      return take(tractions_);
+    case Told::pressure:
+      return take(pressures_);
+    case Told::velocity:
+      return take(velocities_);
+    case Told::contact:
+      return interactions_.remove(Interactions::Part::contact, i);
+    case Told::body_move:
+      return interactions_.remove(Interactions::Part::motion, i);
+    case Told::body_velocity:
+      return interactions_.remove(Interactions::Part::velocity, i);
+    case Told::gravity:
+      gravity_ = {};
+  }
+}
+
+void Model::contact(ContactGiven contact) {
+  check_open("contact");
+  interactions_.add(std::move(contact), *mesh_);
+}
+
+void Model::move(BodyMotion motion) {
+  check_open("move");
+  interactions_.move(std::move(motion));
+}
+
+void Model::velocity(BodyVelocity velocity) {
+  check_open("velocity");
+  interactions_.velocity(std::move(velocity));
+}
+
 std::vector<double> Model::kinks() const {
-  std::vector<double> all;
+  std::vector<double> all = interactions_.kinks();
   const auto add = [&](const History& h) { all.insert(all.end(), h.kinks().begin(), h.kinks().end()); };
   const auto add_each = [&](const Components& c) {
     for (const auto& h : c)
@@ -352,6 +405,7 @@ void Model::validate() const {
     for (const auto& h : m.displacement)
       if (h) h->value(0);
   work_out_ties(*this);
+  interactions_.validate(*mesh_);
   std::vector<bool> used(mesh_->nodes.size(), false);
   for (const auto& e : mesh_->elements)
     for (const auto n : e)
@@ -419,6 +473,11 @@ std::string Model::describe() const {
   }
   text << counted(supports_.size(), "support") << ", " << counted(motions_.size(), "motion") << ", "
        << loads_of(*this);
+  if (interactions_.any()) {
+    text << ", " << counted(interactions_.contacts().size(), "contact");
+    for (const auto& body : interactions_.bodies())
+      text << "; " << interactions_.name_of(*body) << ": " << body->describe();
+  }
   return text.str();
 }
 

@@ -13,6 +13,7 @@
 #include "card/card.hpp"
 #include "history/history.hpp"
 #include "mesh/mesh.hpp"
+#include "model/interaction.hpp"
 #include "model/ties.hpp"
 #include "section/section.hpp"
 
@@ -181,6 +182,30 @@ class Model {
   // a partner.
   void tie(Tie tie);
 
+  // Takes back the i-th (from 0) of what was told of a kind; the i of gravity is not looked at. Error: there
+  // is none.
+  enum class Told {
+    fix,
+    move,
+    turn,
+    spring,
+    tie,
+    force,
+    moment,
+    traction,
+    pressure,
+    gravity,
+    velocity,
+    contact,
+    body_move,
+    body_velocity
+  };
+  void remove(Told kind, std::size_t i);
+  // Contacts and rigid bodies: see Interactions.
+  void contact(ContactGiven contact);
+  void move(BodyMotion motion);
+  void velocity(BodyVelocity velocity);
+
   // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at
   // once; what work_out_ties refuses.
   void validate() const;
@@ -200,6 +225,11 @@ class Model {
   const section::Section& section() const { return sections_.front(); }
   const Options& options() const { return regions_.front().options; }  // of the first region
   double thickness() const { return section().thickness; }
+  // Of one element's region; of the first where the element is -1 (none).
+  const card::Card& card_of(mesh::Index element) const {
+    return regions_[element < 0 ? 0 : region_of(element)].card;
+  }
+  double thickness_of(mesh::Index element) const { return sections_[region_of(element)].thickness; }
   const std::vector<Support>& supports() const { return supports_; }
   const std::vector<Motion>& motions() const { return motions_; }
   const std::vector<Force>& forces() const { return forces_; }
@@ -211,6 +241,7 @@ class Model {
   const std::vector<Spring>& springs() const { return springs_; }
   const std::vector<Turn>& turns() const { return turns_; }
   const std::vector<Tie>& ties() const { return ties_; }
+  const Interactions& interactions() const { return interactions_; }
   // Times on which a step must land: the kinks of every history.
   std::vector<double> kinks() const;
   // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite,
@@ -238,6 +269,7 @@ class Model {
   std::vector<Tie> ties_;
   Components gravity_;
   std::vector<InitialVelocity> velocities_;
+  Interactions interactions_;
   bool sealed_ = false;
 };
 

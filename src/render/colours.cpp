@@ -35,6 +35,7 @@ vtkSmartPointer<vtkLookupTable> colours(double low, double high) {
   const auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(count);
   table->SetTableRange(low, high);
+  table->SetNanColor(0.72, 0.72, 0.72, 1);  // rigid bodies, which have no field
   const double largest = std::max(std::abs(low), std::abs(high));
   const bool both = low < -0.02 * largest && high > 0.02 * largest;
   for (int i = 0; i < count; ++i) {

@@ -25,7 +25,7 @@ namespace {
 
 template <class T>
 using Ref = vtkSmartPointer<T>;
-using files::Picture;
+using plot::Picture;
 
 constexpr double kTitlePart = 0.07;  // of the picture, on top
 
@@ -164,7 +164,7 @@ void add_panel(Scene& scene, int i, const Bounds& bounds) {
   const Point size{(place.x1 - place.x0) * p.width, (place.y1 - place.y0) * p.height};
   const std::string& label = p.panels[static_cast<std::size_t>(i)].label;
   const bool labelled = std::any_of(p.panels.begin(), p.panels.end(),
-                                    [](const files::Panel& panel) { return !panel.label.empty(); });
+                                    [](const plot::Panel& panel) { return !panel.label.empty(); });
   const double above = labelled ? 2 * letter : 0;  // room of the labels, the same in all panels
   std::map<std::string, Point> known;
   const auto measure = [&](const std::string& text) {
@@ -227,7 +227,7 @@ void save(Scene& scene) {
 void draw(const Picture& picture) {
   if (picture.panels.empty()) throw Error("render: expected at least one file");
   Scene scene{picture, {}, nullptr, {}};
-  for (const files::Panel& panel : picture.panels) scene.sheets.push_back(read_sheet(panel.vtu, picture));
+  for (const plot::Panel& panel : picture.panels) scene.sheets.push_back(read_sheet(panel.vtu, picture));
   make_table(scene);
   scene.window->SetOffScreenRendering(1);
   scene.window->SetMultiSamples(8);

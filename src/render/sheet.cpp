@@ -47,7 +47,7 @@ double value(vtkDataArray* array, vtkIdType i, int component) {
 }
 
 // Adds the array of numbers; false: this data doesn't hold the field.
-bool show(vtkDataSetAttributes* data, const files::Picture& picture, Sheet& sheet) {
+bool show(vtkDataSetAttributes* data, const plot::Picture& picture, Sheet& sheet) {
   vtkDataArray* array = data->GetArray(picture.array.c_str());
   const int component = array != nullptr ? component_of(array, picture.component) : -2;
   if (component == -2) return false;
@@ -66,7 +66,7 @@ bool show(vtkDataSetAttributes* data, const files::Picture& picture, Sheet& shee
 
 }  // namespace
 
-Sheet read_sheet(const std::string& path, const files::Picture& picture) {
+Sheet read_sheet(const std::string& path, const plot::Picture& picture) {
   std::error_code trouble;
   if (!std::filesystem::is_regular_file(path, trouble)) throw Error("render: no file '" + path + "'");
   const auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();

@@ -3,7 +3,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
-#include "files/picture.hpp"
+#include "plot/picture.hpp"
 
 namespace fabricsh::render {
 
@@ -16,7 +16,7 @@ struct Sheet {
 };
 
 // Error: no such file, no such field (with those that there are).
-Sheet read_sheet(const std::string& path, const files::Picture& picture);
+Sheet read_sheet(const std::string& path, const plot::Picture& picture);
 // Scales the points, all sheets alike.
 void scale(const Sheet& sheet, double factor);
 

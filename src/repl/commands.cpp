@@ -21,11 +21,12 @@ bool is_free(lua_State* L, const std::string& name) {
   return free;
 }
 
-// shear, mesh:set, fabric.lab.fit.
+// shear, mesh:set, fabric.lab.fit, drape coefficient.
 bool is_topic(const std::string& text) {
   std::string word;
   for (const char c : text + ".") {
-    if (c != '.' && c != ':') {
+    if ((c == ' ' || c == '\t') && word.empty()) continue;  // between words
+    if (c != '.' && c != ':' && c != ' ' && c != '\t') {
       word += c;
       continue;
     }

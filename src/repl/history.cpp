@@ -10,8 +10,8 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "files/atomic.hpp"
-#include "files/descriptor.hpp"
+#include "system/atomic.hpp"
+#include "system/descriptor.hpp"
 
 namespace fabricsh::repl {
 
@@ -43,7 +43,7 @@ std::string from_one_line(const std::string& line) {
 
 namespace {
 
-using files::Descriptor;
+using system::Descriptor;
 
 bool same_file(int opened, const std::string& path) {
   struct stat here {
@@ -100,7 +100,7 @@ std::vector<std::string> HistoryFile::load() const {
     std::string whole;
     for (const std::string& line : lines) whole += line + "\n";
     try {
-      files::write_file(path_, whole, files::Sync::no);
+      system::write_file(path_, whole, system::Sync::no);
       chmod(path_.c_str(), 0600);
     } catch (const Error&) {
       // it stays long: nothing is lost

@@ -1,84 +1,19 @@
 #include "repl/prompt.hpp"
 
-#include <csignal>
 #include <set>
 #include <utility>
 
 #include "base/error.hpp"
 #include "repl/commands.hpp"
 #include "repl/deck_text.hpp"
+#include "repl/interrupt.hpp"
 #include "repl/lexer.hpp"
-#include "script/called_off.hpp"
 #include "script/covered.hpp"
 #include "script/transcript.hpp"
 
 namespace fabricsh::repl {
 
 namespace {
-
-// A signal handler can be given nothing: what it needs has to be here.
-script::Session* interruptible = nullptr;
-volatile std::sig_atomic_t running = 0, asked = 0;  // is something running; Ctrl-C came while it did
-volatile std::sig_atomic_t between = 0;             // Ctrl-C came between two lines
-
-constexpr int kPatience = 10'000'000;  // instructions that a hook of a run may take to come to its end
-
-void stop_late(lua_State* L, lua_Debug*);
-
-// Lua code stops at once, but in a hook of a run, which answers after its step.
-void stop(lua_State* L, bool late) {
-  script::Session& session = script::Session::of(L);
-  session.rest_hook(L);
-  if (!session.interrupted()) return;
-  if (session.drives() && !late) {
-    if (session.limits() == nullptr) lua_sethook(L, stop_late, LUA_MASKCOUNT, kPatience);
-    return;
-  }
-  session.take_interrupt();
-  script::call_off(session);
-  luaL_error(L, "interrupted");
-}
-
-void stop_lua(lua_State* L, lua_Debug*) { stop(L, false); }
-
-void stop_late(lua_State* L, lua_Debug*) { stop(L, true); }
-
-void end_by(int signal) {
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-// While a line is being typed Ctrl-C need only wake the reader. SIGTERM may come several times (to each
-// process of a job, and handed on by its shell): the first counts.
-extern "C" void on_interrupt_or_end(int signal) {
-  if (interruptible == nullptr) return;
-  if (signal != SIGINT) {
-    if (running == 0) return end_by(signal);
-    if (interruptible->terminated() != 0) return;
-    interruptible->terminate(signal);
-  } else {
-    if (running == 0) {
-      between = 1;
-      return;
-    }
-    if (asked != 0) end_by(signal);
-    interruptible->interrupt();
-  }
-  asked = 1;
-  lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT,
-              1);
-}
-
-void set_handler(void (*handler)(int)) {
-  struct sigaction action {};
-  action.sa_handler = handler;  // without SA_RESTART: a read at the prompt is interrupted too
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  struct sigaction before {};
-  sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup stays what it is
-}
 
 void show(const Result& result, const Voice& voice) {
   std::fflush(stdout);
@@ -129,38 +64,9 @@ class OwnNames {
   std::set<std::string> names_;
 };
 
-// Does an input that goes on end, since Ctrl-C came while no line was being typed?
-bool drop_between(const std::string& input) {
-  const bool came = between != 0;
-  between = 0;
-  return came && !input.empty();
-}
-
 bool blank(const std::string& text) { return text.find_first_not_of(" \t\n\r") == std::string::npos; }
 
 }  // namespace
-
-Running::Running(script::Session& session) : session_(session) {
-  script::begin_input(session);
-  asked = 0;
-  running = 1;
-}
-
-Running::~Running() {
-  running = 0;
-  session_.take_interrupt();
-  session_.rest_hook(session_.lua());
-}
-
-InterruptGuard::InterruptGuard(script::Session& session) {
-  interruptible = &session;
-  set_handler(on_interrupt_or_end);
-}
-
-InterruptGuard::~InterruptGuard() {
-  set_handler(SIG_DFL);
-  interruptible = nullptr;
-}
 
 std::string advice(const std::string& input) {
   const auto names = chunk_locals(tokens_of(input));
@@ -182,7 +88,8 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
   };
   std::string input, line;
   while (session.terminated() == 0) {
-    const auto state = drop_between(input) ? Lines::State::interrupted : lines.next(input, line);
+    const auto state =
+        (ctrl_c_between_lines() && !input.empty()) ? Lines::State::interrupted : lines.next(input, line);
     if (state == Lines::State::end && input.empty()) break;
     if (state == Lines::State::interrupted) {
       input.clear();

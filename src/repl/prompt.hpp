@@ -20,26 +20,4 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice);
 // A word about input that does what few people mean; empty: nothing to say.
 std::string advice(const std::string& input);
 
-// Ctrl-C, SIGTERM or SIGHUP stops the Lua code or the analysis that runs in this session, as long as the
-// guard lives; a second one, before that has stopped or within the same input, ends the program.
-class InterruptGuard {
- public:
-  explicit InterruptGuard(script::Session& session);
-  ~InterruptGuard();
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-};
-
-// While this lives Ctrl-C is for what runs: input that is evaluated, or a deck.
-class Running {
- public:
-  explicit Running(script::Session& session);
-  ~Running();
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-
- private:
-  script::Session& session_;
-};
-
 }  // namespace fabricsh::repl

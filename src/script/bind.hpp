@@ -58,13 +58,9 @@ std::string raw_text(lua_State* L, int index, const char* name);
 // Sets a metamethod of a class; f runs unprotected and must not throw.
 void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f);
 
-// The constructor's table of a card, and back (its "kind" is woven, svk or linear).
-void push_card_table(lua_State* L, const card::Card& card);
-std::string card_kind(const card::Card& card);
+// A card from the table of its constructor; kind: "woven", "svk" or "linear".
 card::Card read_card(lua_State* L, int index, const std::string& kind);
 // The card as a table with units, for people.
 std::string card_words(const card::Card& card);
-// The card as a Lua file that reads back equal.
-std::string card_text(const card::Card& card);
 
 }  // namespace fabricsh::script

@@ -1,6 +1,13 @@
 // An analysis: driving it, its hooks, and what can be read from it.
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "base/number.hpp"
+#include "run/bodies.hpp"
+#include "run/result_fields.hpp"
+#include "script/at_work.hpp"
+#include "script/bind_model.hpp"
 #include "script/bind_run.hpp"
 #include "script/drive.hpp"
 #include "script/words.hpp"
@@ -8,7 +15,7 @@
 namespace fabricsh::script {
 
 template <>
-struct ClassName<const analysis::Run::Snapshot> {
+struct ClassName<const run::Run::Snapshot> {
   static constexpr const char* name = "snapshot";
 };
 
@@ -49,13 +56,13 @@ int stop(Call& call) {
 void run_hook(const Hook& hook) {
   const Free free = hook.free();
   lua_State* L = hook.push();
-  lua_call(L, 1, 0);
+  call_deck(L, 1, 0);
 }
 
 int every(Call& call) {
   const auto run = call.self<Run>();
   const Hook hook(call, "action", run.get());
-  const auto act = [hook](analysis::Run&) { run_hook(hook); };
+  const auto act = [hook](run::Run&) { run_hook(hook); };
   if (call.is("interval", LUA_TSTRING))
     run->analysis->every_step(act);
   else
@@ -66,7 +73,7 @@ int every(Call& call) {
 double event_value(const Hook& hook) {
   const Still still = hook.still();
   lua_State* L = hook.push();
-  lua_call(L, 1, 1);
+  call_deck(L, 1, 1);
   if (lua_type(L, -1) != LUA_TNUMBER)
     throw Error("event: field 'value': expected the function to return a number, got " + describe(L, -1));
   const double value = lua_tonumber(L, -1);
@@ -77,43 +84,78 @@ double event_value(const Hook& hook) {
 int event(Call& call) {
   const auto run = call.self<Run>();
   const Hook value(call, "value", run.get());
-  analysis::Run::Hook act;
-  if (call.has("action")) act = [hook = Hook(call, "action", run.get())](analysis::Run&) { run_hook(hook); };
-  run->analysis->event([value](analysis::Run&) { return event_value(value); }, call.number("tolerance"), act);
+  run::Run::Hook act;
+  if (call.has("action")) act = [hook = Hook(call, "action", run.get())](run::Run&) { run_hook(hook); };
+  run->analysis->event([value](run::Run&) { return event_value(value); }, call.number("tolerance"), act);
+  return chain(call);
+}
+
+// Runs until a value has come to a target, lands there and stays.
+int reach(Call& call) {
+  const auto run = call.self<Run>();
+  const double target = call.number("target");
+  std::function<double(const run::Run&)> value;
+  if (call.is("value", LUA_TFUNCTION)) {
+    value = [hook = Hook(call, "value", run.get())](const run::Run&) { return event_value(hook); };
+  } else {
+    const std::string field = call.text("value"), set = call.text("set");
+    run->analysis->mean(field, set);  // refuses an unknown one
+    value = [field, set](const run::Run& a) { return a.mean(field, set); };
+  }
+  if (call.session().options().check) return chain(call);
+  // Once it is there, or could not get there, the event is one that never comes.
+  const auto sought = std::make_shared<bool>(true);
+  run->analysis->event([=](run::Run& a) { return *sought ? value(a) - target : 1.0; },
+                       call.number("tolerance"),
+                       [sought, target](run::Run& a) {
+                         *sought = false;
+                         a.stop("reached " + exact_number(target));
+                       });
+  try {
+    drive(*run, {false, run->analysis->duration()});
+  } catch (...) {
+    *sought = false;
+    throw;
+  }
+  const bool passed = run->calls.count < run->passing;  // by a restarted deck
+  if (std::exchange(*sought, false) && !passed) {
+    const run::Run& a = *run->analysis;
+    throw Error("reach: the value did not come to " + exact_number(target) + "; it is " +
+                fabricsh::number(value(a), 7) + " at " + fabricsh::number(a.time(), 7) +
+                " s, where the run " + (a.stopped() ? "was stopped: " + a.stop_reason() : "ends"));
+  }
   return chain(call);
 }
 
 // --- reading ---
 
 int reaction(Call& call) {
-  const Vec3 r = call.self<Run>()->analysis->reaction(call.text("set"));
+  const auto& run = *call.self<Run>()->analysis;
+  const auto body = call.object<const model::Rigid>("set");
+  const Vec3 r = body ? run::body_state(run, *body).force : run.reaction(call.text("set"));
   for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
   return 3;
 }
 
-void set_vector(lua_State* L, const char* prefix, const char* axes, const Vec3& v) {
-  for (int i = 0; i < 3; ++i) set_number(L, (std::string(prefix) + axes[i]).c_str(), v[i]);
-}
-
-int node(Call& call) {
-  const auto values = call.self<Run>()->analysis->node(call.integer("number") - 1);
-  lua_State* L = call.L();
-  lua_createtable(L, 0, 15);
-  set_vector(L, "", "xyz", values.x);
-  set_vector(L, "", "XYZ", values.X);
-  set_vector(L, "u", "xyz", values.u);
-  set_vector(L, "v", "xyz", values.v);
-  set_vector(L, "n", "xyz", values.n);
+// A table of all numbers by name that the fields of nodes or elements have at one of them.
+int push_fields(Call& call, run::Place place) {
+  const auto& run = *call.self<Run>()->analysis;
+  const auto item = static_cast<mesh::Index>(call.integer("number") - 1);
+  place == run::Place::node ? (void)run.node(item) : (void)run.element(item);  // refuses a wrong number
+  lua_createtable(call.L(), 0, 20);
+  std::array<double, 5> values{};
+  for (const auto& field : run::result_fields()) {
+    if (field.place != place || field.components.empty() || (field.touching && !run::has(run, field)))
+      continue;
+    field.values(run, item, values.data());
+    for (std::size_t c = 0; c < field.components.size(); ++c)
+      set_number(call.L(), field.components[c].c_str(), values[c]);
+  }
   return 1;
 }
 
-int element(Call& call) {
-  const auto values = call.self<Run>()->analysis->element(call.integer("number") - 1);
-  lua_createtable(call.L(), 0, 16);
-  for (const std::string& name : analysis::element_value_names())
-    set_number(call.L(), name.c_str(), analysis::element_value(values, name));
-  return 1;
-}
+int node(Call& call) { return push_fields(call, run::Place::node); }
+int element(Call& call) { return push_fields(call, run::Place::element); }
 
 int mean(Call& call) {
   lua_pushnumber(call.L(), call.self<Run>()->analysis->mean(call.text("name"), call.text("set")));
@@ -121,12 +163,22 @@ int mean(Call& call) {
 }
 
 int field(Call& call) {
-  push_numbers(call.L(), call.self<Run>()->analysis->field(call.text("name")));
+  lua_State* L = call.L();
+  const auto part = run::find_field(call.text("name"));
+  const auto values = run::values_of(*call.self<Run>()->analysis, part);
+  const std::size_t width = part.component < 0 ? part.field->size() : 1;
+  if (width == 1) return push_numbers(L, values), 1;
+  lua_createtable(L, static_cast<int>(values.size() / width), 0);
+  for (std::size_t i = 0; i < values.size(); i += width) {
+    push_numbers(L, {values.begin() + static_cast<std::ptrdiff_t>(i),
+                     values.begin() + static_cast<std::ptrdiff_t>(i + width)});
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i / width + 1));
+  }
   return 1;
 }
 
 int energy(Call& call) {
-  const analysis::Energy e = call.self<Run>()->analysis->energy();
+  const run::Energy e = call.self<Run>()->analysis->energy();
   const std::pair<const char*, double> values[] = {{"kinetic", e.kinetic},
                                                    {"scaled", e.scaled},
                                                    {"stored", e.stored},
@@ -137,6 +189,10 @@ int energy(Call& call) {
                                                    {"dissipated_weft", e.dissipated_weft},
                                                    {"dissipated_shear", e.dissipated_shear},
                                                    {"dissipated_bending", e.dissipated_bending},
+                                                   {"contact", e.contact},
+                                                   {"guard", e.guard},
+                                                   {"friction", e.friction},
+                                                   {"rigid", e.rigid},
                                                    {"created", e.created},
                                                    {"internal", e.internal()},
                                                    {"initial", e.initial},
@@ -147,7 +203,8 @@ int energy(Call& call) {
 }
 
 int beyond(Call& call) {
-  const auto far = call.self<Run>()->analysis->beyond();
+  const auto& run = *call.self<Run>()->analysis;
+  const auto far = run.beyond();
   lua_State* L = call.L();
   if (!far) return lua_pushnil(L), 1;
   lua_newtable(L);
@@ -155,7 +212,8 @@ int beyond(Call& call) {
                                     {"time", far->time},
                                     {"first", far->first},
                                     {"strain", far->strain},
-                                    {"tested", far->tested}})
+                                    {"tested", far->tested},
+                                    {"elements", run.elements_beyond()}})
     set_number(L, name, value);
   lua_pushinteger(L, far->element + 1);
   lua_setfield(L, -2, "element");
@@ -207,7 +265,7 @@ int steps(Call& call) {
 int snapshot(Call& call) {
   const auto run = call.self<Run>();
   auto snapshot = run->analysis->snapshot();
-  if (run->calls < run->passing) run->passed_snapshots.push_back(snapshot);
+  if (run->calls.count < run->passing) run->passed_snapshots.push_back(snapshot);
   push_object(call.L(), std::move(snapshot));
   lua_pushnumber(call.L(), run->analysis->time());
   lua_setiuservalue(call.L(), -2, 1);
@@ -216,24 +274,24 @@ int snapshot(Call& call) {
 
 int snapshot_text(lua_State* L) {
   lua_getiuservalue(L, 1, 1);
-  lua_pushfstring(L, "<snapshot of t = %s s>", number_text(lua_tonumber(L, -1)).c_str());
+  lua_pushfstring(L, "<snapshot of t = %s s>", exact_number(lua_tonumber(L, -1)).c_str());
   return 1;
 }
 
 int restore(Call& call) {
-  go_back(*call.self<Run>(), call.object<const analysis::Run::Snapshot>("snapshot"));
+  go_back(*call.self<Run>(), call.object<const run::Run::Snapshot>("snapshot"));
   return chain(call);
 }
 
 // "ready", "under way", "done", "stopped: the grip lets go".
-std::string state_words(const analysis::Run& a) {
+std::string state_words(const run::Run& a) {
   if (a.stopped()) return "stopped: " + a.stop_reason();
   if (a.steps().empty()) return "ready";
   return a.time() >= a.duration() * (1 - 1e-12) ? "done" : "under way";
 }
 
 int run_text(lua_State* L) {
-  const analysis::Run& a = *to_object<Run>(L, 1)->analysis;
+  const run::Run& a = *to_object<Run>(L, 1)->analysis;
   char words[120];
   std::snprintf(words, sizeof words, "<%s run, t = %.6g of %.6g s, %zu step%s, ", a.kind(), a.time(),
                 a.duration(), a.steps().size(), a.steps().size() == 1 ? "" : "s");
@@ -241,11 +299,21 @@ int run_text(lua_State* L) {
   return 1;
 }
 
-Argument name_row() {
-  return value_("name", text,
-                "of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 "
-                "slack1 slack2")
-      .one_of(analysis::element_value_names());
+// "E11 (1), stored (J/m^3), ..." of the numbers that nodes or elements have.
+std::string numbers_of(run::Place place) {
+  std::string words;
+  for (const auto& field : run::result_fields()) {
+    if (field.place != place || field.components.empty()) continue;
+    words += words.empty() ? "" : ", ";
+    for (const std::string& component : field.components)
+      words += component + (&component == &field.components.back() ? "" : " ");
+    words += " (" + field.sentence + (field.unit.empty() ? "" : "; " + field.unit) + ")";
+  }
+  return words;
+}
+
+Argument name_row(const std::vector<std::string>& names, const std::string& sentence) {
+  return value_("name", text, sentence).one_of(names);
 }
 
 std::vector<Entry> driving() {
@@ -299,6 +367,19 @@ std::vector<Entry> driving() {
                       "run:stop() end }\n"
                       "a:solve()\nassert(math.abs(a:mean 'E11' - 0.1) < 1e-6)",
        event},
+      {"analysis:reach",
+       Style::positional,
+       {value_("value", function | text, "function(a) that returns a number, or a field's name for its mean"),
+        number_("target", "", everything, "what the value is to come to"),
+        value_("set", text, "of the field's mean").or_else("all"),
+        number_("tolerance", "", positive, "of the value, over the largest distance from the target")
+            .or_else(1e-6)},
+       "Runs until a value has come to a target and lands there; an error where the run ends before. "
+       "Returns the analysis, which solve() takes on.",
+       sample_run() + "local function force(run) return select(2, run:reaction 'top') end\n"
+                      "a:reach(force, 10)\nassert(math.abs(force(a) - 10) < 1e-4 and a.time < 1)\n"
+                      "a:reach('E11', 0.1):solve()\nassert(a.time == 1)",
+       reach},
       {"analysis:snapshot",
        Style::positional,
        {},
@@ -319,8 +400,9 @@ std::vector<Entry> reading() {
   return {
       {"analysis:reaction",
        Style::positional,
-       {value_("set", text, "name of a node set")},
-       "Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global; "
+       {set_or_body_row()},
+       "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
+       "y, z in N, global; "
        "zero "
        "before the first step.",
        run + "local x, y = a:solve():reaction 'top'\nassert(y > 0)",
@@ -328,39 +410,39 @@ std::vector<Entry> reading() {
       {"analysis:node",
        Style::positional,
        {integer_("number", from_one, "of the node")},
-       "Where a node is: a table of x y z (m), X Y Z (in the reference), ux uy uz (displacement), vx vy vz "
-       "(velocity, "
-       "m/s), nx ny nz (director).",
+       "Where a node is and how it moves, global: a table of " + numbers_of(run::Place::node) + ".",
        run + "assert(math.abs(a:solve():node(8).uy - 0.018) < 1e-12)",
        node},
       {"analysis:element",
        Style::positional,
        {integer_("number", from_one, "of the element")},
-       "Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 "
-       "(tensor), S11 "
-       "S22 S23 S13 S12 (Pa), stored and dissipated (J/m^3), residual1 residual2 (residual strains), slack1 "
-       "slack2 "
-       "(strain that a slack yarn is below its residual strain).",
+       "Averages over the element's reference volume, material axes: a table of " +
+           numbers_of(run::Place::element) + ".",
        run + "assert(a:solve():element(1).S11 > 0)",
        element},
       {"analysis:mean",
        Style::positional,
-       {name_row(), value_("set", text, "elements all of whose nodes are in it").or_else("all")},
+       {name_row(run::scalar_names(run::Place::element), "of a number that elements have, see a:element"),
+        value_("set", text, "elements all of whose nodes are in it").or_else("all")},
        "The average of a value over elements, each of which counts once. Stresses in Pa, energies in J/m^3.",
        run + "assert(a:solve():mean('E11') > 0.2)",
        mean},
       {"analysis:field",
        Style::positional,
-       {name_row()},
-       "The value of every element, in their order: a list. Stresses in Pa, energies in J/m^3.",
-       run + "assert(#a:field 'S11' == 3)",
+       {name_row(run::field_names(), "of a number, or of a field: see the table of fields of a run")},
+       "What every element or node has, in their order: a list of numbers, of a whole field a list of lists. "
+       "Units are SI: stresses in Pa, energies in J/m^3.",
+       run + "assert(#a:field 'S11' == 3 and #a:field 'displacement'[1] == 3)",
        field},
       {"analysis.energy",
        Style::property,
        {},
        "Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, "
        "external, "
-       "internal, initial, created; scaled: of the kinetic, in rotary inertia that is scaled up; error: what "
+       "internal, initial, created; contact and guard: of the stored, of contact and of what holds it off "
+       "its floor; "
+       "friction: of the dissipated, what friction of contact took; rigid: of the kinetic, of free rigid "
+       "bodies; scaled: of the kinetic, in rotary inertia that is scaled up; error: what "
        "the balance misses over the largest external work.",
        run + "a:solve()\nassert(a.energy.error < 1)",
        energy},
@@ -371,7 +453,7 @@ std::vector<Entry> reading() {
        "yarn "
        "(warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the "
        "one "
-       "tested, and when the run first went beyond.",
+       "tested, when the run first went beyond, and the part of the elements that have.",
        run + "assert(a:advance(0.5).beyond == nil)",
        beyond},
       {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},

@@ -2,13 +2,15 @@
 #include <algorithm>
 #include <set>
 
-#include "base/paths.hpp"
-#include "fabric/provenance.hpp"
-#include "files/gate.hpp"
+#include "card/fields.hpp"
+#include "law/provenance.hpp"
 #include "script/bind.hpp"
 #include "script/card_rows.hpp"
+#include "script/card_table.hpp"
 #include "script/load.hpp"
 #include "script/words.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::script {
 
@@ -23,40 +25,10 @@ int push_card(lua_State* L, Card card) {
 
 int construct(Call& call) { return push_card(call.L(), card_from(call, last_word(call.entry().name))); }
 
-// Remembers that the table on top of the stack, and the lists in it, were read off the card at index 1, so
-// that what is made of them can tell.
-void remember_part(lua_State* L) {
-  luaL_checkstack(L, 6, "card");
-  if (luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key) == 0) {
-    lua_createtable(L, 0, 1);
-    lua_pushstring(L, "k");
-    lua_setfield(L, -2, "__mode");
-    lua_setmetatable(L, -2);
-  }
-  lua_pushvalue(L, -2);
-  lua_pushvalue(L, 1);
-  lua_rawset(L, -3);
-  lua_pushnil(L);
-  while (lua_next(L, -3) != 0) {
-    if (lua_istable(L, -1)) {
-      lua_pushvalue(L, 1);
-      lua_rawset(L, -4);
-    } else {
-      lua_pop(L, 1);
-    }
-  }
-  lua_pop(L, 1);
-}
+const Card* card_at(lua_State* L, int index) { return to_object<Card>(L, index).get(); }
 
-// Lets a card's field be read: the constructor's table, nested tables and all.
-int card_index(lua_State* L) {
-  push_card_table(L, *to_object<Card>(L, 1));
-  lua_pushvalue(L, 2);
-  if (lua_rawget(L, -2) != LUA_TNIL) {
-    if (lua_istable(L, -1)) remember_part(L);
-    return 1;
-  }
-  lua_pop(L, 2);
+// A name that is no field: a method, or an error with the nearest name.
+int other_name(lua_State* L) {
   push_class(L, "card", nullptr);
   lua_getfield(L, -1, "methods");
   lua_pushvalue(L, 2);
@@ -64,14 +36,14 @@ int card_index(lua_State* L) {
   std::string message;
   {
     std::vector<std::string> known = {"write", "with", "check", "kind"};
-    for (const Argument& row : card_rows(card_kind(*to_object<Card>(L, 1)))) known.push_back(row.name);
-    const std::string word = luaL_tolstring(L, 2, nullptr);
-    if (std::find(known.begin(), known.end(), word) != known.end()) return 0;
-    message = position(L) + "card: " + unknown("field", word, known);
+    for (const Argument& row : card_rows(card::kind(*card_at(L, 1)))) known.push_back(row.name);
+    message = position(L) + "card: " + unknown("field", luaL_tolstring(L, 2, nullptr), known);
   }
   lua_pushstring(L, message.c_str());
   return lua_error(L);
 }
+
+int card_index(lua_State* L) { return push_card_field(L, card_at) ? 1 : other_name(L); }
 
 // Copies the fields of the table at `from` into the one at `to`; two tables of named fields merge.
 void merge(lua_State* L, int to, int from) {
@@ -80,6 +52,7 @@ void merge(lua_State* L, int to, int from) {
   luaL_checkstack(L, 6, "tables nested too deeply");
   lua_pushnil(L);
   while (lua_next(L, from) != 0) {
+    make_plain(L);
     lua_pushvalue(L, -2);
     const bool both = lua_rawget(L, to) == LUA_TTABLE && lua_istable(L, -2) && lua_rawlen(L, -1) == 0 &&
                       lua_rawlen(L, -2) == 0;
@@ -96,8 +69,8 @@ void merge(lua_State* L, int to, int from) {
 }
 
 // The provenance of a card of which values were changed by hand: these are typed now.
-fabric::Provenance origins_after(const Card& before, const Card& after) {
-  fabric::Provenance out = fabric::provenance_of(before.source);
+law::Provenance origins_after(const Card& before, const Card& after) {
+  law::Provenance out = law::provenance_of(before.source);
   const auto* a = std::get_if<card::Woven>(&before.law);
   const auto* b = std::get_if<card::Woven>(&after.law);
   const auto changed = [&](const std::string& field, bool same) {
@@ -105,6 +78,12 @@ fabric::Provenance origins_after(const Card& before, const Card& after) {
     for (auto& [name, words] : out)
       if (name == field) words = "typed: changed by card:with";
   };
+  const auto bending = [](const Card& card) {
+    Card only;
+    only.bending = card.bending;
+    return card::lua_text(only);
+  };
+  changed("bending", bending(before) == bending(after));
   changed("density", before.density == after.density);
   changed("thickness", before.thickness == after.thickness);
   if (a == nullptr || b == nullptr) return out;
@@ -134,8 +113,8 @@ int with(Call& call) {
   lua_pop(L, 1);
   merge(L, merged, -1);
   lua_pop(L, 1);
-  Card changed = read_card(L, merged, card_kind(*card));
-  if (!told) changed.source = fabric::with_provenance(changed.source, origins_after(*card, changed));
+  Card changed = read_card(L, merged, card::kind(*card));
+  if (!told) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
   return push_card(L, std::move(changed));
 }
 
@@ -147,12 +126,30 @@ bool is_path(const std::string& name) {
 std::vector<std::string> shipped() {
   std::set<std::string> names;
   for (const std::string& root : data_roots()) {
-    const files::Gate& gate = files::Gate::of_process();
+    const system::Gate& gate = system::Gate::of_process();
     if (!gate.exists(root + "/share/cards")) continue;
     for (const std::string& name : gate.names(root + "/share/cards"))
       if (name.ends_with(".lua")) names.insert(name.substr(0, name.size() - 4));
   }
   return {names.begin(), names.end()};
+}
+
+// A card whose bending is its own estimate, or on purpose that of the thickness.
+Card bent(Card card, const std::string& how) {
+  auto origins = law::provenance_of(card.source);
+  std::erase_if(origins, [](const auto& origin) { return origin.first == "bending"; });
+  if (how == "thickness") {
+    if (card.bending) throw Error(card::at_field(card, "bending") + "it has a rigidity of its own");
+    card.through_thickness = true;
+  } else {
+    if (!card.estimate)
+      throw Error(card::at_field(card, "estimate") + "the card has no estimate of its bending");
+    card.bending = card.estimate->bending;
+    origins.emplace_back("bending", "assumed: estimated, " + card.estimate->source);
+    std::sort(origins.begin(), origins.end());
+  }
+  card.source = law::with_provenance(law::without_provenance(card.source), origins);
+  return card;
 }
 
 int card_by_name(Call& call) {
@@ -162,9 +159,11 @@ int card_by_name(Call& call) {
   if (path.empty()) throw Error(unknown("fabric", name, shipped()));
   if (load_file(L, path) != LUA_OK) throw Error(lua_tostring(L, -1));
   lua_call(L, 0, 1);
-  if (to_object<Card>(L, -1) == nullptr)
-    throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
-  return 1;
+  const auto card = to_object<Card>(L, -1);
+  if (card == nullptr) throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
+  if (!call.has("options")) return 1;
+  const Fields options = call.fields("options");
+  return options.has("bending") ? push_card(L, bent(*card, options.text("bending"))) : 1;
 }
 
 int cards(Call& call) {
@@ -185,8 +184,20 @@ int card_string(lua_State* L) {
 
 int card_equal(lua_State* L) {
   const auto a = to_object<Card>(L, 1), b = to_object<Card>(L, 2);
-  lua_pushboolean(L, a != nullptr && b != nullptr && card_text(*a) == card_text(*b));
+  lua_pushboolean(L, a != nullptr && b != nullptr && card::lua_text(*a) == card::lua_text(*b));
   return 1;
+}
+
+Argument card_options() {
+  Argument bending =
+      value_("bending", text,
+             "estimated: the card's own estimate of what nobody measured; thickness: integration "
+             "through the thickness, on purpose and without a word")
+          .optional();
+  bending.choices = {"estimated", "thickness"};
+  Argument options = value_("options", fields, "of a card that is taken otherwise").optional();
+  options.rows = {bending};
+  return options;
 }
 
 constexpr const char* woven_example =
@@ -221,9 +232,10 @@ std::vector<Entry> rows() {
   return {
       {"fabric.card",
        Style::positional,
-       {value_("name", text, "of a shipped card, or a path (with / or ending in .lua)")},
+       {value_("name", text, "of a shipped card, or a path (with / or ending in .lua)"), card_options()},
        "A shipped card by name, or the card that a Lua file returns.",
-       "assert(require 'fabric'.card 'denim'.name == 'denim')",
+       "local fabric = require 'fabric'\nassert(fabric.card 'denim'.name == 'denim')\n"
+       "assert(fabric.card('denim', { bending='estimated' }).bending.warp[1] > 0)",
        card_by_name},
       {"fabric.cards",
        Style::positional,
@@ -242,17 +254,13 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-std::string card_kind(const Card& card) {
-  if (std::holds_alternative<card::Svk>(card.law)) return "svk";
-  return std::holds_alternative<card::Linear>(card.law) ? "linear" : "woven";
-}
-
 void bind_card(Session& session) {
   install(session, constructors());
   install(session, rows());
   set_meta(session, "card", "__index", card_index);
   set_meta(session, "card", "__tostring", card_string);
   set_meta(session, "card", "__eq", card_equal);
+  know_parts(session.lua());
 }
 
 }  // namespace fabricsh::script

@@ -1,7 +1,7 @@
 // card:check.
 #include <cmath>
 
-#include "fabric/check.hpp"
+#include "law/check.hpp"
 #include "script/bind_run.hpp"
 
 namespace fabricsh::script {
@@ -14,10 +14,10 @@ int report_text(lua_State* L) {
   return 1;
 }
 
-void push_item(lua_State* L, const fabric::CheckItem& item) {
+void push_item(lua_State* L, const law::CheckItem& item) {
   lua_newtable(L);
   set_text(L, "key", item.key);
-  set_text(L, "severity", fabric::name(item.severity));
+  set_text(L, "severity", law::name(item.severity));
   set_text(L, "text", item.text);
   lua_newtable(L);
   for (const auto& [name, value] : item.numbers) set_number(L, name.c_str(), value);
@@ -30,11 +30,11 @@ void push_criterion(lua_State* L, const card::Card& card, bool usable) {
   const auto* woven = std::get_if<card::Woven>(&card.law);
   if (woven == nullptr || !usable) return;
   lua_Integer place = 0;
-  for (const auto& row : fabric::criterion_table(*woven, *fabric::compile(card))) {
+  for (const auto& row : law::criterion_table(*woven, *law::compile(card))) {
     lua_newtable(L);
     set_text(L, "path", row.path);
-    set_text(L, "warp", fabric::name(row.warp));
-    set_text(L, "weft", fabric::name(row.weft));
+    set_text(L, "warp", law::name(row.warp));
+    set_text(L, "weft", law::name(row.weft));
     if (!std::isnan(row.first)) set_number(L, "first", row.first);
     set_number(L, "last", row.last);
     lua_rawseti(L, -2, ++place);
@@ -53,7 +53,7 @@ Argument size_() {
 
 int check(Call& call) {
   lua_State* L = call.L();
-  const auto report = fabric::check(*call.self<card::Card>(), element_size(call));
+  const auto report = law::check(*call.self<card::Card>(), element_size(call));
   lua_newtable(L);
   set_text(L, "card", report.card);
   set_text(L, "text", report.text());

@@ -1,5 +1,5 @@
 // fabric.dynamic: a run in motion.
-#include "analysis/dynamic.hpp"
+#include "run/dynamic.hpp"
 #include "script/bind_model.hpp"
 #include "script/bind_run.hpp"
 
@@ -7,15 +7,15 @@ namespace fabricsh::script {
 
 namespace {
 
-void read_damping(const Call& call, analysis::DynamicOptions& options) {
+void read_damping(const Call& call, run::DynamicOptions& options) {
   if (!call.has("damping")) return;
   const Fields damping = call.fields("damping");
   if (damping.has("mass")) options.mass_damping = damping.number("mass");
   if (damping.has("stiffness")) options.stiffness_damping = damping.number("stiffness");
 }
 
-void read_method(const Call& call, analysis::DynamicOptions& options) {
-  if (call.text("scheme") == "implicit") options.scheme = analysis::Scheme::implicit_steps;
+void read_method(const Call& call, run::DynamicOptions& options) {
+  if (call.text("scheme") == "implicit") options.scheme = run::Scheme::implicit_steps;
   if (call.is("step", LUA_TNUMBER)) options.step = call.number("step");
   if (call.has("gamma")) options.gamma = call.number("gamma");
   if (call.has("beta")) options.beta = call.number("beta");
@@ -26,11 +26,11 @@ void read_method(const Call& call, analysis::DynamicOptions& options) {
 }
 
 int make(Call& call) {
-  analysis::DynamicOptions options;
+  run::DynamicOptions options;
   options.duration = call.number("duration");
   read_method(call, options);
   read_damping(call, options);
-  if (options.scheme == analysis::Scheme::explicit_steps)
+  if (options.scheme == run::Scheme::explicit_steps)
     for (const char* field : {"tolerance", "max_iterations", "max_cuts"})
       if (call.has(field)) call.refuse(field, "unknown for scheme=\"explicit\", which does not iterate");
   options.tolerance = call.number("tolerance");
@@ -40,14 +40,15 @@ int make(Call& call) {
   const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
   const auto model = call.object<model::Model>("model");
   const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
-  auto run = analysis::make_dynamic(model, options, notices);
+  auto run = run::make_dynamic(model, options, notices);
+  if (call.text("limit") == "stop") run->stop_beyond();
   push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
   keep_model(call);
   return 1;
 }
 
-const analysis::Dynamic& dynamic(Call& call) {
-  const auto* run = dynamic_cast<const analysis::Dynamic*>(call.self<Run>()->analysis.get());
+const run::Dynamic& dynamic(Call& call) {
+  const auto* run = dynamic_cast<const run::Dynamic*>(call.self<Run>()->analysis.get());
   if (run == nullptr) throw Error("a static analysis has no stable step");
   return *run;
 }
@@ -106,7 +107,8 @@ std::vector<Argument> arguments() {
       number_("tolerance", "", Range{0, 1, true, true}, "implicit: residual over the largest nodal force")
           .or_else(1e-8),
       integer_("max_iterations", from_one, "implicit: of one step, before it is cut").or_else(30),
-      integer_("max_cuts", not_negative, "implicit: halvings of one step").or_else(12)};
+      integer_("max_cuts", not_negative, "implicit: halvings of one step").or_else(12),
+      limit_row()};
 }
 
 std::vector<Entry> rows() {

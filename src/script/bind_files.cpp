@@ -1,6 +1,7 @@
 // What a deck writes by itself: card:write, fabric.write.
-#include "files/atomic.hpp"
+#include "card/fields.hpp"
 #include "script/bind.hpp"
+#include "system/atomic.hpp"
 
 namespace fabricsh::script {
 
@@ -8,14 +9,14 @@ namespace {
 
 int write_card(Call& call) {
   if (!call.session().options().check) {
-    files::make_folder_for(call.text("path"));
-    files::write_file(call.text("path"), card_text(*call.self<card::Card>()));
+    system::make_folder_for(call.text("path"));
+    system::write_file(call.text("path"), card::lua_text(*call.self<card::Card>()));
   }
   return 0;
 }
 
 int write(Call& call) {
-  if (!call.session().options().check) files::write_file(call.text("path"), call.text("content"));
+  if (!call.session().options().check) system::write_file(call.text("path"), call.text("content"));
   return 0;
 }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.hpp"
+#include "script/at_work.hpp"
 #include "script/bind.hpp"
 #include "script/words.hpp"
 
@@ -21,12 +23,10 @@ History callback(const Function& f, const std::string& what) {
   return History::callback([f, what](double t) {
     lua_State* L = f.push();
     lua_pushnumber(L, t);
-    lua_call(L, 1, 1);
-    char time[32];
-    std::snprintf(time, sizeof time, "%.10g", t);
+    call_deck(L, 1, 1);
     if (lua_type(L, -1) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, -1)))
-      throw Error(what + ": expected the history to return a finite number at t = " + time + " s, got " +
-                  describe(L, -1));
+      throw Error(what + ": expected the history to return a finite number at t = " +
+                  fabricsh::number(t, 10) + " s, got " + describe(L, -1));
     const double value = lua_tonumber(L, -1);
     lua_pop(L, 1);
     return value;
@@ -68,15 +68,15 @@ int history_text(lua_State* L) {
   const History& h = *to_object<History>(L, 1);
   std::string words = "<history";
   if (h.is_constant()) {
-    words += ", always " + number_text(h.value(0));
+    words += ", always " + exact_number(h.value(0));
   } else {
     double low = h.value(h.kinks().front()), high = low;
     for (const double t : h.kinks()) {
       low = std::min(low, h.value(t));
       high = std::max(high, h.value(t));
     }
-    words += " of " + std::to_string(h.kinks().size()) + " points to " + number_text(h.kinks().back()) +
-             " s, " + number_text(low) + " to " + number_text(high);
+    words += " of " + std::to_string(h.kinks().size()) + " points to " + exact_number(h.kinks().back()) +
+             " s, " + exact_number(low) + " to " + exact_number(high);
   }
   lua_pushstring(L, (words + ">").c_str());
   return 1;

@@ -1,6 +1,5 @@
 // a:checkpoint, a:restart, a:set, a:why, fabric.why: what outlives a run, what may change while it is under
 // way, why it failed.
-#include "files/atomic.hpp"
 #include "script/checkpoint.hpp"
 #include "script/lua_table.hpp"
 
@@ -8,30 +7,30 @@ namespace fabricsh::script {
 
 namespace {
 
-constexpr double usual_minutes = 10;
-
 int chain(const Call& call) {
   lua_pushvalue(call.L(), 1);
   return 1;
 }
 
-std::shared_ptr<Keeper> make_keeper(Run& run, const std::string& path, const Fields* options) {
-  std::optional<double> every, minutes;
-  if (options != nullptr && options->has("every"))
-    every = options->is("every", LUA_TSTRING) ? 0 : options->number("every");
-  if (options != nullptr && options->has("minutes")) minutes = options->number("minutes");
-  if (!every && !minutes) minutes = usual_minutes;
-  return std::make_shared<Keeper>(run, path, every, minutes);
+// Error: what can't be kept, said at once.
+void check_table(const Fields& options) {
+  options.push("keep");
+  pack_table(options.L(), -1, "keep");
+  lua_pop(options.L(), 1);
 }
 
 // The deck's table goes along with the checkpoint, and is filled from the one that the run begins from.
-void keep_table(Run& run, const std::string& path, const Fields& options, Keeper& keeper) {
-  options.push("keep");
-  lua_State* L = options.L();
-  pack_table(L, -1, "keep");  // what can't be kept is said at once
-  if (const std::string* kept = take_part(run, "keep", path)) fill_table(L, -1, *kept);
-  lua_pop(L, 1);
-  keeper.keep_table(Hook(options, "keep", &run));
+void keep_table(Run& run, const std::string& path, const Fields& options, run::Keeper& keeper) {
+  if (const std::string* kept = run.job.claims().take("keep", path)) {
+    options.push("keep");
+    fill_table(options.L(), -1, *kept);
+    lua_pop(options.L(), 1);
+  }
+  keeper.keep_also([table = Hook(options, "keep", &run), path](std::vector<run::Checkpoint::Part>& parts) {
+    lua_State* L = table.push();
+    parts.push_back({"keep", path, pack_table(L, -2, "keep")});
+    lua_pop(L, 2);
+  });
 }
 
 int checkpoint(Call& call) {
@@ -39,18 +38,18 @@ int checkpoint(Call& call) {
   const std::string path = call.text("path");
   std::optional<Fields> options;
   if (call.has("options")) options.emplace(call.fields("options"));
-  const auto keeper = make_keeper(*run, path, options ? &*options : nullptr);
-  if (options && options->has("keep")) keep_table(*run, path, *options, *keeper);
+  std::optional<double> every, minutes;
+  if (options && options->has("every"))
+    every = options->is("every", LUA_TSTRING) ? 0 : options->number("every");
+  if (options && options->has("minutes")) minutes = options->number("minutes");
+  const bool keeps = options && options->has("keep");
+  if (keeps) check_table(*options);
   if (call.session().options().check) return chain(call);
-  const std::string file = free_path(*run, path);
-  files::make_folder_for(path);
-  files::remove_leftovers(path);
-  run->paths.insert(file);
+  const auto keeper = run->job.checkpoint(path, every, minutes);
+  if (keeps) keep_table(*run, path, *options, *keeper);
   // In a restarted deck the analyses before the one that is taken up are behind it: the file is not theirs.
   const auto& begun = call.session().restart();
-  if (begun && run->number < begun->analysis) keeper->write_nothing();
-  run->checkpoints.push_back(keeper);
-  run->analysis->when_settled([keeper](analysis::Run&) { keeper->look(); });
+  if (begun && run->number() < begun->number) keeper->write_nothing();
   return chain(call);
 }
 
@@ -60,7 +59,7 @@ int restart_run(Call& call) {
 }
 
 int set(Call& call) {
-  analysis::Run::Settings settings;
+  run::Run::Settings settings;
   if (call.has("tolerance")) settings.tolerance = call.number("tolerance");
   if (call.has("step")) settings.step = call.number("step");
   if (call.has("max_iterations")) settings.max_iterations = call.count("max_iterations");

@@ -1,6 +1,7 @@
 // fabric.lab: the measuring parts that the library's Lua stands on.
 #include <cmath>
 
+#include "base/number.hpp"
 #include "lab/backbone.hpp"
 #include "lab/markers.hpp"
 #include "lab/pull.hpp"
@@ -148,7 +149,7 @@ std::vector<int> degrees(const Call& call) {
   std::vector<int> out;
   for (const double d : call.numbers("degrees")) {
     if (!(d >= 1 && d <= 20) || d != std::floor(d))
-      call.refuse("degrees", "expected whole numbers from 1 to 20, got " + number_text(d));
+      call.refuse("degrees", "expected whole numbers from 1 to 20, got " + exact_number(d));
     out.push_back(static_cast<int>(d));
   }
   if (out.empty()) call.refuse("degrees", "expected at least one degree");

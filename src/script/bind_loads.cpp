@@ -2,6 +2,7 @@
 // symmetry; plies.
 #include <numbers>
 
+#include "base/number.hpp"
 #include "model/model.hpp"
 #include "script/bind.hpp"
 #include "script/bind_model.hpp"
@@ -86,8 +87,8 @@ model::RigidVelocity velocity_at(const Function& place, const std::string& set, 
   lua_State* L = place.push();
   for (int i = 0; i < 3; ++i) lua_pushnumber(L, X[i]);
   lua_call(L, 3, 1);
-  const std::string what = "velocity '" + set + "': what the function returned at (" + number_text(X.x()) +
-                           ", " + number_text(X.y()) + ", " + number_text(X.z()) + ") m: ";
+  const std::string what = "velocity '" + set + "': what the function returned at (" + exact_number(X.x()) +
+                           ", " + exact_number(X.y()) + ", " + exact_number(X.z()) + ") m: ";
   if (!lua_istable(L, -1))
     throw Error(what + "expected a table {x, y, z, spin, centre}, got " + describe(L, -1));
   model::RigidVelocity v;
@@ -100,7 +101,20 @@ model::RigidVelocity velocity_at(const Function& place, const std::string& set, 
   return v;
 }
 
+// The start of a free body.
+int velocity_of_body(Call& call) {
+  if (call.is("velocity", LUA_TFUNCTION))
+    call.refuse("velocity", "expected {x=, y=, z=, spin=} of a rigid body, got a function");
+  const Fields given = call.fields("velocity");
+  if (given.has("centre"))
+    given.refuse("centre", "a rigid body spins about its centre of mass: expected nothing");
+  const model::RigidVelocity v = read_velocity(given, "velocity: ");
+  call.self<Model>()->velocity(model::BodyVelocity{call.object<const model::Rigid>("set"), v.linear, v.spin});
+  return return_self(call);
+}
+
 int velocity(Call& call) {
+  if (call.object<const model::Rigid>("set")) return velocity_of_body(call);
   model::InitialVelocity v{call.text("set")};
   if (const Function place = call.function("velocity")) {
     v.place = [place, set = v.set](const Vec3& X) { return velocity_at(place, set, X); };
@@ -184,8 +198,9 @@ std::vector<Entry> rows() {
        turn},
       {"model:velocity",
        Style::positional,
-       {set_row(), velocity_row()},
-       "Velocity of a node set at time 0, for fabric.dynamic: one for all, or a function of place that "
+       {set_or_body_row(), velocity_row()},
+       "Velocity of a node set, or of a free rigid body, at time 0, for fabric.dynamic: one for all, or a "
+       "function of place that "
        "returns "
        "it for each node.",
        sample + "m:velocity('all', { z=-2, spin={0, 0, 360} })\n"
@@ -206,6 +221,7 @@ std::vector<Entry> rows() {
 void bind_loads(Session& session) {
   install(session, rows());
   bind_ties(session);
+  bind_contact(session);
   bind_declared(session);
 }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "script/show.hpp"
 #include "script/words.hpp"
 
@@ -74,7 +76,7 @@ void define_listed(Mesh& mesh, const std::string& name, const std::vector<double
   for (const double number : numbers) {
     if (!(number >= 1 && number <= static_cast<double>(mesh.nodes.size())) || number != std::floor(number))
       throw Error("argument 'nodes': expected node numbers from 1 to " + std::to_string(mesh.nodes.size()) +
-                  ", got " + number_text(number));
+                  ", got " + exact_number(number));
     ids.push_back(static_cast<Index>(number) - 1);
   }
   mesh.define(name, std::move(ids));
@@ -188,21 +190,6 @@ int call_elements(lua_State* L) {
   return lua_gettop(L);
 }
 
-struct Box {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-  Vec3 size() const { return high - low; }
-};
-
-Box box_of(const Mesh& mesh) {
-  Box box;
-  if (!mesh.nodes.empty()) box.low = box.high = mesh.nodes.front();
-  for (const Vec3& x : mesh.nodes) {
-    box.low = box.low.cwiseMin(x);
-    box.high = box.high.cwiseMax(x);
-  }
-  return box;
-}
-
 // A size in the plane of x and y has two numbers, any other three.
 std::string size_text(const Vec3& size) {
   return size[2] == 0 ? lengths_text({size[0], size[1]}) : lengths_text({size[0], size[1], size[2]});
@@ -210,7 +197,7 @@ std::string size_text(const Vec3& size) {
 
 // "20x20" of a rectangle, "disk 4+2"; a mesh from a file says its elements and where it lies.
 std::string mesh_words(const Mesh& mesh) {
-  const Box box = box_of(mesh);
+  const Box box = box_of(mesh.nodes);
   const auto starts = [&mesh](const char* word) { return mesh.origin.rfind(word, 0) == 0; };
   std::string words = "<mesh " +
                       mesh.origin.substr(starts("rectangle ") ? 10
@@ -235,7 +222,7 @@ int mesh_text(lua_State* L) { return push_words(L, mesh_words(*to_object<Mesh>(L
 
 int nodes_text(lua_State* L) {
   const Mesh& mesh = *to_object<NodeView>(L, 1)->mesh;
-  const Box box = box_of(mesh);
+  const Box box = box_of(mesh.nodes);
   return push_words(L, "<" + std::to_string(mesh.nodes.size()) + " x 3 numbers, " +
                            lengths_text({box.low.minCoeff(), box.high.maxCoeff()}, " to ") + ">");
 }

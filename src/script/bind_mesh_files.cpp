@@ -1,10 +1,10 @@
 // fabric.mesh.read, mesh:write, mesh:check, mesh:orient.
-#include "base/paths.hpp"
-#include "files/gate.hpp"
-#include "files/mesh_file.hpp"
+#include "format/mesh_file.hpp"
 #include "mesh/check.hpp"
 #include "script/bind_mesh.hpp"
 #include "script/words.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::script {
 
@@ -15,20 +15,20 @@ namespace {
 // A bare name that is no file here is one of the meshes that come with the program.
 std::string file_of(const std::string& path) {
   const bool bare = path.find('/') == std::string::npos;
-  if (!bare || files::Gate::of_process().exists(path)) return path;
+  if (!bare || system::Gate::of_process().exists(path)) return path;
   const std::string shipped = data_file("meshes/" + path);
   return shipped.empty() ? path : shipped;
 }
 
 int read(Call& call) {
-  push_object(call.L(), std::make_shared<Mesh>(files::read_mesh(file_of(call.text("file")))));
+  push_object(call.L(), std::make_shared<Mesh>(format::read_mesh(file_of(call.text("file")))));
   return 1;
 }
 
 int write(Call& call) {
   if (!call.session().options().check) {
-    files::make_folder_for(call.text("file"));
-    files::write_mesh(call.text("file"), *call.self<Mesh>());
+    system::make_folder_for(call.text("file"));
+    format::write_mesh(call.text("file"), *call.self<Mesh>());
   }
   lua_pushvalue(call.L(), 1);
   return 1;

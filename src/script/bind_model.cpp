@@ -1,10 +1,12 @@
 // fabric.model: supports, motions, loads.
 #include "script/bind_model.hpp"
 
-#include "fabric/check.hpp"
+#include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "model/model.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
+#include "script/body_rows.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -57,6 +59,8 @@ std::string sample_model() {
          "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
 }
 
+Argument set_or_body_row() { return object_("set", "body", "name of a node set, or a rigid body", text); }
+
 Argument frame_row() {
   return fields_("options",
                  {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
@@ -73,125 +77,15 @@ Argument components_row(const char* unit, const char* sentence) {
 
 namespace {
 
-// A direction on top of the stack: an angle or a vector.
-model::Direction read_direction(lua_State* L, const std::string& what) {
-  if (lua_type(L, -1) == LUA_TNUMBER) return lua_tonumber(L, -1);
-  if (!lua_istable(L, -1))
-    throw Error(what + ": expected an angle in degrees or {x, y, z}, got " + describe(L, -1));
-  return read_vector(read_numbers(L, -1), what);
-}
-
-model::WarpField warp_function(const Function& f) {
-  return [f](const Vec3& X) {
-    lua_State* L = f.push();
-    for (int i = 0; i < 3; ++i) lua_pushnumber(L, X[i]);
-    lua_call(L, 3, 1);
-    const model::Direction direction = read_direction(L, "field 'warp': what the function returned");
-    lua_pop(L, 1);
-    return direction;
-  };
-}
-
-void read_warp(const Call& call, model::Options& options) {
-  if (!call.has("warp")) return;
-  if (const Function f = call.function("warp")) {
-    options.warp = warp_function(f);
-    options.warp_text = "function";
-    return;
-  }
-  call.push("warp");
-  const model::Direction direction = read_direction(call.L(), "field 'warp'");
-  options.warp_text =
-      lua_isnumber(call.L(), -1) ? number_text(lua_tonumber(call.L(), -1)) + " degrees" : "vector";
-  lua_pop(call.L(), 1);
-  options.warp = [direction](const Vec3&) { return direction; };
-}
-
-// One entry of layers={ {card=, warp=, thickness=}, ... }.
-section::Ply read_ply(lua_State* L, const std::vector<Argument>& fields, int number) {
-  const Fields given(L, lua_gettop(L), fields, "layers[" + std::to_string(number) + "].");
-  const auto card = given.object<card::Card>("card");
-  return {*card, given.has("thickness") ? given.number("thickness") : card->thickness,
-          given.has("warp") ? given.number("warp") : 0.0};
-}
-
-std::vector<Argument> layer_fields() {
-  return {object_("card", "card", "the ply's fabric"),
-          number_("warp", "degrees", everything, "from the model's warp direction").optional(),
-          number_("thickness", "m", positive, "wins over the card's").optional()};
-}
-
-void read_layers(const Call& call, model::Options& options) {
-  if (!call.has("layers")) return;
-  lua_State* L = call.L();
-  static const std::vector<Argument> fields = layer_fields();
-  call.push("layers");
-  const auto count = static_cast<int>(lua_rawlen(L, -1));
-  for (int i = 1; i <= count; ++i) {
-    if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
-      call.refuse("layers", "expected a list of tables {card=, warp=, thickness=}, got " + describe(L, -1));
-    options.plies.push_back(read_ply(L, fields, i));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
-  if (options.plies.empty()) call.refuse("layers", "expected at least one layer, got an empty table");
-}
-
-// A card that fails its check is refused; each of its warnings is said once. That of bending is the run's: it
-// knows whether the sheet can leave its surface.
-void check_card(const Call& call, const card::Card& card) {
-  const auto report = fabric::check(card);
-  for (const auto& item : report.items) {
-    const std::string words = "card '" + card.name + "': " + item.key + ": " + item.text;
-    if (item.severity == fabric::Severity::error) throw Error(words);
-    const bool is_bending = item.key.starts_with("bending.");
-    if (item.severity == fabric::Severity::warning && !is_bending)
-      call.session().notices().once(words, "warning: " + words);
-  }
-}
-
-int make(Call& call) {
-  model::Options options;
-  read_layers(call, options);
-  if (options.plies.empty() == !call.has("card"))
-    call.refuse("card", options.plies.empty()
-                            ? "expected either a card or layers={ {card=}, ... }, got neither"
-                            : "expected either a card or layers={ {card=}, ... }, got both");
-  const card::Card card =
-      options.plies.empty() ? *call.object<card::Card>("card") : options.plies.front().card;
-  if (call.has("thickness")) options.thickness = call.number("thickness");
-  options.points = call.count("points");
-  options.offset = call.number("offset");
-  read_warp(call, options);
-  const auto mesh = call.object<mesh::Mesh>("mesh");
-  const Still still(call.session(), mesh.get());
-  auto model = std::make_shared<Model>(mesh, card, std::move(options));
-  for (const auto& ply : model->options().plies) check_card(call, ply.card);
-  if (model->options().plies.empty()) check_card(call, card);
-  push_object(call.L(), std::move(model));
-  return 1;
-}
-
 int fix(Call& call) {
   call.self<Model>()->fix(call.text("set"), model::parse_freedoms(call.text("freedoms")), read_frame(call));
   return return_self(call);
 }
 
-// m, the diagonal of the box about a mesh.
-double length_of(const mesh::Mesh& mesh) {
-  if (mesh.nodes.empty()) return 0;
-  Vec3 low = mesh.nodes.front(), high = low;
-  for (const Vec3& X : mesh.nodes) {
-    low = low.cwiseMin(X);
-    high = high.cwiseMax(X);
-  }
-  return (high - low).norm();
-}
-
 // A motion many times as long as the mesh is a wrong unit more often than a flight.
 void ask_about_motion(const Call& call, const model::Components& components) {
   constexpr double many = 10;
-  const double length = length_of(call.self<Model>()->mesh());
+  const double length = box_of(call.self<Model>()->mesh().nodes).size().norm();
   for (std::size_t i = 0; i < 3; ++i) {
     if (!components[i]) continue;
     const auto& history = *components[i];
@@ -199,13 +93,65 @@ void ask_about_motion(const Call& call, const model::Components& components) {
     for (const double t : history.kinks()) farthest = std::max(farthest, std::abs(history.value(t)));
     if (farthest <= many * length) continue;
     const std::string words = position(call.L()) + "move '" + call.text("set") + "': field '" + "xyz"[i] +
-                              "': " + number_text(farthest) + " m is " + brief_number(farthest / length) +
-                              " times the size of the mesh (" + brief_number(length) + " m): is it in m?";
+                              "': " + exact_number(farthest) + " m is " +
+                              fabricsh::number(farthest / length, 7) + " times the size of the mesh (" +
+                              fabricsh::number(length, 7) + " m): is it in m?";
     call.session().notices().once(words, "warning: " + words);
   }
 }
 
+// Place and turn of a rigid body.
+int move_body(Call& call, model::RigidPointer body) {
+  model::BodyMotion motion{std::move(body), {}, {}};
+  const Fields given = call.fields("components");
+  const char* const axes[] = {"x", "y", "z"};
+  const std::string what = "field '";
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (given.push(axes[i]) != LUA_TNIL)
+      motion.displacement[i] = read_history(call.session(), call.L(), -1, what + axes[i] + "'");
+    lua_pop(call.L(), 1);
+  }
+  if (call.has("options")) call.refuse("options", "a rigid body moves along global axes: expected nothing");
+  if (given.has("turn")) {
+    const Fields turn = given.fields("turn");
+    turn.push("angle");
+    motion.turn = model::BodyTurn{read_vector(turn.numbers("axis"), "move: field 'turn.axis'"),
+                                  read_history(call.session(), call.L(), -1, "field 'turn.angle'"),
+                                  {}};
+    if (turn.has("centre"))
+      motion.turn->centre = read_vector(turn.numbers("centre"), "move: field 'turn.centre'");
+  }
+  call.self<Model>()->move(std::move(motion));
+  return return_self(call);
+}
+
+// What a set cannot do.
+void refuse_turn(const Call& call) {
+  const Fields given = call.fields("components");
+  if (given.has("turn"))
+    given.refuse("turn",
+                 "expected a rigid body, got the set '" + call.text("set") + "' (m:turn turns a set)");
+}
+
+Argument turn_row() {
+  return fields_("turn",
+                 {value_("axis", numbers, "{x, y, z}: direction of the axis"),
+                  history_("angle", "degrees", "angle about the axis"),
+                  value_("centre", numbers, "{x, y, z}, m: a point of the axis; default the body's centre")
+                      .optional()},
+                 "of a rigid body: {axis=, angle=, centre=}")
+      .optional();
+}
+
+Argument motion_row() {
+  Argument row = components_row("m", "{x=, y=, z=, turn=}: displacement from the reference position");
+  row.rows.push_back(turn_row());
+  return row;
+}
+
 int move(Call& call) {
+  if (auto body = call.object<const model::Rigid>("set")) return move_body(call, std::move(body));
+  refuse_turn(call);
   auto components = read_components(call);
   ask_about_motion(call, components);
   call.self<Model>()->move(call.text("set"), std::move(components), read_frame(call));
@@ -256,25 +202,13 @@ Argument set_row() { return value_("set", text, "name of a node set"); }
 std::vector<Entry> rows() {
   const std::string sample = sample_model();
   return {
-      {"fabric.model",
-       Style::fields,
-       {object_("mesh", "mesh", "the surface"), object_("card", "card", "the fabric").optional(),
-        value_("layers", table, "{ {card=, warp=, thickness=}, ... }: plies from below, in place of a card")
-            .optional(),
-        number_("thickness", "m", positive, "wins over the card's; mass per area follows")
-            .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
-            .optional(),
-        Argument{"warp", number | numbers | function, "degrees", everything,
-                 "warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or "
-                 "function(x, y, z) "
-                 "returning either; default 0 on a flat generated mesh"}
-            .optional(),
-        integer_("points", Range{1, 9}, "integration points through the thickness").or_else(3),
-        number_("offset", "", Range{-1, 1}, "reference surface: -1 lower face, 0 middle, 1 upper face")
-            .or_else(0.0)},
-       "The declared problem: a mesh of a fabric, to be held, moved and loaded.",
-       sample + "assert(m.thickness == 0.38e-3)",
-       make},
+      {"fabric.model", Style::fields, model_rows(),
+       "The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.",
+       sample + "assert(m.thickness == 0.38e-3)\n"
+                "local both = fabric.model{ bodies={ { name='front', mesh=mesh, card=fabric.card 'blend' },\n"
+                "  { name='back', mesh=mesh, card=fabric.card 'denim' } } }\n"
+                "both:fix('front.left', 'x y z')",
+       make_model},
       {"model:fix",
        Style::positional,
        {set_row(),
@@ -285,9 +219,9 @@ std::vector<Entry> rows() {
        fix},
       {"model:move",
        Style::positional,
-       {set_row(), components_row("m", "{x=, y=, z=}: displacement from the reference position"),
-        frame_row()},
-       "Prescribes displacements of a node set as histories (number, function(t), fabric.history, "
+       {set_or_body_row(), motion_row(), frame_row()},
+       "Prescribes displacements of a node set, or of a rigid body, as histories (number, function(t), "
+       "fabric.history, "
        "fabric.ramp).",
        sample + "m:move('top', { y=fabric.ramp(0.018, 1) })",
        move},
@@ -307,13 +241,13 @@ std::vector<Entry> rows() {
       {"model.thickness",
        Style::property,
        {},
-       "Thickness of the sheet, m.",
+       "Thickness of the sheet, m; of several bodies the first one's.",
        sample + "assert(m.thickness > 0)",
        thickness},
       {"model.card",
        Style::property,
        {},
-       "The card it was made of.",
+       "The card it was made of; of several bodies the first one's.",
        sample + "assert(m.card.name == 'blend')",
        card_of},
   };

@@ -1,135 +1,21 @@
 // a:record and a:vtk.
 #include <algorithm>
-#include <filesystem>
+#include <functional>
 #include <set>
 
-#include "files/csv.hpp"
-#include "output/vtk_series.hpp"
+#include "run/result_fields.hpp"
+#include "script/at_work.hpp"
 #include "script/bind_run.hpp"
-#include "script/checkpoint.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
 
 namespace {
 
-std::string absolute(const std::string& path) {
-  return std::filesystem::absolute(path).lexically_normal().string();
-}
-
 // s; 0: every step.
 double interval_of(const Fields& options) {
   return !options.has("every") || options.is("every", LUA_TSTRING) ? 0 : options.number("every");
 }
-
-// Has its frames written as often as `interval` says; drive() asks for one more when the run ends.
-void schedule(Run& run, double interval, const std::shared_ptr<Output>& output) {
-  const auto frame = [output](analysis::Run& a) { output->series->frame(a); };
-  const auto repeat = analysis::Run::AfterError::repeat;
-  output->hook =
-      interval > 0 ? run.analysis->every(interval, frame, repeat) : run.analysis->every_step(frame, repeat);
-  run.analysis->on_restore([output](analysis::Run& a) { output->series->rewind(a.steps().size()); });
-  run.outputs.push_back(output);
-}
-
-// The output of the run that another one may take the place of: it was an error, or was one in the part of
-// the run that a restarted deck passes over. Null: none.
-Output* replaceable(const Run& run, const std::string& kind, const std::string& file) {
-  for (const auto& output : run.outputs)
-    if (output->kind == kind && output->file == file &&
-        (output->series->in_trouble() || run.calls < run.passing))
-      return output.get();
-  return nullptr;
-}
-
-// Opens the output, new or, where the run begins from a checkpoint that has it, continued.
-template <class Series, class Options>
-void add_output(Run& run, Output output, double interval, const Options& options) {
-  const std::string written = output.file;
-  Output* const old = replaceable(run, output.kind, absolute(written));
-  output.file = old != nullptr ? old->file : free_path(run, written);
-  if (const std::string* kept = take_part(run, output.kind, output.path)) {
-    Archive from(*kept);
-    output.series = std::make_shared<Series>(output.path, options, from);
-    for (const std::string& file : output.series->lost())
-      run.session.notices().say("warning: restart: '" + file + "' is gone, the series goes on without it");
-  } else {
-    output.series = std::make_shared<Series>(output.path, options);
-  }
-  if (old != nullptr) {
-    old->series = output.series;
-    run.analysis->reschedule(old->hook, interval);
-    return;
-  }
-  run.paths.insert(output.file);
-  run.record.add_output(written);
-  schedule(run, interval, std::make_shared<Output>(std::move(output)));
-}
-
-}  // namespace
-
-std::string free_path(const Run& run, const std::string& path) {
-  const std::string file = absolute(path);
-  if (run.paths.count(file) != 0) throw Error("argument 1: '" + path + "' is an output of this run already");
-  return file;
-}
-
-namespace {
-
-struct Column {
-  std::string name;
-  Hook value;
-  std::string heading;  // the name with its unit
-};
-
-class Record final : public output::Series {
- public:
-  Record(const std::string& path, std::vector<Column> columns)
-      : columns_(std::move(columns)), writer_(path, names()) {}
-  // Goes on with a table that another program has left.
-  Record(const std::string& path, std::vector<Column> columns, Archive& from)
-      : Series(from), columns_(std::move(columns)), writer_(path, names(), place(from)) {}
-  void sync() override { writer_.sync(); }
-
- private:
-  void write(const analysis::Run& run) override {
-    std::vector<double> values = {run.time()};
-    for (const Column& column : columns_) values.push_back(value(column));
-    writer_.row(values);
-  }
-  void cut(std::size_t rows) override { writer_.keep(rows); }
-  void keep_place(Archive& archive) override {
-    files::CsvPlace place = writer_.place();
-    archive(place);
-  }
-  files::CsvPlace place(Archive& from) const {
-    files::CsvPlace place;
-    from(place);
-    if (place.ends.size() != frames() + 1) throw Error("rows of a table were lost count of");
-    return place;
-  }
-
-  std::vector<std::string> names() const {
-    std::vector<std::string> out = {"time (s)"};
-    for (const Column& column : columns_) out.push_back(column.heading);
-    return out;
-  }
-
-  static double value(const Column& column) {
-    const Still still = column.value.still();
-    lua_State* L = column.value.push();
-    lua_call(L, 1, 1);
-    if (lua_type(L, -1) != LUA_TNUMBER)
-      throw Error("record: field 'columns." + column.name +
-                  "': expected the function to return a number, got " + describe(L, -1));
-    const double result = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-    return result;
-  }
-
-  std::vector<Column> columns_;
-  files::CsvWriter writer_;
-};
 
 std::vector<std::string> text_list(const Fields& fields, const char* name) {
   std::vector<std::string> words;
@@ -154,14 +40,14 @@ std::vector<std::string> column_names(const Fields& options) {
   const std::set<std::string> ordered(names.begin(), names.end());
   options.push("columns");
   for (const std::string& name : names) {
-    if (lua_getfield(L, -1, name.c_str()) != LUA_TFUNCTION)
-      options.refuse("order", "no column '" + name + "'");
+    if (lua_getfield(L, -1, name.c_str()) == LUA_TNIL) options.refuse("order", "no column '" + name + "'");
     lua_pop(L, 1);
   }
   lua_pushnil(L);
   while (lua_next(L, -2) != 0) {
-    if (lua_type(L, -2) != LUA_TSTRING || !lua_isfunction(L, -1))
-      options.refuse("columns", "expected name = function(a), got " + describe(L, -1));
+    if (lua_type(L, -2) != LUA_TSTRING ||
+        (!lua_isfunction(L, -1) && lua_type(L, -1) != LUA_TSTRING && !lua_istable(L, -1)))
+      options.refuse("columns", "expected name = function(a) or the name of a field, got " + describe(L, -1));
     const std::string name = lua_tostring(L, -2);
     if (ordered.count(name) == 0) rest.push_back(name);
     lua_pop(L, 1);
@@ -173,22 +59,38 @@ std::vector<std::string> column_names(const Fields& options) {
   return names;
 }
 
-// In the order of the table. Each function is taken out by itself: to look through all of them for each would
-// cost the cube of their number.
-std::vector<Column> read_columns(const Fields& options, Run* run) {
-  lua_State* L = options.L();
-  const std::vector<Argument> row = {value_("column", function, "a column")};
-  std::vector<Column> columns;
-  options.push("columns");
-  for (const std::string& name : column_names(options)) {
-    lua_newtable(L);
-    lua_getfield(L, -2, name.c_str());
-    lua_setfield(L, -2, "column");
-    columns.push_back({name, Hook(Fields(L, -1, row, "options.columns."), "column", run), name});
+double called(const Hook& hook, const std::string& name) {
+  const Still still = hook.still();
+  lua_State* L = hook.push();
+  call_deck(L, 1, 1);
+  if (lua_type(L, -1) != LUA_TNUMBER)
+    throw Error("record: field 'columns." + name + "': expected the function to return a number, got " +
+                describe(L, -1));
+  const double result = lua_tonumber(L, -1);
+  lua_pop(L, 1);
+  return result;
+}
+
+// The mean of a field, whose unit it gives: "S11", or {"S11", "left"} over a set. The value is on top of the
+// stack.
+std::function<double(const run::Run&)> mean_of_field(const Fields& columns, const std::string& name,
+                                                     const run::Run& run, std::string& unit) {
+  lua_State* L = columns.L();
+  std::string words[2] = {"", "all"};
+  if (lua_type(L, -1) == LUA_TSTRING) words[0] = lua_tostring(L, -1);
+  for (int i = 0; lua_istable(L, -1) && i < 2; ++i) {
+    if (lua_rawgeti(L, -1, i + 1) != LUA_TSTRING)
+      columns.refuse(name, "expected a field's name or {name, set}, got " + describe(L, -1) + " at place " +
+                               std::to_string(i + 1));
+    words[i] = lua_tostring(L, -1);
     lua_pop(L, 1);
   }
-  lua_pop(L, 1);
-  return columns;
+  const std::vector<std::string> known = run::scalar_names(run::Place::element);
+  if (std::find(known.begin(), known.end(), words[0]) == known.end())
+    columns.refuse(name, unknown("field", words[0], known));
+  run.model().mesh().set(words[1]);  // refuses an unknown one
+  unit = run::find_field(words[0]).field->unit;
+  return [field = words[0], set = words[1]](const run::Run& a) { return a.mean(field, set); };
 }
 
 // Columns that are called by a quantity hold it in SI, as everything does, unless the deck says otherwise.
@@ -199,10 +101,32 @@ std::string usual_unit(const std::string& name) {
   return "";
 }
 
-// The unit of a column as `units` gives it; "": none.
-std::string unit_of(const Fields& options, const std::string& name) {
+// The column's function is taken out by itself: to look through all of them for each would cost the cube of
+// their number.
+run::Column read_column(const Fields& options, const std::string& name, Run* run) {
   lua_State* L = options.L();
-  std::string unit = usual_unit(name);
+  const std::vector<Argument> row = {value_(name, function | text | table, "a column")};
+  options.push("columns");
+  lua_newtable(L);
+  lua_getfield(L, -2, name.c_str());
+  lua_setfield(L, -2, name.c_str());
+  const Fields columns(L, -1, row, "options.columns.");
+  run::Column column{name, {}, {}};
+  if (columns.push(name) == LUA_TFUNCTION) {
+    column.value = [hook = Hook(columns, name, run), name](const run::Run&) { return called(hook, name); };
+    column.unit = usual_unit(name);
+  } else {
+    column.value = mean_of_field(columns, name, *run->analysis, column.unit);
+  }
+  lua_pop(L, 3);
+  return column;
+}
+
+// The unit of a column as `units` gives it; "": none. Before, it is the usual one.
+std::string unit_of(const Fields& options, const run::Column& column) {
+  lua_State* L = options.L();
+  const std::string& name = column.name;
+  std::string unit = column.unit;
   if (options.push("units") == LUA_TTABLE) {
     if (lua_getfield(L, -1, name.c_str()) == LUA_TSTRING)
       unit = lua_tostring(L, -1);
@@ -218,12 +142,12 @@ std::string unit_of(const Fields& options, const std::string& name) {
 }
 
 // Every name in `units` is that of a column.
-void check_units(const Fields& options, const std::vector<Column>& columns) {
+void check_units(const Fields& options, const std::vector<run::Column>& columns) {
   lua_State* L = options.L();
   if (options.push("units") == LUA_TTABLE)
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
       const bool known = lua_type(L, -2) == LUA_TSTRING &&
-                         std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
+                         std::any_of(columns.begin(), columns.end(), [&](const run::Column& column) {
                            return column.name == lua_tostring(L, -2);
                          });
       if (!known) options.refuse("units", "no column " + describe(L, -2));
@@ -234,16 +158,14 @@ void check_units(const Fields& options, const std::vector<Column>& columns) {
 int record(Call& call) {
   const auto run = call.self<Run>();
   const Fields options = call.fields("options");
-  std::vector<Column> columns = read_columns(options, run.get());
+  std::vector<run::Column> columns;
+  for (const std::string& name : column_names(options))
+    columns.push_back(read_column(options, name, run.get()));
   check_units(options, columns);
-  for (Column& column : columns) {
-    const std::string unit = unit_of(options, column.name);
-    column.heading = unit.empty() ? column.name : column.name + " (" + unit + ")";
-  }
+  for (run::Column& column : columns) column.unit = unit_of(options, column);
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
-  const std::string path = call.text("path");
-  add_output<Record>(*run, {"record", path, path, {}}, interval_of(options), columns);
+  run->job.record(call.text("path"), columns, interval_of(options));
   return 1;
 }
 
@@ -260,7 +182,7 @@ int vtk(Call& call) {
   if (call.session().options().check) return 1;
   std::string stem = call.text("stem");
   if (stem.ends_with(".pvd")) stem.resize(stem.size() - 4);
-  add_output<output::VtkSeries>(*run, {"vtk", stem, stem + ".pvd", {}}, interval_of(options), fields);
+  run->job.vtk(stem, interval_of(options), fields);
   return 1;
 }
 
@@ -276,15 +198,19 @@ std::vector<Entry> rows() {
       {"analysis:record",
        Style::positional,
        {value_("path", text, "of the CSV file"),
-        fields_("options",
-                {every_row(), value_("columns", table, "name = function(a) that returns a number"),
-                 value_("order", table, "names in the order of the columns").optional(),
-                 value_("units", table,
-                        "name = unit of what the function returns, '' for none; put behind the name in the "
-                        "heading. Default: N for a column called force (or force_x, force_y, force_z), m for "
-                        "displacement")
-                     .optional()},
-                "columns, and how often")},
+        fields_(
+            "options",
+            {every_row(),
+             value_("columns", table,
+                    "name = function(a) that returns a number; or a field's name, for its mean over the "
+                    "elements, or {field, set}"),
+             value_("order", table, "names in the order of the columns").optional(),
+             value_("units", table,
+                    "name = unit of what the function returns, '' for none; put behind the name in the "
+                    "heading. Default: that of the field; N for a column called force (or force_x, force_y, "
+                    "force_z), m for displacement")
+                 .optional()},
+            "columns, and how often")},
        "Writes a table as the run goes: time, then the columns, with their units in the heading, so that "
        "fabric.lab.tensile reads it.",
        sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction "
@@ -296,9 +222,12 @@ std::vector<Entry> rows() {
        Style::positional,
        {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
         fields_("options",
-                {every_row(), value_("fields", table, "some of the fields; default all")
-                                  .one_of(output::field_names())
-                                  .optional()},
+                {every_row(),
+                 value_("fields", table,
+                        "names of fields, or of single numbers: see the table of fields of a run; default: "
+                        "displacement velocity director E S residual slack energy warp weft")
+                     .one_of(run::field_names())
+                     .optional()},
                 "how often, and what")
             .optional()},
        "Writes a series for ParaView as the run goes; the .pvd is valid at any moment.",

@@ -1,11 +1,11 @@
 // fabric.plot: curves of decks, tables and tests as figures.
 #include <algorithm>
 
-#include "files/atomic.hpp"
-#include "files/figure.hpp"
-#include "files/gnuplot.hpp"
+#include "plot/figure.hpp"
+#include "plot/gnuplot.hpp"
 #include "script/bind.hpp"
 #include "script/words.hpp"
+#include "system/atomic.hpp"
 
 namespace fabricsh::script {
 
@@ -23,10 +23,10 @@ const std::vector<Argument>& curve_rows() {
   return rows;
 }
 
-files::CurveStyle style_of(const std::string& word) {
-  if (word == "dashed") return files::CurveStyle::dashed;
-  if (word == "points") return files::CurveStyle::points;
-  return word == "line" ? files::CurveStyle::line : files::CurveStyle::line_points;
+plot::CurveStyle style_of(const std::string& word) {
+  if (word == "dashed") return plot::CurveStyle::dashed;
+  if (word == "points") return plot::CurveStyle::points;
+  return word == "line" ? plot::CurveStyle::line : plot::CurveStyle::line_points;
 }
 
 // The field `name` of every row of the table on top of the stack.
@@ -73,12 +73,12 @@ std::vector<double> ordinates(const Fields& f, const std::string& path, const ch
   return out;
 }
 
-files::Curve read_curve(lua_State* L, lua_Integer place) {
+plot::Curve read_curve(lua_State* L, lua_Integer place) {
   const std::string path = "curves[" + std::to_string(place) + "]";
   if (!lua_istable(L, -1)) throw Error("field '" + path + "': expected a table, got " + describe(L, -1));
   const Fields f(L, -1, curve_rows(), path + ".");
-  files::Curve curve{f.text("label"), ordinates(f, path + ".", "x"), ordinates(f, path + ".", "y"),
-                     style_of(f.text("style"))};
+  plot::Curve curve{f.text("label"), ordinates(f, path + ".", "x"), ordinates(f, path + ".", "y"),
+                    style_of(f.text("style"))};
   if (curve.x.size() != curve.y.size())
     throw Error("field '" + path + "': expected x and y of one length, got " +
                 std::to_string(curve.x.size()) + " and " + std::to_string(curve.y.size()));
@@ -107,8 +107,8 @@ double unit_size(const Call& call, const std::string& field) {
 }
 
 // Scales the axis to its unit, and says the unit behind its label.
-files::Axis read_axis(const Call& call, const std::string& name, double unit) {
-  files::Axis axis{call.text(name + "label"), {}, {}, call.text("log").find(name) != std::string::npos};
+plot::Axis read_axis(const Call& call, const std::string& name, double unit) {
+  plot::Axis axis{call.text(name + "label"), {}, {}, call.text("log").find(name) != std::string::npos};
   if (const std::string word = call.text(name + "unit"); !word.empty())
     axis.label += (axis.label.empty() ? "" : ", ") + word;
   if (!call.has(name + "range")) return axis;
@@ -120,10 +120,10 @@ files::Axis read_axis(const Call& call, const std::string& name, double unit) {
   return axis;
 }
 
-files::Figure read_figure(const Call& call) {
+plot::Figure read_figure(const Call& call) {
   lua_State* L = call.L();
   const double x = unit_size(call, "xunit"), y = unit_size(call, "yunit");
-  files::Figure figure{call.text("title"), read_axis(call, "x", x), read_axis(call, "y", y)};
+  plot::Figure figure{call.text("title"), read_axis(call, "x", x), read_axis(call, "y", y)};
   call.push("curves");
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= n; ++i) {
@@ -138,13 +138,13 @@ files::Figure read_figure(const Call& call) {
 }
 
 // Without gnuplot what was computed is not lost: the figure is missing with a warning, and the deck goes on.
-bool drawn(const Call& call, const files::Figure& figure) {
+bool drawn(const Call& call, const plot::Figure& figure) {
   const std::string path = call.text("file");
-  files::make_folder_for(path);
+  system::make_folder_for(path);
   try {
-    files::draw(path, figure);
+    plot::draw(path, figure);
     return true;
-  } catch (const files::NoGnuplot& missing) {
+  } catch (const plot::NoGnuplot& missing) {
     const std::string words = "plot: no figure '" + path + "': " + missing.what();
     call.session().notices().once(words, "warning: " + words);
     return false;
@@ -152,13 +152,13 @@ bool drawn(const Call& call, const files::Figure& figure) {
 }
 
 int plot(Call& call) {
-  const files::Figure figure = read_figure(call);
+  const plot::Figure figure = read_figure(call);
   if (call.session().options().check) return 0;
   if (call.has("file")) {
     lua_pushboolean(call.L(), drawn(call, figure));
     return 1;
   }
-  const std::string letters = files::drawn_in_letters(figure, call.count("columns"), call.count("lines"));
+  const std::string letters = plot::drawn_in_letters(figure, call.count("columns"), call.count("lines"));
   lua_pushlstring(call.L(), letters.data(), letters.size());
   return 1;
 }

@@ -2,18 +2,32 @@
 #include <cmath>
 #include <span>
 
-#include "fabric/check.hpp"
-#include "point/point.hpp"
+#include "base/number.hpp"
+#include "law/bending_point.hpp"
+#include "law/check.hpp"
+#include "law/point.hpp"
 #include "script/bind.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
 
-using point::PointDriver;
-using point::Sample;
+using law::PointDriver;
+using law::Sample;
+
+namespace {
+
+// What a deck has: the law of a point, and its bending once it is asked for.
+struct Point : PointDriver {
+  explicit Point(std::shared_ptr<const card::Card> of)
+      : PointDriver(law::compile(*of)), card(std::move(of)) {}
+  std::shared_ptr<const card::Card> card;
+  std::optional<law::BendingPoint> bending;
+};
+
+}  // namespace
 
 template <>
-struct ClassName<PointDriver> {
+struct ClassName<Point> {
   static constexpr const char* name = "point";
 };
 
@@ -39,6 +53,7 @@ constexpr Column columns[] = {{"S11", &Sample::S11},
                               {"dissipated_weft", &Sample::dissipated_weft},
                               {"dissipated_shear", &Sample::dissipated_shear},
                               {"created", &Sample::created},
+                              {"time", &Sample::time},
                               {"S", &Sample::S},
                               {"E", &Sample::E},
                               {"E_lateral", &Sample::E_lateral}};
@@ -111,7 +126,7 @@ int push_curve(const Call& call, bool uniaxial, Drive drive) {
 }
 
 int make(Call& call) {
-  push_object(call.L(), std::make_shared<PointDriver>(fabric::compile(*call.object<card::Card>("card"))));
+  push_object(call.L(), std::make_shared<Point>(call.object<card::Card>("card")));
   return 1;
 }
 
@@ -123,18 +138,18 @@ std::optional<double> given(const Call& call, const char* name) {
 void require_possible(const std::string& where, double E11, double E22, double E12) {
   const double C11 = 1 + 2 * E11, C22 = 1 + 2 * E22, C12 = 2 * E12;
   if (C11 > 0 && C22 > 0 && C11 * C22 > C12 * C12) return;
-  throw Error(where + "there is no such strain: E11 = " + number_text(E11) + ", E22 = " + number_text(E22) +
-              ", E12 = " + number_text(E12) +
+  throw Error(where + "there is no such strain: E11 = " + exact_number(E11) + ", E22 = " + exact_number(E22) +
+              ", E12 = " + exact_number(E12) +
               " would make a length zero or less; expected E11 and E22 above -0.5 and "
               "(2 E12)^2 below (1 + 2 E11) (1 + 2 E22)");
 }
 
 int strain(Call& call) {
-  const auto p = call.self<PointDriver>();
+  const auto p = call.self<Point>();
   const auto E11 = given(call, "E11"), E22 = given(call, "E22"), E12 = given(call, "E12");
   const Sample now = p->now();
   require_possible("", E11.value_or(now.E11), E22.value_or(now.E22), E12.value_or(now.E12));
-  push_sample(call.L(), p->strain(E11, E22, E12), false);
+  push_sample(call.L(), p->strain(E11, E22, E12, call.number("over")), false);
   return 1;
 }
 
@@ -144,15 +159,17 @@ double angle_of(const Call& call) {
 }
 
 int uniaxial(Call& call) {
-  const auto p = call.self<PointDriver>();
+  const auto p = call.self<Point>();
+  const double over = call.number("over");
   if (call.is("E", LUA_TTABLE))
-    return push_curve(call, true, [&] { return p->uniaxial(angle_of(call), call.numbers("E")); });
+    return push_curve(call, true, [&] { return p->uniaxial(angle_of(call), call.numbers("E"), over); });
   if (call.has("columns")) call.refuse("columns", "expected a list of strains E beside them, got a number");
-  push_sample(call.L(), p->uniaxial(angle_of(call), call.number("E")), true);
+  push_sample(call.L(), p->uniaxial(angle_of(call), call.number("E"), over), true);
   return 1;
 }
 
-// The row i on top of the stack is no {E11, E22, E12} of finite numbers: says why.
+// The row i on top of the stack is no {E11, E22, E12} or {E11, E22, E12, seconds} of finite numbers: says
+// why.
 [[noreturn]] void refuse_row(lua_State* L, lua_Integer i) {
   const Argument row{std::to_string(i), numbers, "", everything, ""};
   check_value(L, -1, row, "strains.", true);
@@ -160,21 +177,29 @@ int uniaxial(Call& call) {
               std::to_string(lua_rawlen(L, -1)) + " numbers");
 }
 
-std::array<double, 3> strain_row(lua_State* L, lua_Integer i) {
-  if (!lua_istable(L, -1) || lua_rawlen(L, -1) != 3) refuse_row(L, i);
-  std::array<double, 3> e;
-  for (int k = 0; k < 3; ++k) {
+using StrainRow = std::array<double, 4>;  // E11 E22 E12, and the seconds that the increment takes
+
+void require_over(const std::string& where, double over) {
+  if (!(over >= 0)) throw Error(where + "expected 0 s or more for an increment, got " + exact_number(over));
+}
+
+StrainRow strain_row(lua_State* L, lua_Integer i) {
+  const auto n = lua_istable(L, -1) ? static_cast<int>(lua_rawlen(L, -1)) : 0;
+  if (n != 3 && n != 4) refuse_row(L, i);
+  StrainRow e{};
+  for (int k = 0; k < n; ++k) {
     const bool is_number = lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER;
     e[k] = lua_tonumber(L, -1);
     lua_pop(L, 1);
     if (!is_number || !std::isfinite(e[k])) refuse_row(L, i);
   }
+  require_over("argument 'strains." + std::to_string(i) + ".4': ", e[3]);
   return e;
 }
 
-using Strains = std::vector<std::array<double, 3>>;
+using Strains = std::vector<StrainRow>;
 
-// { {E11, E22, E12}, ... }
+// { {E11, E22, E12}, ... }, each with seconds as its fourth number or without
 Strains strain_rows(lua_State* L) {
   Strains strains;
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
@@ -187,16 +212,17 @@ Strains strain_rows(lua_State* L) {
   return strains;
 }
 
-// { E11={...}, E22={...}, E12={...} }; a component that is not given stays where it is.
+// { E11={...}, E22={...}, E12={...}, over={...} }; a component that is not given stays where it is.
 Strains strain_columns(lua_State* L, const Sample& now) {
   static const std::vector<Argument> rows = {
       Argument{"E11", numbers, "", everything, "along the warp"}.optional(),
       Argument{"E22", numbers, "", everything, "along the weft"}.optional(),
-      Argument{"E12", numbers, "", everything, "shear, tensor component"}.optional()};
+      Argument{"E12", numbers, "", everything, "shear, tensor component"}.optional(),
+      Argument{"over", numbers, "s", everything, "that each increment takes"}.optional()};
   const Fields given(L, -1, rows, "strains.");
-  const std::array<double, 3> stays{now.E11, now.E22, now.E12};
+  const StrainRow stays{now.E11, now.E22, now.E12, 0};
   Strains strains;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < stays.size(); ++k) {
     const auto values = given.numbers(rows[k].name);
     if (values.empty()) continue;
     if (strains.empty()) strains.assign(values.size(), stays);
@@ -204,14 +230,17 @@ Strains strain_columns(lua_State* L, const Sample& now) {
       given.refuse(rows[k].name, "expected as many strains as in the other components (" +
                                      std::to_string(strains.size()) + "), got " +
                                      std::to_string(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i) strains[i][k] = values[i];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (k == 3) require_over("argument 'strains.over." + std::to_string(i + 1) + "': ", values[i]);
+      strains[i][k] = values[i];
+    }
   }
   return strains;
 }
 
 int path(Call& call) {
   lua_State* L = call.L();
-  const auto p = call.self<PointDriver>();
+  const auto p = call.self<Point>();
   call.push("strains");
   const auto strains = lua_rawlen(L, -1) > 0 ? strain_rows(L) : strain_columns(L, p->now());
   lua_pop(L, 1);
@@ -222,7 +251,7 @@ int path(Call& call) {
 }
 
 int biaxial(Call& call) {
-  const auto p = call.self<PointDriver>();
+  const auto p = call.self<Point>();
   const double ratio = call.number("ratio");
   const auto strains = call.numbers("E");
   for (const double E : strains) require_possible("", E, ratio * E, p->now().E12);
@@ -231,26 +260,45 @@ int biaxial(Call& call) {
 
 int state(Call& call) {
   lua_State* L = call.L();
-  const auto p = call.self<PointDriver>();
+  const auto p = call.self<Point>();
   const auto inside = p->internal();
   push_sample(L, p->now(), false);
   set_number(L, "residual1", inside.residual1);
   set_number(L, "residual2", inside.residual2);
   set_number(L, "slack1", inside.slack1);
   set_number(L, "slack2", inside.slack2);
-  set_text(L, "warp", fabric::name(inside.warp));
-  set_text(L, "weft", fabric::name(inside.weft));
-  set_text(L, "shear", fabric::name(inside.shear));
+  set_text(L, "warp", law::name(inside.warp));
+  set_text(L, "weft", law::name(inside.weft));
+  set_text(L, "shear", law::name(inside.shear));
+  return 1;
+}
+
+int bend(Call& call) {
+  const auto p = call.self<Point>();
+  if (!p->bending) p->bending.emplace(*p->card);
+  const auto s = p->bending->bend(given(call, "k11"), given(call, "k22"), given(call, "k12"));
+  lua_createtable(call.L(), 0, 8);
+  for (const auto& [name, value] : {std::pair{"M11", s.M11},
+                                    {"M22", s.M22},
+                                    {"M12", s.M12},
+                                    {"k11", s.k11},
+                                    {"k22", s.k22},
+                                    {"k12", s.k12},
+                                    {"stored", s.stored},
+                                    {"dissipated", s.dissipated}})
+    set_number(call.L(), name, value);
   return 1;
 }
 
 int reset(Call& call) {
-  call.self<PointDriver>()->reset();
+  const auto p = call.self<Point>();
+  p->reset();
+  if (p->bending) p->bending->reset();
   return 0;
 }
 
 int point_text(lua_State* L) {
-  const Sample s = to_object<PointDriver>(L, 1)->now();
+  const Sample s = to_object<Point>(L, 1)->now();
   char words[200];
   std::snprintf(words, sizeof words,
                 "<point, E11 %.4g, E22 %.4g, E12 %.4g; S11 %.4g, S22 %.4g, S12 %.4g MPa>", s.E11, s.E22,
@@ -264,6 +312,14 @@ constexpr Range above_nothing{-0.5, std::numeric_limits<double>::infinity(), tru
 
 Argument strain_(const char* name, const char* sentence, Range range = everything) {
   return number_(name, "", range, sentence).usually(1e-12, 5, "strains are numbers, not per cent");
+}
+
+Argument curvature_(const char* name, const char* sentence) {
+  return number_(name, "1/m", everything, sentence).optional();
+}
+
+Argument over_() {
+  return number_("over", "s", not_negative, "that an increment takes; 0: at once").or_else(0.0);
 }
 
 Argument columns_() {
@@ -283,7 +339,7 @@ std::vector<Entry> rows() {
        Style::fields,
        {strain_("E11", "along the warp", above_nothing).optional(),
         strain_("E22", "along the weft", above_nothing).optional(),
-        strain_("E12", "shear, tensor component").optional()},
+        strain_("E12", "shear, tensor component").optional(), over_()},
        "Reaches a total strain in one straight increment and commits it; components not named stay. Returns "
        "S11 S22 S12 E11 E22 "
        "E12 stored dissipated.",
@@ -300,14 +356,17 @@ std::vector<Entry> rows() {
          {},
          {"warp", "weft"}},
         {"E", number | numbers, "", above_nothing, "strain along it, or a list of strains"},
-        columns_()},
+        columns_(),
+        over_()},
        "Strain along a direction with the other stresses driven to zero. Returns the same and S, E, "
        "E_lateral; for a list of strains a list of such rows, or the columns named.",
        sample + "local r = p:uniaxial('warp', 0.1)\nassert(math.abs(r.E_lateral / r.E + 0.25) < 1e-9)",
        uniaxial},
       {"point:path",
        Style::positional,
-       {value_("strains", table, "{ {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }"),
+       {value_("strains", table,
+               "{ {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }; seconds that an increment "
+               "takes as fourth number of a row, or in over={...}"),
         columns_()},
        "Many straight increments in one call: a list of rows, or the columns named. A component without a "
        "column stays.",
@@ -322,6 +381,17 @@ std::vector<Entry> rows() {
        "E11 = E and E22 = ratio E, for each E of a list: a list of rows, or the columns named.",
        sample + "assert(#p:biaxial(1, {0.05, 0.1}) == 2)",
        biaxial},
+      {"point:bend",
+       Style::fields,
+       {curvature_("k11", "along the warp"), curvature_("k22", "along the weft"),
+        curvature_("k12", "twist, tensor component")},
+       "Reaches total curvatures in one straight increment and commits them, by the card's own bending; "
+       "components not named stay. Returns M11 M22 M12 (moments per width, N; M12 works on 2 k12), k11 k22 "
+       "k12, stored and dissipated (J/m^2).",
+       "local fabric = require 'fabric'\nlocal card = fabric.card 'blend':with{ bending={ warp=15e-6, "
+       "weft=12e-6, twist=7e-6 } }\nassert(math.abs(fabric.point(card):bend{ k11=100 }.M11 - 1.5e-3) < "
+       "1e-15)",
+       bend},
       {"point:state",
        Style::positional,
        {},
@@ -332,7 +402,7 @@ std::vector<Entry> rows() {
       {"point:reset",
        Style::positional,
        {},
-       "Back to virgin cloth at zero strain.",
+       "Back to virgin cloth at zero strain and time 0.",
        sample + "p:reset()",
        reset},
   };

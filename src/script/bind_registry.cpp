@@ -1,9 +1,11 @@
 // The registry as Lua sees it: what help, the reference page and the editors' stubs are made from.
 #include <algorithm>
 
+#include "base/number.hpp"
 #include "base/suggest.hpp"
+#include "run/result_fields.hpp"
 #include "script/bind.hpp"
-#include "script/card_rows.hpp"
+#include "script/card_table.hpp"
 #include "script/show.hpp"
 #include "script/words.hpp"
 
@@ -28,7 +30,7 @@ void push_kinds(lua_State* L, unsigned kinds) {
 
 void push_default(lua_State* L, const Argument& row) {
   if (const double* x = std::get_if<double>(&row.fallback))
-    set_text(L, "default", number_text(*x));
+    set_text(L, "default", exact_number(*x));
   else if (const std::string* word = std::get_if<std::string>(&row.fallback))
     set_text(L, "default", "\"" + *word + "\"");
   else if (const bool* flag = std::get_if<bool>(&row.fallback))
@@ -91,6 +93,30 @@ int registry_rows(lua_State* L) {
   return 1;
 }
 
+// fields(): a list of {name, unit, shape, place, sentence, components}, in the order of files.
+int result_fields(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const auto& field : run::result_fields()) {
+    lua_newtable(L);
+    set_text(L, "name", field.name);
+    set_text(L, "unit", field.unit);
+    set_text(L, "shape", run::name(field.shape));
+    set_text(L, "place", run::name(field.place));
+    set_text(L, "sentence", field.sentence);
+    lua_pushboolean(L, field.usual);
+    lua_setfield(L, -2, "usual");
+    lua_newtable(L);
+    for (std::size_t i = 0; i < field.components.size(); ++i) {
+      lua_pushstring(L, field.components[i].c_str());
+      lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+    lua_setfield(L, -2, "components");
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
 // name_of(f): the row's name of a registered function, or nil.
 int name_of(lua_State* L) {
   luaL_checkany(L, 1);
@@ -109,9 +135,7 @@ int class_of(lua_State* L) {
 // card_of(t): the card that a table of its fields was read off, or nil.
 int card_of(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key);
-  lua_pushvalue(L, 1);
-  lua_rawget(L, -2);
+  push_card_of(L, 1);
   return 1;
 }
 
@@ -143,8 +167,8 @@ int show_value(lua_State* L) {
 
 void push_registry(lua_State* L) {
   const luaL_Reg functions[] = {{"rows", registry_rows}, {"name_of", name_of},      {"class_of", class_of},
-                                {"card_of", card_of},    {"nearest", nearest_name}, {"show", show_value},
-                                {nullptr, nullptr}};
+                                {"card_of", card_of},    {"fields", result_fields}, {"nearest", nearest_name},
+                                {"show", show_value},    {nullptr, nullptr}};
   luaL_newlib(L, functions);
 }
 

@@ -2,15 +2,19 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 
-#include "base/paths.hpp"
-#include "files/atomic.hpp"
-#include "files/gate.hpp"
-#include "files/picture.hpp"
-#include "files/vtu.hpp"
+#include "format/vtu.hpp"
+#include "plot/picture.hpp"
+#include "run/bodies.hpp"
+#include "run/result_fields.hpp"
+#include "run/vtk_series.hpp"
 #include "script/bind_run.hpp"
 #include "script/words.hpp"
+#include "system/atomic.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::script {
 
@@ -23,21 +27,32 @@ struct Shown {
   std::string bar;
 };
 
-Shown shown_of(const std::string& field) {
-  const std::string letter = field.substr(0, 1), rest = field.substr(std::min<std::size_t>(1, field.size()));
-  if (field == "none") return {};
-  if (field == "displacement") return {"displacement", "", 1e3, "|u|, mm"};
-  if (letter == "u") return {"displacement", rest, 1e3, field + ", mm"};
-  if (letter == "S") return {"S", field, 1e-6, field + ", MPa"};
-  if (letter == "E") return {"E", field, 1, field};
-  if (field == "stored" || field == "dissipated") return {"energy", field, 1e-6, field + ", MJ/m3"};
-  const std::string axis = field.back() == '1' ? "warp" : "weft";
-  return {field.substr(0, field.size() - 1), axis, 1, field};
+// The unit that pictures use in the place of a unit of SI, and what it multiplies by.
+std::pair<std::string, double> picture_unit(const std::string& unit) {
+  if (unit == "m") return {"mm", 1e3};
+  if (unit == "Pa") return {"MPa", 1e-6};
+  if (unit == "J/m^3") return {"MJ/m3", 1e-6};
+  return {unit, 1};
 }
 
+Shown shown_of(const std::string& name) {
+  if (name == "none") return {};
+  const auto [field, number] = run::find_field(name);
+  const auto [unit, factor] = picture_unit(field->unit);
+  const std::string title = number < 0 ? "|" + field->letter + "|" : name;
+  Shown shown{field->name, "", factor, unit.empty() ? title : title + ", " + unit};
+  if (number >= 0 && field->size() > 1)
+    shown.component = field->labels.empty() ? std::string(1, "xyz"[number]) : field->labels[number];
+  return shown;
+}
+
+// Single numbers, and vectors by their length.
 std::vector<std::string> field_words() {
-  std::vector<std::string> words = {"none", "displacement", "ux", "uy", "uz"};
-  for (const std::string& name : analysis::element_value_names()) words.push_back(name);
+  std::vector<std::string> words = {"none"};
+  for (const auto& field : run::result_fields()) {
+    if (!field.letter.empty()) words.push_back(field.name);
+    words.insert(words.end(), field.components.begin(), field.components.end());
+  }
   return words;
 }
 
@@ -55,7 +70,7 @@ std::vector<std::string> word_list(const Call& call, const char* name) {
   return words;
 }
 
-void read_view(const Call& call, files::Picture& picture) {
+void read_view(const Call& call, plot::Picture& picture) {
   if (call.is("view", LUA_TTABLE)) {
     const std::vector<double> angles = call.numbers("view");
     if (angles.size() != 2 || std::abs(angles[1]) > 90)
@@ -68,7 +83,7 @@ void read_view(const Call& call, files::Picture& picture) {
   picture.elevation = word == "above" ? 90 : word == "oblique" ? 25 : 0;
 }
 
-void read_range(const Call& call, files::Picture& picture) {
+void read_range(const Call& call, plot::Picture& picture) {
   if (!call.has("range")) return;
   const std::vector<double> ends = call.numbers("range");
   if (ends.size() != 2 || !(ends[0] < ends[1]))
@@ -77,8 +92,8 @@ void read_range(const Call& call, files::Picture& picture) {
   picture.low = ends[0], picture.high = ends[1];
 }
 
-files::Picture read_picture(const Call& call) {
-  files::Picture p;
+plot::Picture read_picture(const Call& call) {
+  plot::Picture p;
   p.png = call.text("file");
   if (std::filesystem::path(p.png).extension() != ".png")
     call.refuse("file", "expected a name that ends in .png");
@@ -109,7 +124,7 @@ class PrivateFolder {
       throw Error("render: no folder for a temporary file (TMPDIR, or /tmp): " + trouble.message());
   }
   ~PrivateFolder() {
-    const files::Gate& gate = files::Gate::of_process();
+    const system::Gate& gate = system::Gate::of_process();
     gate.discard(file());
     try {
       gate.remove(path_);
@@ -124,24 +139,38 @@ class PrivateFolder {
   std::string path_;
 };
 
+// Rigid bodies beside the cloth; their fields are not numbers, which are drawn grey.
+void add_bodies(const run::Run& run, std::vector<Vec3>& points,
+                std::vector<std::array<mesh::Index, 4>>& cells) {
+  for (const run::BodyShown& body : run::shown_bodies(run)) {
+    const auto first = static_cast<mesh::Index>(points.size());
+    points.insert(points.end(), body.vertices.begin(), body.vertices.end());
+    for (const auto& t : body.triangles) cells.push_back({first + t[0], first + t[1], first + t[2], -1});
+  }
+}
+
 // The state of a run as a file, gone with the object.
 class Frame {
  public:
-  Frame(const Run& run, const files::Picture& picture, const std::string& field) {
+  Frame(const Run& run, const std::string& shown) {
     const auto& a = *run.analysis;
     const auto& mesh = a.model().mesh();
     std::vector<Vec3> points;
-    files::Array displacement{"displacement", 3, {}};
-    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-      const auto node = a.node(static_cast<mesh::Index>(i));
-      points.push_back(node.x);
-      displacement.values.insert(displacement.values.end(), {node.u.x(), node.u.y(), node.u.z()});
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      points.push_back(a.node(static_cast<mesh::Index>(i)).x);
+    auto cells = mesh.elements;
+    add_bodies(a, points, cells);
+    format::Grid grid{points, cells};
+    for (const auto& field : run::result_fields()) {
+      const bool wanted = shown != "none" && run::find_field(shown).field == &field;
+      if (!wanted && field.name != "displacement") continue;
+      const bool of_nodes = field.place == run::Place::node;
+      format::Array array = run::array_of(a, field);
+      array.values.resize((of_nodes ? points.size() : cells.size()) * field.size(),
+                          std::numeric_limits<double>::quiet_NaN());
+      (of_nodes ? grid.point_data : grid.cell_data).push_back(std::move(array));
     }
-    files::Grid grid{points, mesh.elements};
-    grid.point_data.push_back(std::move(displacement));
-    if (!picture.array.empty() && picture.array != "displacement")
-      grid.cell_data.push_back({picture.array, 1, a.field(field), {picture.component}});
-    files::write_vtu(path(), grid, files::Sync::no);
+    format::write_vtu(path(), grid, system::Sync::no);
   }
   std::string path() const { return folder_.file(); }
 
@@ -149,7 +178,7 @@ class Frame {
   PrivateFolder folder_;
 };
 
-void add_panels(const Call& call, files::Picture& picture) {
+void add_panels(const Call& call, plot::Picture& picture) {
   const std::vector<std::string> paths = word_list(call, "vtu"), labels = word_list(call, "labels");
   if (labels.size() > paths.size()) call.refuse("labels", "expected no more labels than files");
   for (std::size_t i = 0; i < paths.size(); ++i)
@@ -170,17 +199,17 @@ int render(Call& call) {
   if (call.has("vtu") == call.has("run"))
     call.refuse("vtu",
                 std::string("expected either vtu or run, got ") + (call.has("vtu") ? "both" : "neither"));
-  files::Picture picture = read_picture(call);
+  plot::Picture picture = read_picture(call);
   std::optional<Frame> frame;
   add_panels(call, picture);
   if (call.session().options().check) return 0;
-  if (files::Gate::of_process().closed()) return no_picture(call);
+  if (system::Gate::of_process().closed()) return no_picture(call);
   if (call.has("run")) {
-    frame.emplace(*call.object<Run>("run"), picture, call.text("field"));
+    frame.emplace(*call.object<Run>("run"), call.text("field"));
     picture.panels = {{frame->path(), {}}};
   }
-  files::make_folder_for(picture.png);
-  files::render(picture, (std::filesystem::path(program_path()).parent_path() / "fabricsh-render").string());
+  system::make_folder_for(picture.png);
+  plot::render(picture, (std::filesystem::path(program_path()).parent_path() / "fabricsh-render").string());
   lua_pushboolean(call.L(), 1);
   return 1;
 }

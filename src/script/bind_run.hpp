@@ -1,12 +1,11 @@
 // What the bindings of models and analyses share.
 #pragma once
-#include <chrono>
-#include <map>
-#include <set>
+#include <memory>
+#include <string>
+#include <vector>
 
-#include "analysis/run.hpp"
-#include "files/json.hpp"
-#include "output/series.hpp"
+#include "run/job.hpp"
+#include "run/run.hpp"
 #include "script/bind.hpp"
 
 namespace fabricsh::script {
@@ -14,40 +13,6 @@ namespace fabricsh::script {
 template <>
 struct ClassName<model::Model> {
   static constexpr const char* name = "model";
-};
-
-// What a session knows of its analyses, by their numbers.
-struct RunRecords {
-  // What the run.json of each folder says of those that write there.
-  std::map<std::string, std::map<std::int64_t, files::Json>> folders;
-  // Of those that are finished and were kept (a:checkpoint): the bytes of a checkpoint of their end, which
-  // the checkpoints of the others hold too.
-  std::map<std::int64_t, std::string> finished;
-};
-
-// A run.json beside the outputs of a run: what made them.
-class RunRecord {
- public:
-  RunRecord(Session& session, std::int64_t number) : session_(session), number_(number) {}
-  void add_output(const std::string& path) { outputs_.push_back(path); }
-  // Writes one run.json into each folder that holds an output, with the session's other runs there; nothing
-  // without outputs.
-  void write(const analysis::Run& run, const std::string& status, double seconds) const;
-
- private:
-  Session& session_;
-  std::int64_t number_;
-  std::vector<std::string> outputs_;
-};
-
-class Keeper;
-
-// A table or series of the run's.
-struct Output {
-  std::string kind, path;  // "record" or "vtk", as given
-  std::string file;        // its full path
-  std::shared_ptr<output::Series> series;
-  std::size_t hook = 0;  // that writes it
 };
 
 // A call of solve() and advance(), with the time that it goes to, or of step().
@@ -68,51 +33,36 @@ struct FailedCall {
   void keep(Archive& archive) { archive(call, numerical, message, time, element, yarn, why, value); }
 };
 
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+// What a deck's calls came to, as its checkpoints keep it.
+struct Calls {
+  std::int64_t count = 0;  // of solve, advance, step and restore, the one under way too
+  Drive under_way;
+  std::vector<FailedCall> failed;
+  void keep(Archive& archive) {
+    archive.section("calls", [&] { archive(count, under_way, failed); });
   }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 // An analysis as Lua sees it: the run, its outputs, the functions that it calls.
 struct Run {
-  Run(Session& s, std::shared_ptr<analysis::Run> a)
-      : session(s), number(s.count_analysis()), analysis(std::move(a)), record(s, number) {}
+  Run(Session& s, std::shared_ptr<run::Run> a);
   Session& session;
-  std::int64_t number;  // among the analyses of the session, from 1
-  std::shared_ptr<analysis::Run> analysis;
-  RunRecord record;
-  std::vector<std::shared_ptr<Output>> outputs;
-  std::vector<std::shared_ptr<Keeper>> checkpoints;
-  std::set<std::string> paths;  // of the outputs and checkpoints
-  double seconds = 0;           // spent before the call under way
-  Clock clock;                  // of that call
-  bool clock_runs = false;
-  double seconds_now() const { return seconds + (clock_runs ? clock.seconds() : 0); }
+  run::Job job;
+  std::shared_ptr<run::Run> analysis;                   // the job's
+  std::int64_t number() const { return job.number(); }  // among the analyses of the session, from 1
 
-  std::int64_t calls = 0;  // of solve, advance, step and restore, the one under way too
-  Drive under_way;
-  std::vector<FailedCall> failed;
-  // Restarted: what it begins from, whether it has; calls below `passing` lie before it.
-  std::shared_ptr<const Checkpoint> from;
-  bool taken_up = false, same_deck = false;
+  Calls calls;
+  // Restarted: the calls until then, those below `passing` lie before it.
+  Calls before;
+  bool same_deck = false;
   std::int64_t passing = 0;
-  std::map<std::size_t, std::string> claimed;  // parts of that checkpoint, and the path each goes on with
-  bool went_on = false;                        // from there: outputs made later are new
-  std::vector<std::shared_ptr<const analysis::Run::Snapshot>> passed_snapshots;
+  std::vector<std::shared_ptr<const run::Run::Snapshot>> passed_snapshots;
 };
 
 template <>
 struct ClassName<Run> {
   static constexpr const char* name = "analysis";
 };
-
-// Absolute. Error: the run writes there already.
-std::string free_path(const Run& run, const std::string& path);
 
 // A Lua function (or table) kept by an analysis object (not by the registry, so that a hook may mention its
 // own analysis and both are still collected).
@@ -130,10 +80,11 @@ class Hook {
   int slot_;
 };
 
+// What a run does that strains cloth beyond what its card was tested to.
+Argument limit_row();
+
 // A pull of a strip of three elements in 4 steps, for examples: fabric, mesh, m and a.
 std::string sample_run();
-
-std::string file_bytes(const std::string& path);  // empty: it can't be read
 
 void push_run(lua_State* L, std::shared_ptr<Run> run);
 void bind_point(Session& session);

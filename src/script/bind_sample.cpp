@@ -1,8 +1,9 @@
 // card:sample.
 #include <algorithm>
 
-#include "fabric/check.hpp"
+#include "card/fields.hpp"
 #include "lab/statistics.hpp"
+#include "law/check.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
 
@@ -13,27 +14,14 @@ namespace {
 using card::Band;
 using card::Woven;
 
-// loading..., unloading, and poisson where there is one.
-template <class Part>
-std::vector<double*> parameters(Part& part) {
-  std::vector<double*> out;
-  for (double& d : part.loading.coefficients) out.push_back(&d);
-  out.push_back(&part.unloading);
-  if constexpr (requires { part.poisson; }) out.push_back(&part.poisson);
-  return out;
-}
-
-template <class Part>
-void draw(Part& part, const Band& band, double level, std::mt19937_64& random) {
+// Draws the parameters of one part, "warp", from their band.
+void draw(card::Card& card, const char* part, const Band& band, double level, std::mt19937_64& random) {
   if (band.low.empty()) return;
-  const auto places = parameters(part);
-  std::vector<double> value, half;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    value.push_back(*places[i]);
-    half.push_back((band.high[i] - band.low[i]) / 2);
-  }
-  const auto drawn = lab::draw_around(value, half, band.covariance, level, random);
-  for (std::size_t i = 0; i < places.size(); ++i) *places[i] = drawn[i];
+  const card::Field& group = *card::find_field(card::fields(card), part);
+  std::vector<double> half;
+  for (std::size_t i = 0; i < band.low.size(); ++i) half.push_back((band.high[i] - band.low[i]) / 2);
+  set_parameters(group, card,
+                 lab::draw_around(parameters(group, card), half, band.covariance, level, random));
 }
 
 // One usable card; the bands may reach into what a card cannot be.
@@ -42,11 +30,11 @@ std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& 
     auto copy = std::make_shared<card::Card>(from);
     auto& law = std::get<Woven>(copy->law);
     const card::Bands bands = *law.bands;
-    draw(law.warp, bands.warp, bands.level, random);
-    draw(law.weft, bands.weft, bands.level, random);
-    draw(law.shear, bands.shear, bands.level, random);
+    draw(*copy, "warp", bands.warp, bands.level, random);
+    draw(*copy, "weft", bands.weft, bands.level, random);
+    draw(*copy, "shear", bands.shear, bands.level, random);
     law.bands.reset();
-    if (fabric::check(*copy, 0.1).ok()) return copy;
+    if (law::check(*copy, 0.1).ok()) return copy;
   }
   throw Error("sample: of 1000 cards within the bands none is usable; card:check() says what is wrong");
 }

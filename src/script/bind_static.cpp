@@ -1,13 +1,13 @@
 // fabric.static: a quasi-static run.
 #include <algorithm>
 
-#include "analysis/static.hpp"
+#include "run/static.hpp"
 #include "script/bind_model.hpp"
 #include "script/bind_run.hpp"
 
 namespace fabricsh::script {
 
-using analysis::Static;
+using run::Static;
 
 namespace {
 
@@ -19,20 +19,20 @@ Choice chosen(const std::string& word, const std::vector<std::string>& words) {
 const std::vector<std::string> linears{"auto", "symmetric", "unsymmetric"}, controls{"load", "arc"},
     methods{"newton", "relaxation", "either"};
 
-void read_scheme(Call& call, analysis::StaticOptions& options) {
+void read_scheme(Call& call, run::StaticOptions& options) {
   if (call.has("min_step")) options.min_step = call.number("min_step");
-  options.linear = chosen<analysis::Linear>(call.text("linear"), linears);
-  options.control = chosen<analysis::Control>(call.text("control"), controls);
-  options.method = chosen<analysis::Method>(call.text("method"), methods);
+  options.linear = chosen<run::Linear>(call.text("linear"), linears);
+  options.control = chosen<run::Control>(call.text("control"), controls);
+  options.method = chosen<run::Method>(call.text("method"), methods);
   if (!call.has("stabilise")) return;
   if (call.is("stabilise", LUA_TNUMBER))
     options.stabilise = call.number("stabilise");
   else if (call.flag("stabilise"))
-    options.stabilise = analysis::usual_stabilisation;
+    options.stabilise = run::usual_stabilisation;
 }
 
 int make(Call& call) {
-  analysis::StaticOptions options;
+  run::StaticOptions options;
   options.duration = call.number("duration");
   if (call.has("step")) options.step = call.number("step");
   options.tolerance = call.number("tolerance");
@@ -45,6 +45,7 @@ int make(Call& call) {
   const auto model = call.object<model::Model>("model");
   const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
   auto run = std::make_shared<Static>(model, options, notices);
+  if (call.text("limit") == "stop") run->stop_beyond();
   push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
   keep_model(call);
   return 1;
@@ -76,6 +77,7 @@ std::vector<Entry> rows() {
                "can't do")
             .or_else("newton")
             .one_of(methods),
+        limit_row(),
         {"stabilise", boolean | number, "", Range{0, 1, false, true},
          "viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4", false}},
        "A quasi-static run: Newton's method through the histories' time.",

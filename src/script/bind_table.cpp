@@ -1,10 +1,10 @@
 // fabric.table and fabric.folder: what lies in a file of numbers, and which files there are.
-#include "files/gate.hpp"
-#include "files/table.hpp"
+#include "format/table.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
 #include "script/show.hpp"
 #include "script/words.hpp"
+#include "system/gate.hpp"
 
 namespace fabricsh::script {
 
@@ -38,7 +38,7 @@ int table_text(lua_State* L) {
 int table_of(Call& call) {
   lua_State* L = call.L();
   const std::string decimal = call.text("decimal");
-  const files::Table table = files::read_table(
+  const format::Table table = format::read_table(
       call.text("file"),
       {separator_of(call.text("separator")), decimal == "auto" ? char{0} : decimal[0], call.flag("lenient")});
   lua_createtable(L, static_cast<int>(table.columns.size()), 3);
@@ -46,7 +46,7 @@ int table_of(Call& call) {
   lua_pushboolean(L, table.header);
   lua_setfield(L, -2, "header");
   lua_Integer place = 0;
-  for (const files::TableColumn& column : table.columns) {
+  for (const format::TableColumn& column : table.columns) {
     lua_createtable(L, 0, 3);
     set_text(L, "name", column.name);
     set_text(L, "unit", column.unit);
@@ -68,7 +68,7 @@ int table_of(Call& call) {
 
 int folder(Call& call) {
   lua_State* L = call.L();
-  const std::vector<std::string> names = files::Gate::of_process().names(call.text("path"));
+  const std::vector<std::string> names = system::Gate::of_process().names(call.text("path"));
   lua_createtable(L, static_cast<int>(names.size()), 0);
   lua_Integer place = 0;
   for (const std::string& name : names) {

@@ -76,9 +76,9 @@ int track(Call& call) {
   const auto names = file_names(call);
   lab::Tracker tracker(static_cast<std::size_t>(call.integer("rows")),
                        static_cast<std::size_t>(call.integer("columns")),
-                       lab::find_dots(files::read_image(names[0]), options));
+                       lab::find_dots(format::read_image(names[0]), options));
   for (std::size_t i = 1; i < names.size(); ++i)
-    tracker.add(lab::find_dots(files::read_image(names[i]), options));
+    tracker.add(lab::find_dots(format::read_image(names[i]), options));
   const lab::Tracks& t = tracker.tracks();
   const double scale = scale_of(call, t);
   lua_newtable(L);
@@ -120,7 +120,7 @@ int photograph(Call& call) {
   s.ink = call.number("ink");
   if (s.ground == s.ink) call.refuse("ink", "expected another brightness than that of the ground");
   s.seed = static_cast<std::uint64_t>(call.integer("seed"));
-  if (!call.session().options().check) files::write_png(call.text("file"), lab::photograph(s));
+  if (!call.session().options().check) format::write_png(call.text("file"), lab::photograph(s));
   return 0;
 }
 

@@ -6,12 +6,12 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "base/paths.hpp"
 #include "script/bind_run.hpp"
 #include "script/call.hpp"
 #include "script/called_off.hpp"
 #include "script/chain.hpp"
 #include "script/words.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::script {
 

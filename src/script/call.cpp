@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/number.hpp"
 #include "base/suggest.hpp"
+#include "script/card_table.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -18,31 +20,6 @@ std::vector<std::string> names_of(const std::vector<Argument>& rows) {
 
 std::string label(const std::string& path, const std::string& name, bool positional) {
   return (positional ? "argument '" : "field '") + path + name + "'";
-}
-
-std::string limit_text(double limit) {
-  char words[32];
-  std::snprintf(words, sizeof words, "%.6g", limit);
-  return words;
-}
-
-std::string range_words(const Range& r) {
-  const bool low = std::isfinite(r.low), high = std::isfinite(r.high);
-  if (low && high)
-    return std::string(r.low_open ? " above " : " from ") + limit_text(r.low) +
-           (r.high_open ? " to below " : " to ") + limit_text(r.high);
-  if (low) return std::string(r.low_open ? " above " : " of at least ") + limit_text(r.low);
-  if (high) return std::string(r.high_open ? " below " : " of at most ") + limit_text(r.high);
-  return "";
-}
-
-std::string number_words(const Argument& row, const char* noun) {
-  const bool is_positive = row.range.low == 0 && row.range.low_open && !std::isfinite(row.range.high);
-  std::string words = is_positive ? "a positive " : row.kinds & integer ? "an " : "a ";
-  words += noun;
-  if (!is_positive) words += range_words(row.range);
-  if (!row.unit.empty()) words += " in " + row.unit;
-  return words;
 }
 
 // "{x, y, z}", of many fields the first ones.
@@ -160,7 +137,7 @@ void warn_unusual(lua_State* L, int index, const Argument& row, const std::strin
   if (lua_type(L, index) != LUA_TNUMBER || row.hint.empty()) return;
   const double x = lua_tonumber(L, index);
   if (x == 0 || row.usual.holds(std::abs(x))) return;
-  const std::string what = position(L) + label(path, row.name, positional) + ": " + number_text(x) + " " +
+  const std::string what = position(L) + label(path, row.name, positional) + ": " + exact_number(x) + " " +
                            row.unit + " is far from what cloth is: " + row.hint;
   Session::of(L).notices().once(what, "warning: " + what);
 }
@@ -171,8 +148,8 @@ std::string expected(const Argument& row) {
   std::string words;
   const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : " or ") + more; };
   if (row.kinds & any) add("a value");
-  if (row.kinds & number) add(number_words(row, "number"));
-  if (row.kinds & integer) add(number_words(row, "integer"));
+  if (row.kinds & number) add(number_words(row.range, row.unit));
+  if (row.kinds & integer) add(number_words(row.range, row.unit, "integer"));
   if ((row.kinds & numbers) != 0 && (row.kinds & table) == 0)
     add("a table of numbers" + range_words(row.range) + (row.unit.empty() ? "" : " in " + row.unit));
   if (row.kinds & table)
@@ -246,6 +223,7 @@ Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::
   }
   for (const Argument& row : rows) {
     lua_getfield(L, index_, row.name.c_str());
+    fabricsh::script::make_plain(L);
     check_value(L, -1, row, path_, positional);
     lua_pop(L, 1);
   }
@@ -259,11 +237,13 @@ const Argument& Fields::row(std::string_view name) const {
 
 int Fields::push(std::string_view name) const {
   luaL_checkstack(L_, 10, "fields");
-  return lua_getfield(L_, index_, std::string(name).c_str());
+  const int type = lua_getfield(L_, index_, std::string(name).c_str());
+  if (type == LUA_TTABLE) fabricsh::script::make_plain(L_);
+  return type;
 }
 
 bool Fields::is(std::string_view name, int lua_type) const {
-  const bool same = push(name) == lua_type;
+  const bool same = lua_getfield(L_, index_, std::string(name).c_str()) == lua_type;
   lua_pop(L_, 1);
   return same;
 }
@@ -279,7 +259,7 @@ double Fields::number(std::string_view name) const {
 
 std::int64_t Fields::integer(std::string_view name) const {
   const double value = number(name);
-  if (!(std::abs(value) < 0x1p63)) refuse(name, "expected a smaller integer, got " + number_text(value));
+  if (!(std::abs(value) < 0x1p63)) refuse(name, "expected a smaller integer, got " + exact_number(value));
   return static_cast<std::int64_t>(value);
 }
 
@@ -366,6 +346,7 @@ int gather(lua_State* L, const Entry& entry) {
       throw Error("expected a table with named fields, got " + describe(L, first));
     }
     lua_pushvalue(L, first);
+    fabricsh::script::make_plain(L);
     return lua_gettop(L);
   }
   const int most = static_cast<int>(entry.arguments.size());

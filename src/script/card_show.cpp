@@ -1,130 +1,138 @@
-// A card as it is printed: a table with units.
-#include "fabric/provenance.hpp"
+// A card as it is printed: a table with units, from what the rows of its fields say.
+#include <algorithm>
+
+#include "base/number.hpp"
+#include "card/fields.hpp"
+#include "law/provenance.hpp"
 #include "script/bind.hpp"
 #include "script/show.hpp"
 
 namespace fabricsh::script {
 
-using namespace card;
+using card::Card;
+using card::Field;
+using card::Holds;
 
 namespace {
 
-using Row = std::vector<std::string>;
-constexpr double per_MPa = 1e-6;
+std::string say(double x) { return fabricsh::number(x, 4); }
 
-std::string say(double x, const char* format = "%.4g") {
-  char text[40];
-  std::snprintf(text, sizeof text, format, x);
-  return text;
+// "2 mN" out of "# mN".
+std::string filled(const std::string& phrase, const std::string& words) {
+  const auto place = phrase.find('#');
+  return place == std::string::npos ? phrase : phrase.substr(0, place) + words + phrase.substr(place + 1);
 }
 
-// 8 + 826 E, in MPa; or how many measured points.
-std::string curve_words(const Curve& curve, const char* variable) {
-  if (!curve.points.empty())
-    return std::to_string(curve.points.size()) + " points to " + say(curve.points.back().second * per_MPa) +
-           " MPa";
-  std::string out;
-  for (std::size_t i = 0; i < curve.coefficients.size(); ++i) {
-    const double d = curve.coefficients[i] * per_MPa;
-    if (i == 0)
-      out = say(d);
+std::string list_words(const std::vector<double>& values, double scale) {
+  std::string words;
+  for (const double x : values) words += (words.empty() ? "" : ", ") + say(x * scale);
+  return words;
+}
+
+std::string value_words(const card::Value& value, double scale) {
+  if (const auto* x = std::get_if<double>(&value)) return say(*x * scale);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* words = std::get_if<std::string>(&value)) return *words;
+  if (const auto* many = std::get_if<std::vector<double>>(&value)) return list_words(*many, scale);
+  return "";
+}
+
+// Places by their names, in the order in which they were first asked for.
+template <class T>
+struct Ordered {
+  std::vector<std::pair<std::string, T>> all;
+  T& at(const std::string& name) {
+    for (auto& [known, value] : all)
+      if (known == name) return value;
+    return all.emplace_back(name, T{}).second;
+  }
+};
+
+class Print {
+ public:
+  explicit Print(const Card& card) : card_(card) {
+    for (const bool last : {false, true})
+      for (const Field& field : card::fields(card))
+        if (field.last == last) add(field, field.name);
+    for (const auto& [title, words] : later_) phrase(title, words);
+    const std::string source = law::without_provenance(card.source);
+    if (!source.empty()) lines_.at("source") = source;
+    for (const auto& [field, words] : law::provenance_of(card.source)) {
+      std::string& line = lines_.at(field);  // behind what the field itself prints
+      line += (line.empty() ? "" : "; ") + words;
+    }
+  }
+
+  std::vector<std::vector<std::string>> rows() const {
+    std::vector<std::vector<std::string>> out;
+    if (!table_.all.empty()) out.push_back({""});
+    for (const auto& [title, at] : columns_.all) out.front().push_back(title);
+    for (const auto& [title, cells] : table_.all) {
+      out.push_back({title});
+      for (const std::string& cell : cells) out.back().push_back(cell);
+    }
+    for (const auto& [title, words] : lines_.all) out.push_back({title, words});
+    return out;
+  }
+
+ private:
+  // whole: the name of the card's field that it belongs to.
+  void add(const Field& field, const std::string& whole) {
+    if (field.holds == Holds::group) {
+      if (field.there(card_))
+        for (const Field& part : field.rows) add(part, whole);
+      return;
+    }
+    const card::Value value = field.get ? field.get(card_) : card::Value();
+    if (std::holds_alternative<std::monostate>(value)) return;
+    const std::string title = field.line.empty() ? whole : field.line;
+    const bool foreign =
+        title != whole && field.name != whole;  // of a group, but on another's line: behind it
+    if (const auto* many = std::get_if<std::vector<double>>(&value); many && !field.lines.empty())
+      for (std::size_t i = 0; i < many->size(); ++i)
+        cell(field.lines.at(i), field.column, say((*many)[i] * field.scale));
+    else if (!field.column.empty())
+      cell(title, field.column, field.say ? field.say(card_) : value_words(value, field.scale));
+    else if (foreign)
+      later_.emplace_back(title, words(field, value));
     else
-      out += (d < 0 ? " - " : " + ") + say(std::abs(d)) + " " + variable +
-             (i > 1 ? "^" + std::to_string(i) : "");
+      phrase(title, words(field, value));
   }
-  return out;
-}
 
-std::string reach(double strain, const char* name) {
-  return strain > 0 ? std::string(name) + " = " + say(strain) : "not stated";
-}
-
-const char* law_word(LawKind kind) {
-  if (kind == LawKind::potential) return "potential";
-  return kind == LawKind::incremental ? "incremental" : "thesis";
-}
-
-std::string law_words(const Woven& law) {
-  std::string out = law_word(law.law);
-  if (law.law != LawKind::potential) {
-    out +=
-        law.transverse == Transverse::elastic ? ", transverse shear elastic" : ", transverse shear follows";
-    if (!law.shear_hysteresis) out += ", no shear hysteresis";
+  std::string words(const Field& field, const card::Value& value) const {
+    if (field.say) return field.say(card_);
+    if (field.phrase.empty() || (field.rare && value == field.fallback)) return "";
+    return filled(field.phrase, value_words(value, field.scale));
   }
-  if (law.shear.memory == ShearMemory::fading) out += ", shear memory fades";
-  return out;
-}
 
-// Of which parts, and of which not.
-std::string bands_words(const Bands& bands) {
-  std::string with, without;
-  for (const auto& [name, band] :
-       {std::pair{"warp", &bands.warp}, {"weft", &bands.weft}, {"shear", &bands.shear}}) {
-    std::string& list = band->low.empty() ? without : with;
-    list += (list.empty() ? "" : ", ") + std::string(name);
+  void cell(const std::string& row, const std::string& column, const std::string& words) {
+    auto& place = columns_.at(column);
+    if (place == 0) place = columns_.all.size();
+    auto& cells = table_.at(row);
+    cells.resize(std::max(cells.size(), place));
+    cells[place - 1] = words;
   }
-  const std::string of = "of " + say(100 * bands.level) + " % confidence";
-  if (without.empty()) return of;
-  return with.empty() ? "none" : of + " on " + with + ", none on " + without;
-}
 
-void add_law(std::vector<Row>& rows, const Woven& law) {
-  const bool tensor = law.shear.measure == Measure::tensor;
-  rows.push_back({"", "tangent modulus, MPa", "unloading, MPa", "poisson", "tested to"});
-  rows.push_back({"warp", curve_words(law.warp.loading, "E11"), say(law.warp.unloading * per_MPa),
-                  say(law.warp.poisson), reach(law.tested.warp, "E11")});
-  rows.push_back({"weft", curve_words(law.weft.loading, "E22"), say(law.weft.unloading * per_MPa),
-                  say(law.weft.poisson), reach(law.tested.weft, "E22")});
-  rows.push_back({"shear", curve_words(law.shear.loading, tensor ? "E12" : "2E12"),
-                  say(law.shear.unloading * per_MPa), "", reach(law.tested.shear, "E12")});
-  rows.push_back({"law", law_words(law)});
-  if (law.biaxial)
-    rows.push_back({"biaxial", "alpha " + say(law.biaxial->alpha) + ", from " + say(law.biaxial->offset) +
-                                   ", " + say(law.biaxial->loading * per_MPa) + " MPa, unloading " +
-                                   say(law.biaxial->unloading * per_MPa) + " MPa"});
-  if (law.bands) rows.push_back({"bands", bands_words(*law.bands)});
-}
+  void phrase(const std::string& title, const std::string& words) {
+    if (words.empty()) return;
+    std::string& line = lines_.at(title);
+    line += (line.empty() ? "" : ", ") + words;
+  }
 
-template <class Moduli>
-void add_moduli(std::vector<Row>& rows, const Moduli& law) {
-  rows.push_back({"", "modulus, MPa", "poisson"});
-  rows.push_back({"warp", say(law.warp * per_MPa), say(law.nu12)});
-  rows.push_back({"weft", say(law.weft * per_MPa), say(law.nu21)});
-  rows.push_back({"shear", say(law.shear * per_MPa)});
-}
-
-void add_law(std::vector<Row>& rows, const Linear& law) { add_moduli(rows, law); }
-void add_law(std::vector<Row>& rows, const Svk& law) {
-  add_moduli(rows, law);
-  if (law.g13 && law.g23)
-    rows.push_back({"transverse", say(*law.g13 * per_MPa) + ", " + say(*law.g23 * per_MPa)});
-}
-
-// "warp 8, weft 6, twist 3.5 uN.m", and where there is friction its moment.
-std::string bending_words(const Bending& b) {
-  std::string out =
-      "warp " + say(b.warp * 1e6) + ", weft " + say(b.weft * 1e6) + ", twist " + say(b.twist * 1e6) + " uN.m";
-  const auto friction = [&out](const char* name, const std::optional<BendingFriction>& f) {
-    if (f) out += std::string("; friction ") + name + " " + say(f->moment * 1e3) + " mN";
-  };
-  friction("warp", b.friction_warp);
-  friction("weft", b.friction_weft);
-  return out;
-}
+  const Card& card_;
+  Ordered<std::size_t> columns_;  // their places, from 1
+  Ordered<std::vector<std::string>> table_;
+  Ordered<std::string> lines_;
+  std::vector<std::pair<std::string, std::string>> later_;
+};
 
 }  // namespace
 
 std::string card_words(const Card& card) {
-  std::string out = "<card " + (card.name.empty() ? "without name" : card.name) + ", " + card_kind(card) +
+  std::string out = "<card " + (card.name.empty() ? "without name" : card.name) + ", " + card::kind(card) +
                     ", " + say(card.density) + " kg m^-3, " + say(card.thickness * 1e3) + " mm, " +
                     say(card.density * card.thickness * 1e3) + " g m^-2>";
-  std::vector<Row> rows;
-  std::visit([&rows](const auto& law) { add_law(rows, law); }, card.law);
-  if (card.bending) rows.push_back({"bending", bending_words(*card.bending)});
-  const std::string source = fabric::without_provenance(card.source);
-  if (!source.empty()) rows.push_back({"source", source});
-  for (const auto& [field, words] : fabric::provenance_of(card.source)) rows.push_back({field, words});
-  out += "\n" + columns_text(rows);
+  out += "\n" + columns_text(Print(card).rows());
   out.pop_back();
   return out;
 }

@@ -20,6 +20,18 @@ void push_home(lua_State* L, int which) {
 }
 
 constexpr int homes = 3;
+constexpr const char* library = "fabric";
+
+// Is the whole of the library still where the prompt has put it?
+bool library_is_there(lua_State* L) {
+  lua_pushglobaltable(L);
+  lua_pushstring(L, library);
+  lua_rawget(L, -2);
+  lua_getfield(L, LUA_REGISTRYINDEX, library);
+  const bool same = lua_rawequal(L, -1, -2) != 0;
+  lua_pop(L, 3);
+  return same;
+}
 
 // Does the table at `home` hold a value under the name, and is it the one of the globals?
 bool holds(lua_State* L, int home, const std::string& name, bool same) {
@@ -48,11 +60,13 @@ std::set<std::string> names_as_made(lua_State* L) {
         if (holds(L, home, name, true)) names.insert(name);
     lua_settop(L, home - 1);
   }
+  if (library_is_there(L)) names.insert(library);
   return names;
 }
 
 std::string covered_words(lua_State* L, const std::string& name) {
   luaL_checkstack(L, 10, "names");
+  if (name == library) return "warning: fabric is no longer the library; require 'fabric' still is";
   const std::string sorts[homes] = {"the unit; fabric.units." + name + " still is", "Lua's own",
                                     "what fabric has under that name; fabric." + name + " still is"};
   for (int which = 0; which < homes; ++which) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <csignal>
 
+#include "base/number.hpp"
+#include "script/at_work.hpp"
 #include "script/called_off.hpp"
 #include "script/checkpoint.hpp"
 #include "script/lua_table.hpp"
@@ -31,27 +33,28 @@ class Watch {
     if (!run_.session.take_interrupt()) return;
     run_.session.rest_hook(run_.session.active());
     call_off(run_.session);
-    throw Interrupted((run_.session.terminated() != 0 ? ended_by(run_.session) + " at " : "interrupted at ") +
-                      brief_number(run_.analysis->steps().empty() ? run_.analysis->time()
-                                                                  : run_.analysis->steps().back().time) +
-                      " s; the run is alive, solve() goes on");
+    throw Interrupted(
+        (run_.session.terminated() != 0 ? ended_by(run_.session) + " at " : "interrupted at ") +
+        fabricsh::number(
+            run_.analysis->steps().empty() ? run_.analysis->time() : run_.analysis->steps().back().time, 7) +
+        " s; the run is alive, solve() goes on");
   }
 
   // After a step; several times a second at most.
   void report() {
     const auto& options = run_.session.options();
-    const double now = run_.clock.seconds();
+    const double now = clock_.seconds();
     if (!options.progress || now < next_) return;
     next_ = now + 0.1;
-    const analysis::Run& a = *run_.analysis;
+    const run::Run& a = *run_.analysis;
     Progress p;
-    p.run = run_.number;
+    p.run = run_.number();
     p.time = a.time();
     p.duration = a.duration();
     p.steps = a.steps().size();
     p.iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
-    p.elapsed = run_.seconds_now();
-    const double done = a.time() - from_, left = run_.under_way.target - a.time();
+    p.elapsed = run_.job.seconds();
+    const double done = a.time() - from_, left = run_.calls.under_way.target - a.time();
     if (done > 0) p.remaining = now * std::max(0.0, left) / done;
     p.ledger_error = [&a] { return a.energy().error; };
     options.progress(p);
@@ -60,6 +63,8 @@ class Watch {
  private:
   Run& run_;
   double from_, next_ = 0;
+  run::Clock clock_;
+  RunAtWork at_work_;
 };
 
 // Runs all of them, whatever the others do; the first trouble is thrown at the end.
@@ -84,20 +89,12 @@ class All {
 };
 
 void leave(Run& run, const std::string& status, bool ended, bool broken) {
-  analysis::Run& a = *run.analysis;
-  a.monitor({});
-  a.poll({});
-  run.seconds += run.clock.seconds();
-  run.clock_runs = false;
+  run.analysis->monitor({});
+  run.analysis->poll({});
   All all(run.session);
-  if (ended) {
-    for (const auto& output : run.outputs)
-      all.run([&a, broken, s = output->series.get()] { broken ? s->extra_frame(a) : s->frame(a); });
-    for (const auto& checkpoint : run.checkpoints) all.run([&checkpoint] { checkpoint->write(); });
-  }
-  all.run([&] { run.record.write(a, status, run.seconds); });
+  run.job.leave(status, ended, broken, [&all](const std::function<void()>& work) { all.run(work); });
   if (!broken) return all.finish();
-  for (const auto& output : run.outputs)
+  for (const auto& output : run.job.outputs())
     if (output->series->in_trouble())
       run.session.notices().say("'" + output->file + "' lacks a row or frame: solve() tries it again; a:" +
                                 output->kind + " of the same path puts a new one in its place");
@@ -129,7 +126,7 @@ std::string plain_error(lua_State* L) {
 
 void note_failure(Run& run, const std::exception& trouble) {
   FailedCall failed;
-  failed.call = run.calls;
+  failed.call = run.calls.count;
   failed.message = trouble.what();
   if (const auto* numerical = dynamic_cast<const NumericalFailure*>(&trouble)) {
     failed.numerical = true;
@@ -138,14 +135,14 @@ void note_failure(Run& run, const std::exception& trouble) {
     failed.yarn = numerical->yarn;
     failed.why = numerical->why;
   }
-  run.failed.push_back(failed);
+  run.calls.failed.push_back(failed);
 }
 
 // Is the call one that the run, restarted, has behind it?
 bool passes_over(Run& run) {
-  if (run.calls >= run.passing) return false;
-  for (const FailedCall& failed : run.failed) {
-    if (failed.call != run.calls) continue;
+  if (run.calls.count >= run.passing) return false;
+  for (const FailedCall& failed : run.calls.failed) {
+    if (failed.call != run.calls.count) continue;
     if (!failed.value.empty()) raise(run.session.active(), failed.value);
     if (!failed.numerical) throw Error(failed.message);
     NumericalFailure again(failed.message, failed.time, failed.element, failed.yarn);
@@ -157,29 +154,29 @@ bool passes_over(Run& run) {
 
 // A hook of the run may read it and stop it, not drive it.
 void refuse_in_hook(const Run& run) {
-  if (run.clock_runs) throw Error("not from a hook of the same run");
+  if (run.job.driving()) throw Error("not from a hook of the same run");
 }
 
 // Begins from the checkpoint, where there is one; counts the call.
 void begin_call(Run& run) {
-  if (run.from && !run.taken_up) {
+  if (run.job.from() && !run.job.taken_up()) {
     take_up(run);
-    run.passing = run.from->calls;
+    run.passing = run.before.count;
   }
-  ++run.calls;
+  ++run.calls.count;
 }
 
 // Has the call that the checkpoint was written in nothing left to do? A hook stopped it, or its step is done.
 bool is_over(const Run& run) {
-  const Drive& call = run.from->under_way;
+  const Drive& call = run.before.under_way;
   return run.analysis->stopped() || (call.single && run.analysis->steps().size() > call.from);
 }
 
 void work(Run& run) {
-  if (run.under_way.single)
+  if (run.calls.under_way.single)
     run.analysis->step();
   else
-    run.analysis->advance(run.under_way.target);
+    run.analysis->advance(run.calls.under_way.target);
 }
 
 }  // namespace
@@ -192,25 +189,22 @@ void drive(Run& run, Drive call) {
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
   if (is_called_off(run.session)) throw Interrupted("interrupted before this run went on");
-  const bool under_way = run.passing > 0 && run.calls == run.passing;
+  const bool under_way = run.passing > 0 && run.calls.count == run.passing;
   const bool over = under_way && is_over(run);
   call.from = run.analysis->steps().size();
-  if (under_way && run.same_deck) call = run.from->under_way;
-  if (!under_way) run.session.run_records().finished.erase(run.number);
-  check_parts(run);
-  for (const auto& output : run.outputs) output->series->go_on();
-  std::erase_if(run.failed, [&](const FailedCall& failed) { return failed.call == run.calls; });
-  run.under_way = call;
-  run.clock = {};
-  run.clock_runs = true;
-  analysis::Run& a = *run.analysis;
+  if (under_way && run.same_deck) call = run.before.under_way;
+  if (!under_way) run.job.journal().finished.erase(run.number());
+  run.job.claims().check();
+  std::erase_if(run.calls.failed, [&](const FailedCall& failed) { return failed.call == run.calls.count; });
+  run.calls.under_way = call;
+  run.job.begin();
+  run::Run& a = *run.analysis;
   Watch watch(run);
-  a.monitor([&watch](analysis::Run&) {
+  a.monitor([&watch](run::Run&) {
     watch.report();
     watch.listen();
   });
   a.poll([&watch] { watch.listen(); });
-  if (run.seconds == 0) run.record.write(a, "running", 0);
   try {
     if (!over) work(run);
   } catch (const Interrupted&) {
@@ -219,30 +213,30 @@ void drive(Run& run, Drive call) {
   } catch (const std::exception& trouble) {
     note_failure(run, trouble);
     leave(run, trouble.what(), true, true);
-    if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) remember_end(run);
+    if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) run.job.remember_end();
     throw;
   } catch (...) {  // an error of Lua's in a hook: what it says stays where Lua has it
     note_failure(run, Error("an error in a hook"));
-    run.failed.back().value = plain_error(run.session.active());
+    run.calls.failed.back().value = plain_error(run.session.active());
     leave(run, "an error in a hook", false, true);
     throw;
   }
   const bool ended = a.stopped() || a.time() >= a.duration() * (1 - 1e-12);
   leave(run, a.stopped() ? "stopped: " + a.stop_reason() : ended ? "done" : "under way", ended, false);
-  if (ended) remember_end(run);
+  if (ended) run.job.remember_end();
 }
 
-void go_back(Run& run, const std::shared_ptr<const analysis::Run::Snapshot>& snapshot) {
+void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot) {
   refuse_in_hook(run);
   const Still still(run.session, &run);
   begin_call(run);
-  if (passes_over(run) || (run.passing > 0 && run.calls == run.passing)) return;
+  if (passes_over(run) || (run.passing > 0 && run.calls.count == run.passing)) return;
   const auto& gone = run.passed_snapshots;
   if (std::find(gone.begin(), gone.end(), snapshot) != gone.end())
     throw Error("this snapshot belongs to a part of the run that the restart passed over");
-  run.session.run_records().finished.erase(run.number);
+  run.job.journal().finished.erase(run.number());
   run.analysis->restore(*snapshot);
-  for (const auto& checkpoint : run.checkpoints) checkpoint->force();
+  for (const auto& keeper : run.job.keepers()) keeper->force();
 }
 
 }  // namespace fabricsh::script

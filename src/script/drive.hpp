@@ -17,6 +17,6 @@ class Interrupted : public Error {
 void drive(Run& run, Drive call);
 
 // restore(), which a restarted deck passes over likewise.
-void go_back(Run& run, const std::shared_ptr<const analysis::Run::Snapshot>& snapshot);
+void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot);
 
 }  // namespace fabricsh::script

@@ -2,12 +2,13 @@
 // page come from it; a test fails on a row without sentence or running example.
 #pragma once
 #include <deque>
-#include <limits>
 #include <lua.hpp>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "base/range.hpp"
 
 namespace fabricsh::script {
 
@@ -31,17 +32,6 @@ inline constexpr std::pair<const char*, Kind> kind_names[] = {
     {"number", number},     {"integer", integer}, {"text", text},     {"boolean", boolean},
     {"function", function}, {"numbers", numbers}, {"fields", fields}, {"table", table},
     {"object", object},     {"any", any}};
-
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false, high_open = false;
-  bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
-};
-inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, false};
-inline constexpr Range not_negative{0};
-inline constexpr Range from_one{1};
-inline constexpr Range everything{};
 
 struct Argument {
   std::string name;

@@ -1,7 +1,7 @@
 #include "script/load.hpp"
 
 #include "base/error.hpp"
-#include "files/source.hpp"
+#include "format/source.hpp"
 
 namespace fabricsh::script {
 
@@ -20,7 +20,7 @@ int load_file(lua_State* L, const std::string& path) {
   if (path.empty()) return luaL_loadfilex(L, nullptr, "t");
   std::string bytes;
   try {
-    bytes = files::read_file(path);
+    bytes = format::read_file(path);
   } catch (const Error& error) {
     lua_pushstring(L, error.what());
     return LUA_ERRFILE;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/archive.hpp"
+#include "script/card_table.hpp"
 #include "script/words.hpp"
 
 namespace fabricsh::script {
@@ -38,6 +39,9 @@ class Packer {
         return put(Tag::text, std::string(text, size));
       }
       case LUA_TTABLE:
+        lua_pushvalue(L_, index);
+        make_plain(L_);
+        lua_pop(L_, 1);
         return table(index, name);
       default:
         throw Error("field '" + name +

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "script/bind_run.hpp"
+#include "script/card_table.hpp"
 
 namespace fabricsh::script {
 

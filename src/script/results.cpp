@@ -18,9 +18,11 @@ std::string result_class(std::string_view entry) {
       {"model:move", "self"},        {"model:force", "self"},        {"model:gravity", "self"},
       {"model:moment", "self"},      {"model:traction", "self"},     {"model:pressure", "self"},
       {"model:spring", "self"},      {"model:turn", "self"},         {"model:velocity", "self"},
-      {"model:symmetry", "self"},    {"model:tie", "self"},
+      {"model:symmetry", "self"},    {"model:tie", "self"},          {"model:remove", "self"},
+      {"model:contact", "self"},
   };
   if (entry.starts_with("fabric.mesh.")) return "mesh";
+  if (entry.starts_with("fabric.rigid.")) return "body";
   const auto found = classes.find(entry);
   return found == classes.end() ? std::string() : std::string(found->second);
 }

@@ -8,16 +8,16 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "base/paths.hpp"
-#include "files/gate.hpp"
 #include "script/load.hpp"
 #include "script/sandbox_lua.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::script {
 
 namespace {
 
-using files::Gate;
+using system::Gate;
 
 // nil and why, as Lua's own functions say it.
 int refusal(lua_State* L, const Error& error) {
@@ -63,7 +63,7 @@ int open_stream(lua_State* L) {
   try {
     const Gate& gate = Gate::of_process();
     const bool reads = mode == "r" || mode == "rb";
-    const files::Descriptor file = reads ? gate.open(path) : gate.open_to_write(path, flags_of(mode));
+    const system::Descriptor file = reads ? gate.open(path) : gate.open_to_write(path, flags_of(mode));
     const int number = fcntl(file.number(), F_DUPFD_CLOEXEC, 0);
     stream->f = number < 0 ? nullptr : fdopen(number, mode.c_str());
     if (stream->f == nullptr) return luaL_fileresult(L, 0, path.c_str());
@@ -101,7 +101,7 @@ int temporary_name(lua_State* L) {
     for (int attempt = 0; attempt < 100; ++attempt) {
       const std::string path = Gate::of_process().writable() + "/lua_" + std::to_string(random());
       if (Gate::of_process().exists(path)) continue;
-      const files::Descriptor file = Gate::of_process().open_to_write(path, O_WRONLY | O_CREAT | O_EXCL);
+      const system::Descriptor file = Gate::of_process().open_to_write(path, O_WRONLY | O_CREAT | O_EXCL);
       lua_pushstring(L, path.c_str());
       return 1;
     }

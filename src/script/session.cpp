@@ -5,13 +5,14 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "base/paths.hpp"
 #include "script/bind.hpp"
 #include "script/bind_run.hpp"
 #include "script/call.hpp"
+#include "script/checkpoint.hpp"
 #include "script/said_once.hpp"
 #include "script/sandbox.hpp"
 #include "script/words.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::script {
 
@@ -20,7 +21,7 @@ Session::Session(Options options)
   main_ = luaL_newstate();
   if (main_ == nullptr) throw std::bad_alloc();
   active_ = main_;
-  run_records_ = std::make_shared<RunRecords>();
+  journal_ = std::make_shared<run::Journal>(journal_of(options_));
   *static_cast<Session**>(lua_getextraspace(main_)) = this;
   open_libraries();
   if (!options_.safe) return;

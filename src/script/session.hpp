@@ -15,6 +15,11 @@
 #include "script/entry.hpp"
 #include "script/limits.hpp"
 
+namespace fabricsh::run {
+struct Checkpoint;
+struct Journal;
+}  // namespace fabricsh::run
+
 namespace fabricsh::script {
 
 // How far a run is.
@@ -39,9 +44,6 @@ struct Options {
   std::function<void(const Progress&)> progress;   // after steps, at most every 0.1 s
   std::function<void()> clear_progress;            // the deck may print now: a bar goes away
 };
-
-struct Checkpoint;
-struct RunRecords;
 
 class Session {
  public:
@@ -84,10 +86,11 @@ class Session {
 
   // Analyses are numbered from 1; one of them may begin from a checkpoint.
   std::int64_t count_analysis() { return ++analyses_; }
-  void restart_from(std::shared_ptr<const Checkpoint> checkpoint) { restart_ = std::move(checkpoint); }
-  const std::shared_ptr<const Checkpoint>& restart() const { return restart_; }
+  void restart_from(std::shared_ptr<const run::Checkpoint> checkpoint) { restart_ = std::move(checkpoint); }
+  const std::shared_ptr<const run::Checkpoint>& restart() const { return restart_; }
   std::int64_t analyses() const { return analyses_; }
-  RunRecords& run_records() { return *run_records_; }
+  // What its runs share.
+  const std::shared_ptr<run::Journal>& journal() const { return journal_; }
   // May the object (a mesh, model or run of the core) not change now? See Still.
   bool is_still(const void* object) const {
     const auto found = still_.find(object);
@@ -111,8 +114,8 @@ class Session {
   bool stopped_by_interrupt_ = false;
   int drives_ = 0;
   std::int64_t analyses_ = 0;
-  std::shared_ptr<const Checkpoint> restart_;
-  std::shared_ptr<RunRecords> run_records_;
+  std::shared_ptr<const run::Checkpoint> restart_;
+  std::shared_ptr<run::Journal> journal_;
   std::map<const void*, int> still_;
 };
 

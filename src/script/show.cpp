@@ -5,7 +5,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/number.hpp"
 #include "script/bind.hpp"
+#include "script/card_table.hpp"
 #include "script/object.hpp"
 #include "script/words.hpp"
 
@@ -42,7 +44,8 @@ struct Spread {
     high = std::fmax(high, x);
   }
   std::string text() const {
-    std::string words = low > high ? "" : ", " + brief_number(low) + " to " + brief_number(high);
+    std::string words =
+        low > high ? "" : ", " + fabricsh::number(low, 7) + " to " + fabricsh::number(high, 7);
     return words + (lost > 0 ? ", " + std::to_string(lost) + " of them nan" : "");
   }
 };
@@ -217,14 +220,20 @@ std::string table_text(lua_State* L, int index, int depth) {
 }
 
 std::string value_text(lua_State* L, int index, int depth) {
-  if (lua_istable(L, index) && !has_text(L, index)) return table_text(L, index, depth);
+  if (lua_istable(L, index) && !has_text(L, index)) {
+    lua_pushvalue(L, index);
+    make_plain(L);
+    std::string words = table_text(L, -1, depth);
+    lua_pop(L, 1);
+    return words;
+  }
   if (lua_type(L, index) == LUA_TSTRING && depth > 0) {
     std::string words = visible(L, index);
     std::replace(words.begin(), words.end(), '\n', ' ');
     return "\"" + (words.size() > 60 ? words.substr(0, 57) + "..." : words) + "\"";
   }
   if (depth > 0 && lua_type(L, index) == LUA_TNUMBER && !lua_isinteger(L, index))
-    return brief_number(lua_tonumber(L, index));
+    return fabricsh::number(lua_tonumber(L, index), 7);
   luaL_tolstring(L, index, nullptr);
   const std::string words = visible(L, -1);
   lua_pop(L, 1);

@@ -4,13 +4,13 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
-#include "files/atomic.hpp"
-#include "files/gate.hpp"
+#include "system/atomic.hpp"
+#include "system/gate.hpp"
 
 namespace fabricsh::script {
 
 void Transcript::start(const std::string& path) {
-  const files::Gate& gate = files::Gate::of_process();
+  const system::Gate& gate = system::Gate::of_process();
   gate.writing(path);  // where nothing may be written nothing is told either
   if (path != path_ && gate.exists(path))
     throw Error("'" + path + "' exists already; take another name, or remove it");
@@ -43,6 +43,6 @@ std::string Transcript::deck() const {
          body_;
 }
 
-void Transcript::write() const { files::write_file(path_, deck()); }
+void Transcript::write() const { system::write_file(path_, deck()); }
 
 }  // namespace fabricsh::script

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
 
+#include "base/number.hpp"
 #include "base/suggest.hpp"
 
 namespace fabricsh::script {
@@ -20,15 +18,6 @@ std::string unknown(const std::string& kind, std::string_view word, const std::v
   return message + ")";
 }
 
-std::string number_text(double value) {
-  if (value == 0) return "0";  // also minus zero, whose sign a card would not read back
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
-  char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return std::string(buffer, end);
-}
-
 std::string describe(lua_State* L, int index) {
   switch (lua_type(L, index)) {
     case LUA_TNONE:
@@ -37,7 +26,7 @@ std::string describe(lua_State* L, int index) {
     case LUA_TBOOLEAN:
       return lua_toboolean(L, index) ? "true" : "false";
     case LUA_TNUMBER:
-      return number_text(lua_tonumber(L, index));
+      return exact_number(lua_tonumber(L, index));
     case LUA_TSTRING:
       return "'" + std::string(lua_tostring(L, index)).substr(0, 60) + "'";
     default:
@@ -56,12 +45,6 @@ std::string with_article(const std::string& noun) {
 
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string brief_number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.7g", value);
-  return text;
 }
 
 const std::vector<std::string> keywords = {

@@ -10,12 +10,6 @@ namespace fabricsh::script {
 // "unknown field 'heigth', did you mean 'height'?", or the list of known names when none is near.
 std::string unknown(const std::string& kind, std::string_view word, const std::vector<std::string>& known);
 
-// The shortest decimal that reads back as the same double; "inf", "-inf", "nan" for the others.
-std::string number_text(double value);
-
-// To seven digits, for people.
-std::string brief_number(double value);
-
 // The value at index for a message: -1, nil, "left", a table, a mesh.
 std::string describe(lua_State* L, int index);
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "fabric/data.hpp"
+#include "law/data.hpp"
 
 namespace fabricsh::section {
 
@@ -52,24 +52,23 @@ void check(double thickness, double offset) {
 
 // Adds the points of a ply that lies between zeta = low and zeta = high.
 void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle) {
-  const auto law = fabric::compile(card);
-  s.symmetric = s.symmetric && fabric::symmetric(*law);
+  const auto law = law::compile(card);
+  s.symmetric = s.symmetric && law::symmetric(*law);
   for (const auto& [zeta, weight] : gauss_legendre(points)) {
     const double half = (high - low) / 2;
     s.points.push_back(
         {(low + high) / 2 + half * zeta, half * weight, angle, card.density, law, s.state_size});
-    s.state_size += fabric::state_size(*law);
+    s.state_size += law::state_size(*law);
   }
 }
 
-void add_bending(Section& s, const card::Bending& bending) {
+void add_bending(Section& s, const card::Card& card) {
   s.bends_apart = true;
-  s.bending = {fabric::bending_spring_of(bending.warp, bending.friction_warp),
-               fabric::bending_spring_of(bending.weft, bending.friction_weft),
-               fabric::bending_spring_of(bending.twist, std::nullopt)};
+  s.bending = law::bending_springs(card);
   if (s.bending[0].friction <= 0 && s.bending[1].friction <= 0) return;
   s.bending_state = s.state_size;
-  s.state_size += 4;
+  s.bending_states = s.bending[0].fading || s.bending[1].fading ? 3 : 2;
+  s.state_size += 2 * s.bending_states;
 }
 
 void find_plain(Section& s) {
@@ -88,7 +87,7 @@ Section integrated(const card::Card& card, double thickness, int points, double 
   s.offset = offset;
   s.areal_mass = card.density * thickness;
   add_points(s, card, card.bending ? 1 : points, -1, 1, 0);
-  if (card.bending) add_bending(s, *card.bending);
+  if (card.bending) add_bending(s, card);
   find_plain(s);
   return s;
 }

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "card/card.hpp"
-#include "fabric/bending_spring.hpp"
-#include "fabric/law.hpp"
+#include "law/bending_spring.hpp"
+#include "law/law.hpp"
 
-namespace fabricsh::fabric {
+namespace fabricsh::law {
 struct PlainWoven;
 }
 
@@ -21,7 +21,7 @@ struct Point {
   double zeta = 0, weight = 2;
   double angle = 0;    // rad, counter-clockwise about the normal
   double density = 0;  // kg/m^3
-  std::shared_ptr<const fabric::Law> law;
+  std::shared_ptr<const law::Law> law;
   int state = 0;  // where its state begins within the section's state
 };
 
@@ -32,14 +32,15 @@ struct Section {
   double density = 0;     // kg/m^3
   std::vector<Point> points;
   int state_size = 0;  // numbers per in-plane integration point, all thickness points together
-  const fabric::PlainWoven* plain = nullptr;  // of the law that all points have, if it is one and that plain
-  bool symmetric = true;                      // is every tangent symmetric
+  const law::PlainWoven* plain = nullptr;  // of the law that all points have, if it is one and that plain
+  bool symmetric = true;                   // is every tangent symmetric
   // Separate bending: one thickness point in the middle, and beside it three springs on the material
-  // curvatures k11, k22, 2 k12. With friction two states each (slip, lost) for warp and weft, from
-  // bending_state on.
+  // curvatures k11, k22, 2 k12. With friction two states each (slip, lost) for warp and weft, three (and the
+  // last curvature) where one of the frictions fades, from bending_state on.
   bool bends_apart = false;
-  std::array<fabric::BendingSpring, 3> bending;
+  std::array<law::BendingSpring, 3> bending;
   int bending_state = -1;  // -1: no friction
+  int bending_states = 2;  // numbers for each of warp and weft
 };
 
 // One ply of a stack, from the side that the normal leaves to the side that it points to.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/line_search.hpp"
-
 namespace fabricsh::solver {
 
 using linear::all_finite;
@@ -38,29 +36,26 @@ ArcLength::Step ArcLength::correction(const PathProblem& problem, const ArcOptio
   return {dt, std::isfinite(dt)};
 }
 
-// Moves by share * delta, the time with it. False: the law failed.
-bool ArcLength::try_share(PathProblem& problem, double from, double step, double share) {
-  problem.aim(from + share * step);
-  problem.retract(delta_, share);
-  return problem.residual(trial_r_) && all_finite(trial_r_);
-}
-
 // delta = delta_r + step delta_t, taken as far as the residual falls: until |g(a)| <= |g(0)| / 2 with g(a) =
 // delta_r . r(a), as Newton's method does; K being the tangent, g(a) = (1 - a) g(0) but for what is not
-// linear, whatever the time's step. The predictor starts in equilibrium and is taken whole. Returns the share
-// taken, 0: the law failed.
-double ArcLength::move(PathProblem& problem, double from, double step, bool search) {
+// linear, whatever the time's step. The predictor starts in equilibrium and is taken as far as the problem's
+// limit.
+Searched ArcLength::move(PathProblem& problem, double from, double step, bool search) {
   for (std::size_t i = 0; i < delta_.size(); ++i) delta_[i] = delta_r_[i] + step * delta_t_[i];
-  const auto move_by = [&](double a) -> std::optional<double> {
-    if (!try_share(problem, from, step, a)) return {};
-    return dot(delta_r_, trial_r_);
+  problem.aim(from + step);  // the limit is that of the whole step
+  const auto move_by = [&](double a) -> Tried {
+    if (a != 1) problem.aim(from + a * step);
+    problem.retract(delta_, a);
+    const Answer answer = checked(problem.residual(trial_r_), trial_r_);
+    return {answer, answer == Answer::ok ? dot(delta_r_, trial_r_) : 0};
   };
-  const double a = line_search(dot(delta_r_, r_), {search, search, problem.limit(delta_)}, move_by);
-  if (a == 0) return 0;
+  const LineSearch how{search, search, problem.limit(delta_)};
+  const Searched found = line_search(dot(delta_r_, r_), how, move_by);
+  if (found.answer != Answer::ok) return found;
   r_.swap(trial_r_);
-  for (std::size_t i = 0; i < delta_.size(); ++i) increment_[i] += a * delta_[i];
+  for (std::size_t i = 0; i < delta_.size(); ++i) increment_[i] += found.share * delta_[i];
   problem.accept();
-  return a;
+  return found;
 }
 
 // Is the solution on the path, and not round the back of the sphere or on another branch far off?
@@ -82,7 +77,7 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
   for (auto* v : {&r_, &trial_r_, &q_, &delta_r_, &delta_t_, &delta_}) v->resize(unknowns);
   increment_.assign(unknowns, 0.0);
   problem.aim(arc.time);
-  if (!problem.start(K_, r_, q_)) return stop(NewtonStatus::law_failed);
+  if (const Answer answer = problem.start(K_, r_, q_); answer != Answer::ok) return stop(status_of(answer));
   for (int i = 0; i < options.max_iterations; ++i) {
     if (!factorise()) return stop(NewtonStatus::singular);
     ++result.iterations;
@@ -96,8 +91,8 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
       step.time = arc.landing - result.time;
     }
     if (!(result.time + step.time > 0)) return stop(NewtonStatus::turned_back);
-    const double share = move(problem, result.time, step.time, options.line_search && i > 0);
-    if (share == 0) return stop(NewtonStatus::law_failed);
+    const auto [share, answer] = move(problem, result.time, step.time, options.line_search && i > 0);
+    if (answer != Answer::ok) return stop(status_of(answer));
     result.time = result.landed && share == 1 ? arc.landing : result.time + share * step.time;
     if (i == 0) predicted_ = increment_;
     const auto [size, where] = problem.largest(r_);
@@ -109,7 +104,8 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
     const bool balanced = there && (relative <= options.tolerance || size <= problem.rounding_floor(K_));
     if (balanced) return stop(followed(problem) ? NewtonStatus::converged : NewtonStatus::diverged);
     if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
-    if (!problem.tangent_and_rate(K_, q_)) return stop(NewtonStatus::law_failed);
+    if (const Answer next = problem.tangent_and_rate(K_, q_); next != Answer::ok)
+      return stop(status_of(next));
   }
   return stop(NewtonStatus::too_many_iterations);
 }

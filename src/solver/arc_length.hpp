@@ -7,6 +7,7 @@
 //   dt = -((|D|^2 - L^2) / 2 + D . delta_r) / (D . delta_t)      D: the step's increment so far
 // and at the end of a stretch of time the constraint is t = landing.
 #pragma once
+#include "solver/line_search.hpp"
 #include "solver/newton.hpp"
 
 namespace fabricsh::solver {
@@ -15,8 +16,8 @@ class PathProblem : public Problem {
  public:
   virtual void aim(double time) = 0;  // supports and loads of the next start() or retract()
   // At the committed configuration and the time aimed at (the committed one): K, r and q = dr/dt.
-  virtual bool start(Matrix& K, std::span<double> r, std::span<double> q) = 0;
-  virtual bool tangent_and_rate(Matrix& K, std::span<double> q) = 0;  // at the trial configuration
+  virtual Answer start(Matrix& K, std::span<double> r, std::span<double> q) = 0;
+  virtual Answer tangent_and_rate(Matrix& K, std::span<double> q) = 0;  // at the trial configuration
   // Scalar product that lengths are measured with: displacements only.
   virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
 };
@@ -56,8 +57,7 @@ class ArcLength {
   Step predictor(const PathProblem& problem, const ArcOptions& arc, ArcResult& result);
   Step correction(const PathProblem& problem, const ArcOptions& arc, const ArcResult& result) const;
   bool followed(const PathProblem& problem) const;
-  bool try_share(PathProblem& problem, double from, double step, double share);
-  double move(PathProblem& problem, double from, double step, bool search);
+  Searched move(PathProblem& problem, double from, double step, bool search);
 
   std::unique_ptr<LinearSolver> linear_;
   Matrix K_;

@@ -3,36 +3,51 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <optional>
+
+#include "base/answer.hpp"
 
 namespace fabricsh::solver {
 
 struct LineSearch {
   bool on = true;       // off: the first share that can be evaluated is taken
   bool shorten = true;  // where the forces cannot be evaluated: a quarter of the share, and again
-  double largest = 1;   // share to begin with, above 0
+  double largest = 1;   // share to begin with; 0: none is possible
 };
 
-// try_share(a): moves by a * delta and gives g(a), or nothing where the forces cannot be evaluated there.
-// Ends at the last share tried, which it returns; 0: none could be evaluated. While g has not changed its
-// sign the whole share is taken: the next iteration goes on from there. After ten tries the last one is
-// taken.
+// One share tried: g there, if the forces could be evaluated.
+struct Tried {
+  Answer answer = Answer::ok;
+  double g = 0;
+};
+
+// How far the search went: the last share tried, and what came of it.
+struct Searched {
+  double share = 0;
+  Answer answer = Answer::ok;
+};
+
+// try_share(a): moves by a * delta and tells g(a). While g has not changed its sign the whole share is taken:
+// the next iteration goes on from there. After ten tries the last one is taken. Where it ends with another
+// answer than ok there is no share to go on from.
 template <class TryShare>
-double line_search(double g0, const LineSearch& how, TryShare try_share) {
+Searched line_search(double g0, const LineSearch& how, TryShare try_share) {
   constexpr int tries = 10;
   double a = how.largest;
+  if (!(a > 0)) return {0, Answer::cut};
   for (int i = 0; i < tries; ++i) {
-    const std::optional<double> g = try_share(a);
-    if (!g) {
-      if (!how.shorten) return 0;
+    const Tried tried = try_share(a);
+    if (tried.answer == Answer::broken) return {a, Answer::broken};
+    if (tried.answer == Answer::cut) {
+      if (!how.shorten) break;
       a /= 4;
       continue;
     }
-    const bool crossed = (*g > 0) != (g0 > 0);
-    if (!how.on || std::abs(*g) <= std::abs(g0) / 2 || !crossed || i == tries - 1) return a;
-    a = std::max(a * g0 / (g0 - *g), 0.1 * a);  // regula falsi between 0 and a
+    const bool crossed = (tried.g > 0) != (g0 > 0);
+    if (!how.on || std::abs(tried.g) <= std::abs(g0) / 2 || !crossed || i == tries - 1)
+      return {a, Answer::ok};
+    a = std::max(a * g0 / (g0 - tried.g), 0.1 * a);  // regula falsi between 0 and a
   }
-  return 0;
+  return {a, Answer::cut};
 }
 
 }  // namespace fabricsh::solver

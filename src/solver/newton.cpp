@@ -21,9 +21,19 @@ const char* describe(NewtonStatus status) {
       return "the residual grew without bound";
     case NewtonStatus::turned_back:
       return "the path turned back to time 0";
+    case NewtonStatus::broken:
+      return "the forces cannot be computed, whatever the step";
     default:
       return "too many iterations";
   }
+}
+
+NewtonStatus status_of(Answer answer) {
+  return answer == Answer::broken ? NewtonStatus::broken : NewtonStatus::law_failed;
+}
+
+Answer checked(Answer answer, std::span<const double> r) {
+  return answer == Answer::ok && !all_finite(r) ? Answer::cut : answer;
 }
 
 void Newton::resize(Index size) {
@@ -35,37 +45,38 @@ bool Newton::direction(std::span<const double> r) {
   return linear_->factorise(K_) && linear_->solve(K_, r, delta_) && all_finite(delta_);
 }
 
-// Leaves r_ at the trial configuration. False: the law failed even on a short step.
-bool Newton::search(Problem& problem, bool search) {
-  const auto try_share = [&](double a) -> std::optional<double> {
+// Leaves r_ at the trial configuration.
+Answer Newton::search(Problem& problem, bool search) {
+  const auto try_share = [&](double a) -> Tried {
     problem.retract(delta_, a);
-    if (!problem.residual(trial_r_) || !all_finite(trial_r_)) return {};
+    const Answer answer = checked(problem.residual(trial_r_), trial_r_);
+    if (answer != Answer::ok) return {answer};
     r_.swap(trial_r_);
-    return dot(delta_, r_);
+    return {answer, dot(delta_, r_)};
   };
-  return line_search(dot(delta_, r_), {search, true, problem.limit(delta_)}, try_share) > 0;
+  return line_search(dot(delta_, r_), {search, true, problem.limit(delta_)}, try_share).answer;
 }
 
 namespace {
-NewtonResult failed(NewtonStatus status) {
+NewtonResult failed(Answer answer) {
   NewtonResult result;
-  result.status = status;
+  result.status = status_of(answer);
   return result;
 }
 }  // namespace
 
 NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
   resize(problem.size());
-  if (!problem.predict(K_, r_) || !all_finite(r_)) return failed(NewtonStatus::law_failed);
-  return iterate(problem, options, true);
+  const Answer answer = checked(problem.predict(K_, r_), r_);
+  return answer == Answer::ok ? iterate(problem, options, true) : failed(answer);
 }
 
 NewtonResult Newton::correct(Problem& problem, const NewtonOptions& options) {
   resize(problem.size());
   problem.accept();
-  if (!problem.tangent(K_) || !problem.residual(r_) || !all_finite(r_))
-    return failed(NewtonStatus::law_failed);
-  return iterate(problem, options, false);
+  Answer answer = problem.tangent(K_);
+  if (answer == Answer::ok) answer = checked(problem.residual(r_), r_);
+  return answer == Answer::ok ? iterate(problem, options, false) : failed(answer);
 }
 
 // predicted: the residual in hand carries the supports' move linearised, so the first step is taken whole
@@ -80,18 +91,18 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     if (!direction(r_)) return stop(NewtonStatus::singular);
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;
-    if (!search(problem, options.line_search && !(predicted && i == 0)))
-      return stop(NewtonStatus::law_failed);
+    const Answer found = search(problem, options.line_search && !(predicted && i == 0));
+    if (found != Answer::ok) return stop(status_of(found));
     problem.accept();
     const auto [size, where] = problem.largest(r_);
     if (!std::isfinite(size)) return stop(NewtonStatus::diverged);
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.residuals.push_back(relative);
     result.worst = where;
-    if (relative <= options.tolerance || size <= problem.rounding_floor(K_))
+    if (problem.arrived() && (relative <= options.tolerance || size <= problem.rounding_floor(K_)))
       return stop(NewtonStatus::converged);
     if (!(relative < 1e12)) return stop(NewtonStatus::diverged);
-    if (!problem.tangent(K_)) return stop(NewtonStatus::law_failed);
+    if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
   }
   return stop(NewtonStatus::too_many_iterations);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/answer.hpp"
 #include "base/archive.hpp"
 #include "linear/linear_solver.hpp"
 #include "linear/vector.hpp"
@@ -26,15 +27,18 @@ class Problem {
   virtual Index size() const = 0;
   // At the committed configuration: the tangent K (which takes the problem's pattern), and the residual r in
   // which the supports' move to their targets is linearised, r = f_ext - f_int - K_fp du_p. Sets iterate =
-  // trial = committed. False: the law failed.
-  virtual bool predict(Matrix& K, std::span<double> r) = 0;
+  // trial = committed.
+  virtual Answer predict(Matrix& K, std::span<double> r) = 0;
   // trial = iterate moved by scale * delta, supports at their targets.
   virtual void retract(std::span<const double> delta, double scale) = 0;
-  // The share of a step from the iterate along delta that is safe to take, above 0, at most 1.
+  // The share of a step from the iterate along delta that is safe to take, at most 1. 0: none is, and
+  // the step has to be cut. (The supports go to their targets whatever the share.)
   virtual double limit(std::span<const double> /*delta*/) { return 1; }
-  virtual void accept() = 0;                       // iterate = trial
-  virtual bool residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
-  virtual bool tangent(Matrix& K) = 0;             // at the trial configuration
+  virtual void accept() = 0;  // iterate = trial
+  // Has all that moves by shares of the steps come to where it is prescribed: none converges before.
+  virtual bool arrived() const { return true; }
+  virtual Answer residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
+  virtual Answer tangent(Matrix& K) = 0;             // at the trial configuration
   // The largest entry of a residual, N (moments over the problem's length), and which unknown carries it (-1:
   // none).
   virtual std::pair<double, Index> largest(std::span<const double> r) const = 0;
@@ -50,8 +54,20 @@ struct NewtonOptions {
   bool line_search = true;
 };
 
-enum class NewtonStatus { converged, law_failed, singular, diverged, too_many_iterations, turned_back };
+// law_failed: the forces could not be evaluated with this step; broken: with no step at all.
+enum class NewtonStatus {
+  converged,
+  law_failed,
+  singular,
+  diverged,
+  too_many_iterations,
+  turned_back,
+  broken
+};
 const char* describe(NewtonStatus status);
+NewtonStatus status_of(Answer answer);  // of an answer that is not ok
+// A residual that is not finite is no answer to go on with.
+Answer checked(Answer answer, std::span<const double> r);
 
 struct NewtonResult {
   NewtonStatus status = NewtonStatus::too_many_iterations;
@@ -78,7 +94,7 @@ class Newton {
  private:
   NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);
   bool direction(std::span<const double> r);  // delta_ = K^-1 r
-  bool search(Problem& problem, bool line_search);
+  Answer search(Problem& problem, bool line_search);
   void resize(Index size);
   std::unique_ptr<LinearSolver> linear_;
   Matrix K_;

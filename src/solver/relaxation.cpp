@@ -17,8 +17,8 @@ void Relaxation::resize(Index size) {
 
 // With a time step of 1, stable below omega_max = 2; Gershgorin: omega^2 <= max_i sum_j |K_ij| / m_i. A tenth
 // is kept in hand for the stiffening between two renewals.
-bool Relaxation::masses(Problem& problem) {
-  if (!problem.tangent(K_)) return false;
+Answer Relaxation::masses(Problem& problem) {
+  if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return answer;
   double largest = 0;
   const auto& column = K_.pattern->column;
   for (Index c = 0; c < K_.size(); ++c) {
@@ -28,15 +28,15 @@ bool Relaxation::masses(Problem& problem) {
     largest = std::max(largest, mass_[c]);
   }
   for (double& m : mass_) m = std::max(m, 1e-12 * largest);
-  return largest > 0;
+  return largest > 0 ? Answer::ok : Answer::cut;
 }
 
 NewtonResult Relaxation::solve(Problem& problem, const RelaxationOptions& options) {
   resize(problem.size());
   std::fill(velocity_.begin(), velocity_.end(), 0.0);
-  if (!problem.predict(K_, r_)) {
+  if (const Answer answer = problem.predict(K_, r_); answer != Answer::ok) {
     NewtonResult result;
-    result.status = NewtonStatus::law_failed;
+    result.status = status_of(answer);
     return result;
   }
   problem.retract(velocity_, 0);
@@ -52,16 +52,17 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
   resize(problem.size());
   std::fill(velocity_.begin(), velocity_.end(), 0.0);
   problem.accept();
-  if (problem.size() > 0 && !masses(problem)) return stop(NewtonStatus::law_failed);
+  if (problem.size() > 0)
+    if (const Answer answer = masses(problem); answer != Answer::ok) return stop(status_of(answer));
   double before = 0, renewed = std::numeric_limits<double>::infinity();  // residual when the masses were
   bool starts = true;  // at rest: the first step of the leapfrog is half a one
   for (int since = 0; result.iterations < options.max_iterations; ++result.iterations, ++since) {
-    if (!problem.residual(r_)) return stop(NewtonStatus::law_failed);
+    if (const Answer answer = problem.residual(r_); answer != Answer::ok) return stop(status_of(answer));
     const auto [size, where] = problem.largest(r_);
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.worst = where;
     if (!std::isfinite(size) || !(relative < 1e12)) return stop(NewtonStatus::diverged);
-    if (relative <= options.tolerance) {
+    if (problem.arrived() && relative <= options.tolerance) {
       result.residuals.push_back(relative);
       return stop(NewtonStatus::converged);
     }
@@ -82,11 +83,18 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     if (starts || since >= kRefresh) {
       since = 0;
       renewed = size;
-      if (!masses(problem)) return stop(NewtonStatus::law_failed);
+      if (const Answer answer = masses(problem); answer != Answer::ok) return stop(status_of(answer));
     }
     if (starts) continue;
-    problem.retract(velocity_, 1);
+    const double share = problem.limit(velocity_);
+    if (!(share > 0)) return stop(NewtonStatus::law_failed);
+    problem.retract(velocity_, share);
     problem.accept();
+    if (share < 1) {  // as far as is safe, and from rest again: to go on would meet the same limit
+      std::fill(velocity_.begin(), velocity_.end(), 0.0);
+      before = 0;
+      starts = true;
+    }
   }
   return stop(NewtonStatus::too_many_iterations);
 }

@@ -20,7 +20,7 @@ class Relaxation {
   NewtonResult go_on(Problem& problem, const RelaxationOptions& options);
 
  private:
-  bool masses(Problem& problem);
+  Answer masses(Problem& problem);
   void resize(Index size);
   Matrix K_;
   linear::Vector r_, mass_, velocity_;

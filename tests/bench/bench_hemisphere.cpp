@@ -10,8 +10,8 @@
 #include <ctime>
 #include <vector>
 
-#include "analysis/problems.hpp"
 #include "mesh/generators.hpp"
+#include "run/problems.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -64,7 +64,7 @@ std::shared_ptr<model::Model> make(int n) {
 void run(int n) {
   const double start = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   const auto m = make(n);
-  analysis::Static a(m, {.duration = 1, .step = 0.25}, test::quiet());
+  run::Static a(m, {.duration = 1, .step = 0.25}, test::quiet());
   a.solve();
   const double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC - start;
   int iterations = 0;

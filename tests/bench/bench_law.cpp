@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "fabric/law.hpp"
-#include "fabric/thesis_cards.hpp"
+#include "law/law.hpp"
+#include "law/thesis_cards.hpp"
 
 using namespace fabricsh;
 using Clock = std::chrono::steady_clock;
@@ -60,29 +60,29 @@ double best_time(int repeats, Data& d, Step step) {
   return best / (steps * points) * 1e9;
 }
 
-double batch_time(const fabric::Law& law, Isa isa, bool tangent, int repeats) {
-  Data d(fabric::state_size(law));
+double batch_time(const law::Law& law, Isa isa, bool tangent, int repeats) {
+  Data d(law::state_size(law));
   fill_batches(d);
-  const auto run = fabric::batch_function(isa);
+  const auto run = law::batch_function(isa);
   return best_time(repeats, d, [&](int k) {
     for (int b = 0; b < points; b += lanes)
-      run(law, fabric::AtSwitch::loading, &d.E[(k * points + b) * 5], d.s0.data() + b * d.state,
-          d.s1.data() + b * d.state, &d.S[b * 5], tangent ? &d.C[b * 25] : nullptr);
+      run(law, law::Step{}, &d.E[(k * points + b) * 5], d.s0.data() + b * d.state, d.s1.data() + b * d.state,
+          &d.S[b * 5], tangent ? &d.C[b * 25] : nullptr);
   });
 }
 
-double scalar_time(const fabric::Law& law, int repeats) {
-  Data d(fabric::state_size(law));
+double scalar_time(const law::Law& law, int repeats) {
+  Data d(law::state_size(law));
   fill_points(d);
   return best_time(repeats, d, [&](int k) {
     for (int p = 0; p < points; ++p)
-      fabric::evaluate(law, fabric::AtSwitch::loading, &d.E[(k * points + p) * 5], d.s0.data() + p * d.state,
-                       d.s1.data() + p * d.state, &d.S[p * 5], &d.C[p * 25]);
+      law::evaluate(law, law::Step{}, &d.E[(k * points + p) * 5], d.s0.data() + p * d.state,
+                    d.s1.data() + p * d.state, &d.S[p * 5], &d.C[p * 25]);
   });
 }
 
 void report(const std::string& name, const card::Card& card, int repeats) {
-  const auto law = fabric::compile(card);
+  const auto law = law::compile(card);
   std::printf("%-22s %8.1f", name.c_str(), scalar_time(*law, repeats));
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
     if (isa <= best_isa())

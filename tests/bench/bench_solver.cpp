@@ -8,7 +8,7 @@
 #include <ctime>
 #include <vector>
 
-#include "analysis/problems.hpp"
+#include "run/problems.hpp"
 #include "test_cards.hpp"
 
 using namespace fabricsh;
@@ -87,7 +87,7 @@ void run(const char* name, const card::Card& card, int n, bool orderings) {
     print("UMFPACK METIS", measure(*linear::make_unsymmetric_solver(Ordering::metis), K, repeats));
   }
   print("automatic", chosen);
-  analysis::Static a(make_plate(card, n), {.duration = 1, .step = 0.05}, test::quiet());
+  run::Static a(make_plate(card, n), {.duration = 1, .step = 0.05}, test::quiet());
   a.step();
   const Stopwatch watch;
   int iterations = 0;

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "files/table.hpp"
+#include "format/table.hpp"
 
 using Clock = std::chrono::steady_clock;
 
@@ -39,7 +39,7 @@ int main(int count, char** words) {
   const int rows = count > 1 ? std::atoi(words[1]) : 1000000;
   const std::string text = record(rows);
   auto begin = Clock::now();
-  const auto table = fabricsh::files::parse_table("record", "time (s),displacement (mm),force (N)\n" + text);
+  const auto table = fabricsh::format::parse_table("record", "time (s),displacement (mm),force (N)\n" + text);
   const double ours = seconds_since(begin);
   begin = Clock::now();
   const double sum = plain_sum(text);

@@ -130,15 +130,15 @@ struct RandomBatch {
   Eigen::MatrixXd force() {
     const Arrays r = arrays();
     alignas(64) double f[6 * corners * lanes];
-    REQUIRE(kernels.force(section, fabric::AtSwitch::loading,
+    REQUIRE(kernels.force(section, law::Step{},
                           {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data(), sharing}, f) == 0);
     return project(f);
   }
   Eigen::MatrixXd tangent(int lane, Eigen::MatrixXd* force_out = nullptr) {
     const Arrays r = arrays();
     alignas(64) double f[6 * corners * lanes], k[dofs * dofs * lanes];
-    REQUIRE(kernels.tangent(section, fabric::AtSwitch::loading,
-                            {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data()}, f, k) == 0);
+    REQUIRE(kernels.tangent(section, law::Step{}, {geometry.data(), r.x, r.d, r.b, s0.data(), s1.data()}, f,
+                            k) == 0);
     if (force_out != nullptr) *force_out = project(f);
     Eigen::MatrixXd K(dofs, dofs);
     for (int i = 0; i < dofs; ++i)
@@ -177,9 +177,9 @@ struct RandomBatch {
         double e[5];
         for (int i = 0; i < 5; ++i) e[i] = E[((g * points + k) * 5 + i) * lanes + lane];
         const auto& p = section.points[k];
-        for (int i = 0; i < fabric::state_size(*p.law); ++i)
+        for (int i = 0; i < law::state_size(*p.law); ++i)
           state[i] = s1[(g * section.state_size + p.state + i) * lanes + lane];
-        const auto energy = fabric::energy(*p.law, e, state.data());
+        const auto energy = law::energy(*p.law, e, state.data());
         sum += geometry[(layout.point(g, k) + 7) * lanes + lane] * (energy.stored + energy.dissipated());
       }
     return sum;

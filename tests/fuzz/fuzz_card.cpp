@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <lua.hpp>
 
+#include "card/fields.hpp"
 #include "script/bind.hpp"
 #include "script/object.hpp"
 #include "script/session.hpp"
@@ -51,7 +52,7 @@ end
 int push_card_text(lua_State* L) {
   const auto card = script::to_object<card::Card>(L, 1);
   if (card == nullptr) return 0;
-  lua_pushstring(L, script::card_text(*card).c_str());
+  lua_pushstring(L, card::lua_text(*card).c_str());
   return 1;
 }
 

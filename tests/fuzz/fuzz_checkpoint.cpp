@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
-#include "files/checkpoint.hpp"
+#include "format/checkpoint.hpp"
 #include "script/lua_table.hpp"
 
 namespace {
@@ -21,7 +21,7 @@ void read_envelope(std::string_view bytes) {
   const int file = memfd_create("checkpoint", 0);
   if (file < 0 || write(file, bytes.data(), bytes.size()) < 0) std::abort();
   try {
-    fabricsh::files::read_checkpoint("/proc/self/fd/" + std::to_string(file));
+    fabricsh::format::read_checkpoint("/proc/self/fd/" + std::to_string(file));
   } catch (const fabricsh::Error&) {
   }
   close(file);

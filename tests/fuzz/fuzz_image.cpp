@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "files/image.hpp"
+#include "format/image.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fabricsh;
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                      : data[0] == 'B'  ? "fuzz.bmp"
                                        : "fuzz.tif";
   try {
-    const files::Image image = files::parse_image(name, {reinterpret_cast<const char*>(data), size});
+    const format::Image image = format::parse_image(name, {reinterpret_cast<const char*>(data), size});
     if (image.width < 1 || image.pixels.size() != static_cast<std::size_t>(image.width) * image.height)
       std::abort();
     for (const float pixel : image.pixels)

@@ -3,13 +3,13 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "files/mesh_file.hpp"
+#include "format/mesh_file.hpp"
 #include "mesh/check.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fabricsh;
   try {
-    const mesh::Mesh mesh = files::READER("fuzz", {reinterpret_cast<const char*>(data), size});
+    const mesh::Mesh mesh = format::READER("fuzz", {reinterpret_cast<const char*>(data), size});
     const auto count = static_cast<mesh::Index>(mesh.nodes.size());
     for (const auto& element : mesh.elements)
       for (std::size_t i = 0; i < element.size(); ++i)

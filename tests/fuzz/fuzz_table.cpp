@@ -3,16 +3,16 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "files/table.hpp"
+#include "format/table.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fabricsh;
   if (size == 0) return 0;
   constexpr char separators[] = {0, ',', ';', '\t', ' '}, decimals[] = {0, '.', ','};
-  const files::TableForm form{separators[data[0] % 5], decimals[data[0] / 5 % 3]};
+  const format::TableForm form{separators[data[0] % 5], decimals[data[0] / 5 % 3]};
   try {
-    const files::Table table =
-        files::parse_table("fuzz", {reinterpret_cast<const char*>(data) + 1, size - 1}, form);
+    const format::Table table =
+        format::parse_table("fuzz", {reinterpret_cast<const char*>(data) + 1, size - 1}, form);
     for (const auto& column : table.columns)
       if (column.values.size() != table.columns.front().values.size()) std::abort();
   } catch (const Error&) {

@@ -65,7 +65,7 @@ TEST_CASE("a dot's middle as well as the noise lets it be known", "[lab]") {
 }
 
 TEST_CASE("a blot that is no ellipse keeps its centroid", "[lab]") {
-  files::Image image{60, 60, std::vector<float>(3600, 0.9F)};
+  format::Image image{60, 60, std::vector<float>(3600, 0.9F)};
   double x = 0, y = 0, n = 0;
   for (int r = 20; r < 40; ++r)
     for (int c = 20; c < 40; ++c) {

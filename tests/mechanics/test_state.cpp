@@ -1,6 +1,12 @@
+#include <cmath>
+#include <memory>
+
 #include "catch.hpp"
+#include "mechanics/assembly.hpp"
 #include "mechanics/configuration.hpp"
 #include "mechanics/law_states.hpp"
+#include "mesh/generators.hpp"
+#include "test_cards.hpp"
 
 using fabricsh::Archive;
 using fabricsh::Error;
@@ -74,4 +80,25 @@ TEST_CASE("what is kept brings back configuration and law, whatever was tried si
   LawStates fewer(2);
   Archive third(kept.bytes());
   CHECK_THROWS_AS(fewer.keep(third), Error);
+}
+
+TEST_CASE("an element whose strain is not finite asks for a cut, one whose state is not finite is broken") {
+  auto mesh = std::make_shared<fabricsh::mesh::Mesh>(fabricsh::mesh::rectangle(0.1, 0.1, 2, 1));
+  auto card = fabricsh::test::blend();  // with a part that remembers every strain
+  std::get<fabricsh::card::Woven>(card.law).viscous = fabricsh::card::Viscous{{1e6, 1}};
+  const auto model = std::make_shared<fabricsh::model::Model>(mesh, card, fabricsh::model::Options{});
+  fabricsh::mechanics::Assembly a(*model);
+  CHECK(a.forces({0, 1}));
+  const double x = a.state().x()[0];
+  a.state().x()[0] = std::nan("");
+  a.state().touch();
+  CHECK_FALSE(a.forces({0, 1}));
+  CHECK(a.outcome().element == 0);
+  CHECK(a.outcome().answer == fabricsh::Answer::cut);
+  a.commit(1);  // which no run would do
+  a.state().x()[0] = x;
+  a.state().touch();
+  CHECK_FALSE(a.forces({1, 1}));
+  CHECK(a.outcome().element == 0);
+  CHECK(a.outcome().answer == fabricsh::Answer::broken);
 }

@@ -117,7 +117,7 @@ TEST_CASE("names of arguments, those that are not given yet") {
   CHECK(words("fabric.mesh.rectangle({ hei") == Words{"height="});
   CHECK(words("r = fabric.mesh.rectangle{ width=2*m") != Words{});  // a value: any global
   CHECK_FALSE(has(words("fabric.mesh.rectangle{ width="), "height="));
-  CHECK(words("m:move('top', { x=1, ") == Words{"y=", "z="});
+  CHECK(words("m:move('top', { x=1, ") == Words{"turn=", "y=", "z="});
   CHECK(words("woven{ warp={ load") == Words{"loading="});
   CHECK(words("woven{ warp={ loading={1, 2}, unl") == Words{"unloading="});
   CHECK(words("woven{ warp={ loading={1, 2} }, we") == Words{"weft="});
@@ -137,8 +137,8 @@ TEST_CASE("values: words of a choice, objects of the class") {
   CHECK(words("model{ mesh=") == Words{"sheet"});
   CHECK(words("a:every(\"") == Words{"step"});
   CHECK(words("a:mean('S1") == Words{"S11", "S12", "S13"});
-  CHECK(words("a:vtk('out/a', { fields={ 'S', 'd") == Words{"director", "displacement"});
-  CHECK(words("a:field \"resid") == Words{"residual1", "residual2"});
+  CHECK(words("a:vtk('out/a', { fields={ 'S', 'd") == Words{"director", "displacement", "dissipated"});
+  CHECK(words("a:field \"resid") == Words{"residual", "residual1", "residual2"});
 }
 
 TEST_CASE("sets of the object at hand, freedoms, cards") {

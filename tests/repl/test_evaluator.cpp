@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "repl/commands.hpp"
 #include "repl/evaluator.hpp"
+#include "repl/interrupt.hpp"
 #include "repl/prompt.hpp"
 
 using namespace fabricsh;
@@ -89,7 +90,11 @@ TEST_CASE("help, ? and ? word mean calls of help") {
   for (const char* asked : {"? mesh:set", "?mesh:set", "help mesh:set"})
     CHECK(meant(asked) == "help(\"mesh:set\")");
   CHECK(meant("? 'two words'") == "help('two words')");
-  for (const char* lua : {"help()", "help 'shear'", "help = 3", "helper", "x = help", "1 + 1", "help(mesh)"})
+  for (const char* asked : {"? drape  height", "help drape  height"})
+    CHECK(meant(asked) == "help(\"drape  height\")");
+  CHECK(meant("? mesh:set of nodes") == "help(\"mesh:set of nodes\")");
+  for (const char* lua :
+       {"help()", "help 'shear'", "help = 3", "helper", "x = help", "1 + 1", "help(mesh)", "help .. x"})
     CHECK(meant(lua) == lua);
   CHECK(repl::run_text(session, "help = 3", "=t").outcome == Outcome::done);
   CHECK(meant("help") == "help");
@@ -101,6 +106,8 @@ TEST_CASE("a name of the library's, a unit or one of Lua's that is assigned over
   CHECK(talk("model = 3\n").err ==
         "warning: model is no longer what fabric has under that name; fabric.model still is\n");
   CHECK(talk("print = nil\n").err == "warning: print is no longer Lua's own\n");
+  CHECK(talk("fabric = 1\nfabric = 2\n").err ==
+        "warning: fabric is no longer the library; require 'fabric' still is\n");
   CHECK(talk("function card() end\n").err.find("warning: card is no longer") == 0);
   CHECK(talk("x = 3\nx = 4\nlong = 2\nfabric.units.mm\n").err.empty());
 }

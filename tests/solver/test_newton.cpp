@@ -1,13 +1,16 @@
-// Newton's line search, and the guard of a step along an arc, on problems of one unknown whose every number
-// is known beforehand.
+// Newton's line search, the guard of a step along an arc, and what all solvers make of a limit and of forces
+// that cannot be computed, on problems of one unknown whose every number is known beforehand.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "catch.hpp"
 #include "solver/arc_length.hpp"
+#include "solver/relaxation.hpp"
 
 using namespace fabricsh::solver;
+using fabricsh::Answer;
 
 namespace {
 
@@ -20,9 +23,12 @@ std::shared_ptr<const fabricsh::linear::Pattern> one_by_one() {
 // r(u, t) = 0 for one unknown u; the solvers get the stiffness that they are told. Without a time, t is 0.
 class Scalar final : public PathProblem {
  public:
-  std::function<double(double u, double t)> force;  // r; not a number: the law fails
+  std::function<double(double u, double t)> force;        // r; not a number: not with this step
+  std::function<bool(double u)> broken;                   // are the forces beyond repair there
+  std::function<double(double from, double delta)> safe;  // the share of a step that is
   std::function<double(double u)> stiffness;
   double committed = 0;
+  double rate = 1;             // dr/dt
   std::vector<double> shares;  // of its increments that were tried
 
   double trial() const { return trial_; }
@@ -30,31 +36,33 @@ class Scalar final : public PathProblem {
 
   Index size() const override { return 1; }
   void aim(double time) override { time_ = time; }
-  bool predict(Matrix& K, std::span<double> r) override {
+  Answer predict(Matrix& K, std::span<double> r) override {
     trial_ = iterate_ = committed;
-    return tangent(K) && residual(r);
+    return fabricsh::worse(tangent(K), residual(r));
   }
-  bool start(Matrix& K, std::span<double> r, std::span<double> q) override {
-    q[0] = 1;
+  Answer start(Matrix& K, std::span<double> r, std::span<double> q) override {
+    q[0] = rate;
     return predict(K, r);
   }
-  bool tangent_and_rate(Matrix& K, std::span<double> q) override {
-    q[0] = 1;
+  Answer tangent_and_rate(Matrix& K, std::span<double> q) override {
+    q[0] = rate;
     return tangent(K);
   }
   void retract(std::span<const double> delta, double scale) override {
     shares.push_back(scale);
     trial_ = iterate_ + scale * delta[0];
   }
+  double limit(std::span<const double> delta) override { return safe ? safe(iterate_, delta[0]) : 1; }
   void accept() override { iterate_ = trial_; }
-  bool residual(std::span<double> r) override {
+  Answer residual(std::span<double> r) override {
+    if (broken && broken(trial_)) return Answer::broken;
     r[0] = force(trial_, time_);
-    return !std::isnan(r[0]);
+    return std::isnan(r[0]) ? Answer::cut : Answer::ok;
   }
-  bool tangent(Matrix& K) override {
+  Answer tangent(Matrix& K) override {
     K.follow(one_by_one());
     K.value[0] = stiffness(trial_);
-    return true;
+    return Answer::ok;
   }
   double product(std::span<const double> a, std::span<const double> b) const override { return a[0] * b[0]; }
   std::pair<double, Index> largest(std::span<const double> r) const override { return {std::abs(r[0]), 0}; }
@@ -167,4 +175,106 @@ TEST_CASE("a step along an arc that ends off its path is refused, however well i
   // Round the back: the corrector jumps to another branch, at u = 0.5, against the predictor's way.
   const auto back = [](double u) { return u > 1 ? 1 - 0.1 * (u - 1) : u > 0.6 ? u : 1.55 - u; };
   CHECK(land(back, -0.1) == NewtonStatus::diverged);
+}
+
+// --- limits, and forces that are beyond repair, in all three solvers
+
+namespace {
+
+// A barrier before a wall at u = 1, beyond which no iterate may come; the solution lies close before it.
+struct Walled {
+  static constexpr double wall = 1;
+  Scalar problem;
+  double farthest = 0;
+  explicit Walled(double load) {
+    problem.force = [this, load](double u, double t) {
+      farthest = std::max(farthest, u);
+      return load * t - 0.1 * u - 1e-4 / (wall - u);
+    };
+    problem.stiffness = [](double u) { return 0.1 + 1e-4 / ((wall - u) * (wall - u)); };
+    // Nine tenths of the way to the wall, as a barrier's line search has it.
+    problem.safe = [](double from, double delta) {
+      return delta > 0 ? std::min(1.0, 0.9 * (wall - from) / delta) : 1.0;
+    };
+    problem.aim(1);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("no solver steps farther than the problem's limit, and each gets to the solution before the wall") {
+  // 0.2 = 0.1 u + 1e-4 / (1 - u): u = 0.999 but for a little.
+  const double load = 0.2, solution = [] {
+    double u = 0.99;
+    for (int i = 0; i < 60; ++i) u = 1 - 1e-4 / (0.2 - 0.1 * u);
+    return u;
+  }();
+  {
+    Walled walled(load);
+    CHECK(Newton(fabricsh::linear::make_unsymmetric_solver()).solve(walled.problem, {}).status ==
+          NewtonStatus::converged);
+    CHECK(walled.problem.shares.front() < 0.5);  // the first step would have gone to u = 2
+    CHECK(walled.farthest < Walled::wall);
+    CHECK(std::abs(walled.problem.trial() - solution) < 1e-9);
+  }
+  {
+    Walled walled(load);
+    Relaxation relaxation;
+    CHECK(relaxation.solve(walled.problem, {.tolerance = 1e-10}).status == NewtonStatus::converged);
+    CHECK(walled.farthest < Walled::wall);
+    CHECK(std::abs(walled.problem.trial() - solution) < 1e-9);
+    CHECK(std::any_of(walled.problem.shares.begin(), walled.problem.shares.end(),
+                      [](double share) { return share > 0 && share < 1; }));
+  }
+  {
+    Walled walled(load);
+    ArcLength arc(fabricsh::linear::make_unsymmetric_solver());
+    // At t = 0, u = 0 but for the barrier's 1e-3, which is balanced.
+    const double offset = walled.problem.force(0, 0);
+    const auto force = walled.problem.force;
+    walled.problem.force = [=](double u, double t) { return force(u, t) - offset; };
+    walled.problem.rate = 0.2;
+    const auto result = arc.solve(walled.problem, {.tolerance = 1e-10, .max_iterations = 60},
+                                  {.time = 0, .landing = 1, .length = 5, .largest_step = 1});
+    CHECK(result.landed);
+    CHECK(walled.farthest < Walled::wall);
+    CHECK(walled.problem.shares.front() < 0.9);
+  }
+}
+
+TEST_CASE("a limit of nothing is a step that cannot be done, not one that goes nowhere for ever") {
+  Scalar problem;
+  problem.force = [](double u, double t) { return t - u; };
+  problem.stiffness = [](double) { return 1.0; };
+  problem.safe = [](double, double) { return 0.0; };
+  problem.aim(1);
+  CHECK(Newton(fabricsh::linear::make_unsymmetric_solver()).solve(problem, {}).status ==
+        NewtonStatus::law_failed);
+  CHECK(problem.shares.empty());
+  ArcLength arc(fabricsh::linear::make_unsymmetric_solver());
+  CHECK(arc.solve(problem, {}, {.time = 1, .landing = 2, .length = 1, .largest_step = 1}).status ==
+        NewtonStatus::law_failed);
+  CHECK(Relaxation().solve(problem, {}).status == NewtonStatus::law_failed);
+}
+
+TEST_CASE("forces that are beyond repair end the solve at once, in every solver") {
+  const auto make = [] {
+    Scalar problem;
+    problem.force = [](double u, double t) { return t - u; };
+    problem.stiffness = [](double) { return 1.0; };
+    problem.broken = [](double u) { return u > 0.5; };
+    problem.aim(1);
+    return problem;
+  };
+  auto one = make();
+  CHECK(Newton(fabricsh::linear::make_unsymmetric_solver()).solve(one, {}).status == NewtonStatus::broken);
+  CHECK(one.shares == std::vector{1.0});  // no shorter share was tried
+  auto two = make();
+  ArcLength arc(fabricsh::linear::make_unsymmetric_solver());
+  two.aim(0);
+  CHECK(arc.solve(two, {}, {.time = 0, .landing = 1, .length = 1, .largest_step = 1}).status ==
+        NewtonStatus::broken);
+  CHECK(two.shares == std::vector{1.0});
+  auto three = make();
+  CHECK(Relaxation().solve(three, {}).status == NewtonStatus::broken);
 }

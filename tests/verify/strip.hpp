@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "analysis/static.hpp"
+#include "run/static.hpp"
 #include "test_cards.hpp"
 
 namespace fabricsh::test {
@@ -62,7 +62,7 @@ inline std::shared_ptr<model::Model> make_strip(const Strip& s) {
 }
 
 // Force over the ends' area, second Piola-Kirchhoff: P / (A0 lambda) [williams2010, eq. 3.1].
-inline double stress(const analysis::Run& a, const Strip& s, double displacement) {
+inline double stress(const run::Run& a, const Strip& s, double displacement) {
   const double lambda = 1 + displacement / strip_length;
   const double force = (s.turn.transpose() * a.reaction("top")).y();
   return force / (strip_width * a.model().thickness() * lambda);

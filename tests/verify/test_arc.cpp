@@ -36,11 +36,11 @@ Arch make_arch(double force, double move) {
 
 TEST_CASE("an arch of cloth is pushed through along the arc, without a cut at every yarn that switches") {
   const Arch arch = make_arch(-2, 0);
-  analysis::Static a(arch.model, {.duration = 1, .step = 0.05, .control = analysis::Control::arc},
-                     std::make_shared<Notices>());
+  run::Static a(arch.model, {.duration = 1, .step = 0.05, .control = run::Control::arc},
+                std::make_shared<Notices>());
   double last = 0;
   bool turned = false;
-  a.every_step([&](analysis::Run& run) {
+  a.every_step([&](run::Run& run) {
     turned = turned || run.time() < last;
     last = run.time();
   });

@@ -28,7 +28,7 @@ std::shared_ptr<model::Model> roll(const card::Card& card, history::History angl
 }
 
 // The moment about y that the strip's right edge carries, N m: what its directors feel.
-double end_moment(const analysis::Run& a) {
+double end_moment(const run::Run& a) {
   double sum = 0;
   for (const auto n : a.model().mesh().set("right")) {
     const Vec3 d = a.node(n).n;
@@ -46,10 +46,10 @@ TEST_CASE("bending with friction: moment and curvature of a strip follow the spr
   card.bending = card::Bending{B, 2 * B, B, card::BendingFriction{Mf, kf}, {}};
   // Curvature up to 12 /m, back to -4 /m and to zero; kinks of the spring at 0.5, 11 and so on.
   const double deg = 180 / std::numbers::pi * kLength;
-  analysis::Static a(roll(card, history::History::table({{0, 0}, {1, 12 * deg}, {2, -4 * deg}, {3, 0}})),
-                     {.duration = 3, .step = 0.05}, std::make_shared<Notices>());
+  run::Static a(roll(card, history::History::table({{0, 0}, {1, 12 * deg}, {2, -4 * deg}, {3, 0}})),
+                {.duration = 3, .step = 0.05}, std::make_shared<Notices>());
   double slip = 0, lost = 0, worst = 0, worst_energy = 0;
-  a.every_step([&](analysis::Run& run) {
+  a.every_step([&](run::Run& run) {
     const double t = run.time(), k = t <= 1 ? 12 * t : t <= 2 ? 12 - 16 * (t - 1) : -4 + 4 * (t - 2);
     const double held = std::clamp(k - slip, -kf, kf);
     lost += Mf * std::abs(k - slip - held);

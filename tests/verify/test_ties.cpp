@@ -1,7 +1,7 @@
 // Ties in a run: a periodic patch, a rigid grip that is pulled, a rigid edge turned by a moment.
 #include <numbers>
 
-#include "../analysis/problems.hpp"
+#include "../run/problems.hpp"
 #include "catch.hpp"
 #include "strip.hpp"
 
@@ -39,7 +39,7 @@ TEST_CASE("patch test through periodic ties: a distorted cell stretched and shea
   m->fix("along", model::parse_freedoms("y z"));
   m->move("across", ramp(0, 0.004));
   m->fix("across", model::parse_freedoms("y z"));
-  analysis::Static a(m, {.duration = 1, .step = 0.5, .tolerance = 1e-12}, quiet());
+  run::Static a(m, {.duration = 1, .step = 0.5, .tolerance = 1e-12}, quiet());
   a.solve();
   Mat3 F = Mat3::Identity();
   F(0, 0) = 1.1;
@@ -56,7 +56,7 @@ TEST_CASE("a rigid edge pulled by the force of a clamped grip moves as that grip
   s.card = isotropic(1e7, 0.3, 0.4e-3);
   s.grips = Grips::clamped;
   s.stroke = 10e-3;
-  analysis::Static grip(make_strip(s), {.duration = 1, .step = 0.1, .tolerance = 1e-12}, quiet());
+  run::Static grip(make_strip(s), {.duration = 1, .step = 0.1, .tolerance = 1e-12}, quiet());
   grip.solve();
   const double force = grip.reaction("top").y();
 
@@ -67,7 +67,7 @@ TEST_CASE("a rigid edge pulled by the force of a clamped grip moves as that grip
   m->fix("bottom", model::parse_freedoms("x y z rotation"));
   m->tie({TieKind::rigid, "top", {}, {}});
   m->force("top", ramp(1, force));
-  analysis::Static a(m, {.duration = 1, .step = 0.1, .tolerance = 1e-12}, quiet());
+  run::Static a(m, {.duration = 1, .step = 0.1, .tolerance = 1e-12}, quiet());
   a.solve();
   for (const auto n : mesh->set("all")) CHECK((a.node(n).x - grip.node(n).x).norm() < 1e-10);
   std::printf("  rigid edge under %.4f N: %.9f mm for the grip's 10\n", force, 1e3 * a.node(39).u.y());
@@ -83,7 +83,7 @@ TEST_CASE("a strip rolled by a moment on its rigid end closes as under the same 
     m->fix("left", model::parse_freedoms("x y z rotation"));
     if (rigid) m->tie({TieKind::rigid, "right", {}, {}});
     m->moment("right", ramp(1, -M));
-    analysis::Static a(m, {.duration = 1, .step = 0.1}, quiet());
+    run::Static a(m, {.duration = 1, .step = 0.1}, quiet());
     a.solve();
     int iterations = 0;
     for (const auto& step : a.steps()) iterations += step.iterations;
@@ -107,7 +107,7 @@ TEST_CASE("a moment about the normal of a rigid end turns the sheet in its plane
   m->fix("left", model::parse_freedoms("x y z rotation"));
   m->tie({TieKind::rigid, "right", {}, {}});
   m->moment("right", ramp(2, M));
-  analysis::Static a(m, {.duration = 1, .step = 1}, quiet());
+  run::Static a(m, {.duration = 1, .step = 1}, quiet());
   a.solve();
   CHECK(a.node(41).u.y() == Approx(0.5e-3).epsilon(1e-4));
   CHECK(a.steps().back().iterations <= 4);
@@ -125,7 +125,7 @@ TEST_CASE("an edge kept straight under a pull stays straight, and its ends carry
   m->fix("bottom", model::parse_freedoms("x y"));
   m->tie({TieKind::straight, "top", {}, tied("x y")});
   m->move("ends", ramp(1, 5e-3));
-  analysis::Static a(m, {.duration = 1, .step = 0.1}, quiet());
+  run::Static a(m, {.duration = 1, .step = 0.1}, quiet());
   a.solve();
   CHECK(std::abs(a.node(32).u.y() - 5e-3) < 1e-15);
   CHECK(a.node(32).x.x() == Approx((a.node(30).x.x() + a.node(34).x.x()) / 2));

@@ -10,7 +10,7 @@ TEST_CASE("a strip of triangles with free ends: S = P(E)") {
   s.card = blend();
   s.stroke = 18e-3;
   s.triangles = true;
-  analysis::Static a(make_strip(s), {.duration = 1, .step = 0.1}, std::make_shared<Notices>());
+  run::Static a(make_strip(s), {.duration = 1, .step = 0.1}, std::make_shared<Notices>());
   a.solve();
   const double E = green(s.stroke);
   // Loading polynomial of the blend's warp, Pa: 8e6 + 826e6 E.

@@ -48,8 +48,8 @@ TEST_CASE("free ends: S = P(E), lateral ratio and unloading slope at every step,
       const double unload_to = (std::sqrt(1 + 2 * E_mid) - 1) * strip_length;
       s.unload_to = unload_to;
       s.step = 0.5 / steps;
-      analysis::Static a(make_strip(s), {.duration = 1, .step = s.step}, quiet());
-      a.every_step([&](analysis::Run& run) {
+      run::Static a(make_strip(s), {.duration = 1, .step = s.step}, quiet());
+      a.every_step([&](run::Run& run) {
         const double t = run.time();
         if (t == 0) return;
         const double u = t <= 0.5 ? c.stroke * t / 0.5 : c.stroke + (unload_to - c.stroke) * (t - 0.5) / 0.5;
@@ -73,14 +73,14 @@ TEST_CASE("clamped ends: all eight cases go through load and unload, over-estima
   for (const auto& c : all_cases()) {
     Strip s{c.card, c.axis, Grips::clamped, c.stroke};
     s.unload_to = 0;
-    analysis::Static a(make_strip(s), {.duration = 1, .step = 1.0 / 80}, quiet());
+    run::Static a(make_strip(s), {.duration = 1, .step = 1.0 / 80}, quiet());
     double peak = 0;
-    a.every_step([&](analysis::Run& run) {
+    a.every_step([&](run::Run& run) {
       if (run.time() == 0.5) peak = stress(run, s, c.stroke);
     });
     bool released = false;
-    a.event([&](analysis::Run& run) { return run.reaction("top").y(); }, 1e-6,
-            [&](analysis::Run& run) {
+    a.event([&](run::Run& run) { return run.reaction("top").y(); }, 1e-6,
+            [&](run::Run& run) {
               released = true;
               CHECK(std::abs(run.reaction("top").y()) < 1e-6 * peak * strip_width * c.card.thickness * 2);
               run.stop("the grip let go");
@@ -100,7 +100,7 @@ TEST_CASE("clamped ends: all eight cases go through load and unload, over-estima
 TEST_CASE("Newton converges quadratically on a clamped strip") {
   const Case c = all_cases()[0];
   Strip s{c.card, c.axis, Grips::clamped, c.stroke};
-  analysis::Static a(make_strip(s), {.duration = 1, .step = 0.2}, quiet());
+  run::Static a(make_strip(s), {.duration = 1, .step = 0.2}, quiet());
   a.solve();
   // In the last step: each residual below ten times the square of the one before, until rounding.
   const auto& r = a.steps().back().residuals;
@@ -126,10 +126,9 @@ TEST_CASE("a test turned in space gives the same result") {
     std::vector<Vec3> moved[2];
     int which = 0;
     for (const auto& s : {flat, turned}) {
-      analysis::Static a(make_strip(s), {.duration = 1, .step = 0.1}, quiet());
-      a.every_step([&](analysis::Run& run) {
-        forces[which].push_back((s.turn.transpose() * run.reaction("top")).y());
-      });
+      run::Static a(make_strip(s), {.duration = 1, .step = 0.1}, quiet());
+      a.every_step(
+          [&](run::Run& run) { forces[which].push_back((s.turn.transpose() * run.reaction("top")).y()); });
       a.solve();
       for (int i = 0; i < 40; ++i) moved[which].push_back(s.turn.transpose() * a.node(i).x);
       ++which;
@@ -149,7 +148,7 @@ TEST_CASE(
   s.unload_to = 15e-3;
   double last = 1;
   for (const int steps : {20, 40, 80}) {
-    analysis::Static a(make_strip(s), {.duration = 1, .step = 1.0 / steps}, quiet());
+    run::Static a(make_strip(s), {.duration = 1, .step = 1.0 / steps}, quiet());
     a.solve();
     const auto e = a.energy();
     CHECK(e.error < last / 3.5);  // second order in the step

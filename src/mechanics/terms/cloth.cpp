@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "tensor/node_view.hpp"
+#include "geometry/node_view.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -200,7 +200,7 @@ void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
 
 // Forces of one batch into its slots, and its tangent if K is not null. Returns an element whose law failed,
 // or -1. trial: the law's trial states.
-Index Cloth::evaluate(Index b, const fabric::Step& step, double* trial, double* K, bool law_only) {
+Index Cloth::evaluate(Index b, const law::Step& step, double* trial, double* K, bool law_only) {
   alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
   const Batch& batch = batches_[b];
   const auto& kernels = batch.kind->kernels;
@@ -215,10 +215,12 @@ Index Cloth::evaluate(Index b, const fabric::Step& step, double* trial, double* 
                                  batch.sharing,
                                  law_only};
   double* f = element_force_.data() + batch.force;
-  const unsigned failed = (K == nullptr ? kernels.force(*batch.section, step.at, data, f)
-                                        : kernels.tangent(*batch.section, step.at, data, f, K)) &
+  const unsigned failed = (K == nullptr ? kernels.force(*batch.section, step, data, f)
+                                        : kernels.tangent(*batch.section, step, data, f, K)) &
                           ((1u << batch.used) - 1);
   if (!share_.empty() && !law_only) share_[b] = share_of(batch, trial);
+  if (sums_expected_ && K == nullptr)
+    batch_energies(batch, x, d, trial + batch.law, sums_.data() + b * law::energy_values * lanes);
   return failed == 0 ? -1 : batch.element[__builtin_ctz(failed)];
 }
 
@@ -239,17 +241,39 @@ void Cloth::sum_forces(Forces& forces) const {
   }
 }
 
-Outcome Cloth::add_forces(const fabric::Step& step, const Trial&, Forces& forces) {
+// A law fails on a strain that is not finite: an iterate nearer to the last one may do, unless the state that
+// the step begins from is not finite itself.
+Outcome Cloth::outcome(Index failed) const {
+  if (failed < 0) return {};
+  const Place place = place_[failed];
+  const Batch& batch = batches_[place.batch];
+  const int numbers = batch.kind->in_plane * batch.section->state_size;
+  const double* state = states_.committed().data() + batch.law + place.lane;
+  for (int i = 0; i < numbers; ++i)
+    if (!std::isfinite(state[static_cast<long>(i) * lanes]))
+      return {Answer::broken, failed, "its state is not a number"};
+  return {Answer::cut, failed};
+}
+
+Outcome Cloth::add_forces(const law::Step& step, const Trial&, Forces& forces) {
   const auto batches = static_cast<Index>(batches_.size());
   double* trial = states_.evaluate().data();
+  if (sums_expected_) sums_.resize(batches_.size() * law::energy_values * lanes);
   Index failed = -1;
 #pragma omp parallel for schedule(static) reduction(max : failed) if (batches >= few_batches)
   for (Index b = 0; b < batches; ++b) failed = std::max(failed, evaluate(b, step, trial, nullptr));
   sum_forces(forces);
-  return {failed};
+  sums_version_ = sums_expected_ ? configuration_.version() : 0;
+  return outcome(failed);
 }
 
-Outcome Cloth::scatter_tangents(const fabric::Step& step, bool law_only, Stiffness& stiffness,
+// The committed state is the one that was summed: only the version is another.
+void Cloth::commit() {
+  states_.commit();
+  sums_version_ = sums_version_ + 1 == configuration_.version() ? configuration_.version() : 0;
+}
+
+Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
                                 const Stiffness::Target& to) {
   double* trial = states_.evaluate().data();
   Index failed = -1;
@@ -263,12 +287,19 @@ Outcome Cloth::scatter_tangents(const fabric::Step& step, bool law_only, Stiffne
       stiffness.scatter(b, k, to);
     }
   }
-  return {failed};
+  return outcome(failed);
 }
 
 bool Cloth::symmetric() const {
   return std::all_of(model_.sections().begin(), model_.sections().end(),
                      [](const section::Section& s) { return s.symmetric; });
+}
+
+bool Cloth::hangs_on_time() const {
+  for (const auto& section : model_.sections())
+    for (const auto& point : section.points)
+      if (law::hangs_on_time(*point.law)) return true;
+  return false;
 }
 
 // --- reading
@@ -291,7 +322,7 @@ void Cloth::visit(Index element, const PointVisitor& f) const {
       const auto& point = section.points[k];
       double e[5];
       for (int i = 0; i < 5; ++i) e[i] = E[((g * points + k) * 5 + i) * lanes + place.lane];
-      const int size = fabric::state_size(*point.law);
+      const int size = law::state_size(*point.law);
       for (int i = 0; i < size; ++i)
         state[i] = law[(g * section.state_size + point.state + i) * lanes + place.lane];
       f(geometry[(kind.point(g, k, points) + 7) * lanes + place.lane], *point.law, e, state.data());
@@ -342,71 +373,78 @@ BendingEnergy Cloth::bending_energy(Index element) const {
   for (int g = 0; g < kind.in_plane; ++g) {
     const double area = geometry[(kind.point(g, 0, 1) + 7) * lanes + place.lane] / section.thickness;
     for (int m = 0; m < 3; ++m) {
-      fabric::BendingState<double> state;
+      law::BendingState<double> state;
       const auto number = [&](int i) {
-        return law[(g * section.state_size + section.bending_state + 2 * m + i) * lanes + place.lane];
+        const int first = section.bending_state + section.bending_states * m;
+        return law[(g * section.state_size + first + i) * lanes + place.lane];
       };
       if (section.bending_state >= 0 && m < 2) state = {number(0), number(1)};
       sum.stored +=
-          area * fabric::bending_stored(section.bending[m], kappa[(3 * g + m) * lanes + place.lane], state);
+          area * law::bending_stored(section.bending[m], kappa[(3 * g + m) * lanes + place.lane], state);
       sum.lost += area * state.lost;
     }
   }
   return sum;
 }
 
-// J of the elements of one batch: stored, dissipated in warp, weft and shear, created, as
-// fabric::BatchEnergy; entry i of lane l at [i * lanes + l].
-void Cloth::batch_energies(const Batch& batch, double* sum) const {
+void Cloth::batch_energies(const Batch& batch, const double* x, const double* d, const double* law,
+                           double* sum) const {
   const auto& section = *batch.section;
   const int points = static_cast<int>(section.points.size());
   const Kind& kind = *batch.kind;
   constexpr int most_points = 9 * element::gauss_points;
-  alignas(64) double x[12 * lanes], d[12 * lanes], E[5 * most_points * lanes],
-      one[fabric::energy_values * lanes];
+  alignas(64) double E[5 * most_points * lanes], one[law::energy_values * lanes];
   std::vector<double, LineAllocator<double>> many;
   double* strain = E;
   if (kind.in_plane * points > most_points) {
     many.resize(static_cast<std::size_t>(5 * kind.in_plane * points * lanes));
     strain = many.data();
   }
-  gather(batch, x, d, nullptr);
   const double* geometry = geometry_.data() + batch.geometry;
   kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, strain);
-  const double* law = states_.current().data() + batch.law;
-  const auto energies = fabric::batch_energy(best_isa());
-  std::fill_n(sum, fabric::energy_values * lanes, 0.0);
+  const auto energies = law::batch_energy(best_isa());
+  std::fill_n(sum, law::energy_values * lanes, 0.0);
   for (int g = 0; g < kind.in_plane; ++g)
     for (int k = 0; k < points; ++k) {
       const auto& point = section.points[k];
       energies(*point.law, strain + (g * points + k) * 5 * lanes,
                law + (g * section.state_size + point.state) * lanes, one);
       const double* weight = geometry + (kind.point(g, k, points) + 7) * lanes;
-      for (int i = 0; i < fabric::energy_values; ++i)
+      for (int i = 0; i < law::energy_values; ++i)
         for (int l = 0; l < lanes; ++l) sum[i * lanes + l] += weight[l] * one[i * lanes + l];
     }
 }
 
+std::vector<double> Cloth::all_batch_energies() const {
+  const auto count = static_cast<Index>(batches_.size());
+  constexpr int each = law::energy_values * lanes;
+  std::vector<double> per(static_cast<std::size_t>(count) * each);
+#pragma omp parallel for schedule(static) if (count >= few_batches)
+  for (Index b = 0; b < count; ++b) {
+    alignas(64) double x[12 * lanes], d[12 * lanes];
+    gather(batches_[b], x, d, nullptr);
+    batch_energies(batches_[b], x, d, states_.current().data() + batches_[b].law, per.data() + b * each);
+  }
+  return per;
+}
+
 // Batches side by side, their elements' energies added in the elements' order.
 void Cloth::add_energies(const Trial&, std::vector<Energy>& out) const {
-  const auto count = static_cast<Index>(batches_.size());
-  constexpr int each = fabric::energy_values * lanes;
-  std::vector<double> per(static_cast<std::size_t>(count) * each);
+  constexpr int each = law::energy_values * lanes;
+  const bool summed = sums_version_ == configuration_.version();
+  const std::vector<double> per = summed ? std::vector<double>() : all_batch_energies();
+  const double* of_batch = summed ? sums_.data() : per.data();
   std::vector<BendingEnergy> bending;
   const bool bends = std::any_of(model_.sections().begin(), model_.sections().end(),
                                  [](const section::Section& s) { return s.bends_apart; });
   if (bends) bending.resize(static_cast<std::size_t>(elements()));
-#pragma omp parallel for schedule(static) if (count >= few_batches)
-  for (Index b = 0; b < count; ++b) {
-    batch_energies(batches_[b], per.data() + b * each);
-    for (int l = 0; bends && l < batches_[b].used; ++l)
-      bending[batches_[b].element[l]] = bending_energy(batches_[b].element[l]);
-  }
-  double sum[fabric::energy_values] = {}, bent = 0;
+#pragma omp parallel for schedule(static) if (bending.size() >= few_batches * lanes)
+  for (std::size_t e = 0; e < bending.size(); ++e) bending[e] = bending_energy(static_cast<Index>(e));
+  double sum[law::energy_values] = {}, bent = 0;
   for (Index e = 0; e < elements(); ++e) {
     const Place place = place_[e];
-    for (int i = 0; i < fabric::energy_values; ++i)
-      sum[i] += per[place.batch * each + i * lanes + place.lane];
+    for (int i = 0; i < law::energy_values; ++i)
+      sum[i] += of_batch[place.batch * each + i * lanes + place.lane];
     if (!bends) continue;
     sum[0] += bending[e].stored;
     bent += bending[e].lost;

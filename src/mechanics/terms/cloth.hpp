@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "base/aligned.hpp"
-#include "fabric/peaks.hpp"
+#include "law/peaks.hpp"
 #include "mechanics/batch.hpp"
 #include "mechanics/law_states.hpp"
 #include "mechanics/stiffness.hpp"
 #include "mechanics/term.hpp"
 #include "model/model.hpp"
+#include "simd/aligned.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -39,17 +39,19 @@ class Cloth final : public Term {
 
   const char* name() const override { return "cloth"; }
   bool starts() const override { return true; }
-  Outcome add_forces(const fabric::Step& step, const Trial& trial, Forces& forces) override;
+  Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
   bool symmetric() const override;
+  bool hangs_on_time() const;  // has some card a law that does
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   double stable_step(bool scaled) const override;
-  void commit() override { states_.commit(); }
+  void expect_energies(bool expected) override { sums_expected_ = expected; }
+  void commit() override;
   void rollback() override { states_.rollback(); }
   void keep(Archive& archive) override { states_.keep(archive); }
 
   // The elements' tangents into their slots; forces too. law_only: K_M, the law's part alone
   // [williams2010, eq. 5.71].
-  Outcome scatter_tangents(const fabric::Step& step, bool law_only, Stiffness& stiffness,
+  Outcome scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
                            const Stiffness::Target& to);
   void sum_forces(Forces& forces) const;  // of the last evaluation
 
@@ -67,6 +69,7 @@ class Cloth final : public Term {
   // computed last; the yarns' is the largest so far. 0: no card says what it was tested to.
   double largest_share() const;
   Strained most_strained() const;
+  double share(Index element) const;  // of one element; 0: its card does not say
 
   // --- reading
   Index elements() const { return static_cast<Index>(place_.size()); }
@@ -74,7 +77,7 @@ class Cloth final : public Term {
   std::span<const Place> places() const { return place_; }
   // Material strains and law states of one element: f(point weight m^3, law, E[5], state*).
   using PointVisitor =
-      std::function<void(double weight, const fabric::Law& law, const double* E, const double* state)>;
+      std::function<void(double weight, const law::Law& law, const double* E, const double* state)>;
   void visit(Index element, const PointVisitor& f) const;  // trial configuration
   // Warp and weft of an element in the trial configuration: unit vectors, global, convected with the cloth,
   // at its middle.
@@ -97,18 +100,24 @@ class Cloth final : public Term {
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   void make_force_slots();
   void gather(const Batch& batch, double* x, double* d, double* b) const;
-  void batch_energies(const Batch& batch, double* sum) const;
-  Index evaluate(Index batch, const fabric::Step& step, double* trial, double* K, bool law_only = false);
+  // J of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft and shear,
+  // created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
+  void batch_energies(const Batch& batch, const double* x, const double* d, const double* law,
+                      double* sum) const;
+  std::vector<double> all_batch_energies() const;
+  Outcome outcome(Index failed) const;  // of the element that failed, -1: none
+  Index evaluate(Index batch, const law::Step& step, double* trial, double* K, bool law_only = false);
 
   // Points through the thickness whose card says what it was tested to.
   struct TestedPoint {
-    const fabric::Law* law;
+    const law::Law* law;
     int state;
     std::array<double, 3> tested, inverse;  // E11, E22, E12; 1 over them, 0 where not known
   };
   void find_tested();
   const std::vector<TestedPoint>& tested(const Batch& batch) const;
   double share_of(const Batch& batch, const double* law) const;
+  Strained most_strained_of(const Batch& batch, int first_lane, int last_lane) const;
 
   const model::Model& model_;
   const Configuration& configuration_;
@@ -132,7 +141,12 @@ class Cloth final : public Term {
   double step_of_membrane_ = 0;    // s
   std::vector<Index> node_element_;
   std::vector<std::vector<TestedPoint>> tested_;  // per region
-  fabric::SharesFunction shares_ = nullptr;
+  law::SharesFunction shares_ = nullptr;
+  // Energies of the batches as batch_energies() gives them, summed with the forces where they are expected;
+  // they are those of the configuration with this version.
+  bool sums_expected_ = false;
+  std::vector<double> sums_;
+  std::uint64_t sums_version_ = 0;
   std::vector<double> share_;  // per batch the largest share; empty: no card says what it was tested to
 };
 

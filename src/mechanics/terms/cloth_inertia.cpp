@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/node_view.hpp"
 #include "mechanics/terms/cloth.hpp"
-#include "tensor/node_view.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -30,8 +30,8 @@ struct Speeds {
 Speeds speeds(const section::Section& section) {
   double stiffness = 0, transverse = 0, mass = 0;
   for (const auto& p : section.points) {
-    stiffness += p.weight * fabric::stiffest(*p.law);
-    transverse += p.weight * fabric::transverse_modulus(*p.law);
+    stiffness += p.weight * law::stiffest(*p.law);
+    transverse += p.weight * law::transverse_modulus(*p.law);
     mass += p.weight * p.density;
   }
   return {stiffness / mass, transverse / mass};
@@ -82,7 +82,7 @@ double Cloth::stable_step(bool scaled) const {
     const double inertia = inertia_per_mass(section, scaled);
     double bending = 0;  // N m per metre of width
     if (section.bends_apart)
-      for (const auto& spring : section.bending) bending = std::max(bending, spring.rigidity);
+      for (const auto& spring : section.bending) bending = std::max(bending, law::stiffest(spring));
     if (bending > 0)
       shortest =
           std::min(shortest, smallest_size() * std::sqrt(inertia * section.areal_mass / (2 * bending)));

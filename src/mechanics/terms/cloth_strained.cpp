@@ -17,14 +17,14 @@ void Cloth::find_tested() {
     for (std::size_t k = 0; k < section.points.size(); ++k) {
       const auto& point = section.points[k];
       TestedPoint here{point.law.get(), point.state, {}, {}};
-      here.tested = fabric::tested_strains(plies.empty() ? region.card : plies[k / per_card].card);
+      here.tested = law::tested_strains(plies.empty() ? region.card : plies[k / per_card].card);
       for (std::size_t i = 0; i < 3; ++i) here.inverse[i] = here.tested[i] > 0 ? 1 / here.tested[i] : 0;
       if (here.tested != std::array<double, 3>{}) tested_.back().push_back(here);
     }
     any = any || !tested_.back().empty();
   }
   if (!any) return;
-  shares_ = fabric::shares_function(best_isa());
+  shares_ = law::shares_function(best_isa());
   share_.assign(batches_.size(), 0);
 }
 
@@ -46,15 +46,26 @@ double Cloth::largest_share() const {
 }
 
 Strained Cloth::most_strained() const {
-  Strained most;
-  if (share_.empty()) return most;
+  if (share_.empty()) return {};
   const Batch& batch = batches_[std::max_element(share_.begin(), share_.end()) - share_.begin()];
+  return most_strained_of(batch, 0, batch.used);
+}
+
+double Cloth::share(Index element) const {
+  if (share_.empty()) return 0;
+  const Place place = place_[element];
+  return most_strained_of(batches_[place.batch], place.lane, place.lane + 1).share;
+}
+
+// Of the elements in the lanes from the first one up to the last one, which is not looked at.
+Strained Cloth::most_strained_of(const Batch& batch, int first_lane, int last_lane) const {
+  Strained most;
   const double* law = states_.current().data() + batch.law;
-  for (int lane = 0; lane < batch.used; ++lane)
+  for (int lane = first_lane; lane < last_lane; ++lane)
     for (int g = 0; g < batch.kind->in_plane; ++g)
       for (const TestedPoint& point : tested(batch)) {
         const long offset = static_cast<long>(g * batch.section->state_size + point.state) * lanes + lane;
-        const auto peak = fabric::peak_strains(*point.law, law + offset, lanes);
+        const auto peak = law::peak_strains(*point.law, law + offset, lanes);
         for (std::size_t i = 0; i < 3; ++i)
           if (const double share = peak[i] * point.inverse[i]; share > most.share)
             most = {share, peak[i], point.tested[i], static_cast<int>(i), batch.element[lane]};

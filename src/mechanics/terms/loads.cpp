@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "tensor/node_view.hpp"
-#include "tensor/turning.hpp"
+#include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -63,7 +63,7 @@ void Gravity::add_dead(double time, std::span<double> on_x) const {
     fabricsh::at(on_x, static_cast<Index>(i)) += mass_[i] * gravity;
 }
 
-Outcome Gravity::add_forces(const fabric::Step&, const Trial&, Forces& forces) {
+Outcome Gravity::add_forces(const law::Step&, const Trial&, Forces& forces) {
   for (std::size_t i = 0; turns_ && i < mass_.size(); ++i)
     fabricsh::at(forces.on_d, static_cast<Index>(i)) -= mass_moment_[i] * aimed_;
   return {};
@@ -171,7 +171,7 @@ void Pressure::add(const Faces& faces, double pressure, std::span<const double> 
     }
 }
 
-Outcome Pressure::add_forces(const fabric::Step&, const Trial& trial, Forces& forces) {
+Outcome Pressure::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   for (std::size_t k = 0; k < faces_.size(); ++k)
     add(faces_[k], -aimed_[k], trial.configuration.x(), forces.on_x);
   return {};
@@ -220,7 +220,7 @@ std::vector<Vec3> Moments::at_time(double time) const {
 
 void Moments::aim(double time) { aimed_ = at_time(time); }
 
-Outcome Moments::add_forces(const fabric::Step&, const Trial& trial, Forces& forces) {
+Outcome Moments::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   const auto d = trial.configuration.d();
   for (std::size_t i = 0; i < aimed_.size(); ++i)
     at(forces.on_d, static_cast<Index>(i)) -= aimed_[i].cross(at(d, static_cast<Index>(i)));
@@ -261,7 +261,7 @@ Springs::Springs(const model::Model& model) {
   }
 }
 
-Outcome Springs::add_forces(const fabric::Step&, const Trial& trial, Forces& forces) {
+Outcome Springs::add_forces(const law::Step&, const Trial& trial, Forces& forces) {
   const auto x = trial.configuration.x();
   for (const auto& s : springs_) at(forces.on_x, s.node) += s.stiffness * (at(x, s.node) - trial.X[s.node]);
   return {};

@@ -20,7 +20,7 @@ class Gravity final : public Term {
   bool constant() const override;
   bool follows_directors() const override { return turns_; }
   void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
-  Outcome add_forces(const fabric::Step&, const Trial&, Forces& forces) override;
+  Outcome add_forces(const law::Step&, const Trial&, Forces& forces) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
 
  private:
@@ -63,7 +63,7 @@ class Pressure final : public Term {
   bool follows_positions() const override { return true; }
   void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
   bool symmetric() const override { return false; }
-  Outcome add_forces(const fabric::Step&, const Trial& trial, Forces& forces) override;
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
 
  private:
@@ -86,7 +86,7 @@ class Moments final : public Term {
   void add_follower(double time, const Trial&, std::span<double> on_x, std::span<double> on_d) const override;
   bool symmetric() const override { return false; }
   const std::vector<Vec3>* moments() const override { return &aimed_; }
-  Outcome add_forces(const fabric::Step&, const Trial& trial, Forces& forces) override;
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
 
  private:
@@ -100,7 +100,7 @@ class Springs final : public Term {
  public:
   explicit Springs(const model::Model& model);
   const char* name() const override { return "springs"; }
-  Outcome add_forces(const fabric::Step&, const Trial& trial, Forces& forces) override;
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
   void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
 

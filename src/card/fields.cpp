@@ -1,0 +1,386 @@
+#include "card/fields.hpp"
+
+#include <cmath>
+
+#include "base/number.hpp"
+
+namespace fabricsh::card {
+
+namespace {
+
+template <class Owner>
+using Rows = std::vector<FieldOf<Owner>>;
+
+constexpr double per_MPa = 1e-6;
+
+template <class Owner>
+FieldOf<Owner> modulus(std::string name, double Owner::*place, std::string sentence) {
+  return number(std::move(name), place, "Pa", positive, std::move(sentence))
+      .ask(1e3, 1e12, "is the modulus in Pa? (write 8*MPa; N/m divided by the thickness)");
+}
+
+std::string in_MPa(double x) { return fabricsh::number(x * per_MPa, 4); }
+
+// 8 + 826 E, in MPa; or how many measured points.
+std::string curve_words(const Curve& curve, const std::string& strain) {
+  if (!curve.points.empty())
+    return std::to_string(curve.points.size()) + " points to " + in_MPa(curve.points.back().second) + " MPa";
+  std::string out;
+  for (std::size_t i = 0; i < curve.coefficients.size(); ++i) {
+    const double d = curve.coefficients[i];
+    if (i == 0)
+      out = in_MPa(d);
+    else
+      out += (d < 0 ? " - " : " + ") + in_MPa(std::abs(d)) + " " + strain +
+             (i > 1 ? "^" + std::to_string(i) : "");
+  }
+  return out;
+}
+
+Rows<Yarn> yarn_rows(const std::string& strain, const std::string& ratio) {
+  return {
+      curve("loading", &Yarn::loading,
+            "tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, "
+            "...} from {0, 0} on")
+          .ask(1e3, 1e11, "is the modulus in Pa?")
+          .band()
+          .in_column("tangent modulus, MPa")
+          .said([strain](const Yarn& yarn) { return curve_words(yarn.loading, strain); }),
+      modulus("unloading", &Yarn::unloading, "unloading modulus").band().in_column("unloading, MPa", per_MPa),
+      number("poisson", &Yarn::poisson, "", not_negative, ratio)
+          .ask(1e-3, 5, "is it the ratio of two strains?")
+          .band()
+          .in_column("poisson")};
+}
+
+Rows<ShearFriction> shear_friction_rows() {
+  return {number("stress", &ShearFriction::stress, "Pa", not_negative, "that friction slips at, at no strain")
+              .on_line("shear friction")
+              .printed("# kPa", 1e-3),
+          number("growth", &ShearFriction::growth, "Pa", everything,
+                 "of it with the strain, in shear's measure: a loop that widens")
+              .or_else(0.0)
+              .on_line("shear friction")
+              .printed("growing by # kPa", 1e-3)};
+}
+
+Rows<Shear> shear_rows() {
+  return {
+      curve("loading", &Shear::loading,
+            "tangent modulus in the measure's strain, Pa, as {g0, g1, ...}; or measured points")
+          .ask(1e2, 1e10, "is the modulus in Pa?")
+          .band()
+          .in_column("tangent modulus, MPa")
+          .said([](const Shear& shear) {
+            return curve_words(shear.loading, shear.measure == Measure::tensor ? "E12" : "2E12");
+          }),
+      modulus("unloading", &Shear::unloading, "unloading modulus, in the same measure")
+          .band()
+          .in_column("unloading, MPa", per_MPa),
+      word("measure", &Shear::measure, {"tensor", "engineering"},
+           "tensor: dS12/dE12 in E12; engineering: dS12/d(2E12) in 2E12")
+          .unprinted(),
+      word("memory", &Shear::memory, {"printed", "fading"},
+           "what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade")
+          .on_line("law")
+          .said([](const Shear& s) { return s.memory == ShearMemory::fading ? "shear memory fades" : ""; }),
+      group(
+          "friction", &Shear::friction, shear_friction_rows(),
+          "elastic-frictional shear: loading is elastic, beside it friction that sticks with unloading less "
+          "the initial modulus and slips at stress + growth |strain|; law potential only")};
+}
+
+FieldOf<Tested> tested(std::string name, double Tested::*place, const std::string& strain,
+                       std::string sentence) {
+  return number(name, place, "", Range{0, 10}, std::move(sentence))
+      .or_else(0.0)
+      .ask(1e-4, 1, "is it a strain, not per cent?")
+      .in_column("tested to", 1, name)
+      .said([place, strain](const Tested& t) {
+        return t.*place > 0 ? strain + " = " + fabricsh::number(t.*place, 4) : "not stated";
+      });
+}
+
+Rows<Tested> tested_rows() {
+  return {tested("warp", &Tested::warp, "E11", "largest E11 tested"),
+          tested("weft", &Tested::weft, "E22", "largest E22 tested"),
+          tested("shear", &Tested::shear, "E12", "largest E12 tested (tensor)")};
+}
+
+Rows<Biaxial> biaxial_rows() {
+  return {number("alpha", &Biaxial::alpha, "", positive, "weight of E22"),
+          number("offset", &Biaxial::offset, "", not_negative, "strain where it begins").printed("from #"),
+          modulus("loading", &Biaxial::loading, "q of T = q y^2 / 2").printed("# MPa", per_MPa),
+          modulus("unloading", &Biaxial::unloading, "unloading modulus").printed("unloading # MPa", per_MPa)};
+}
+
+Rows<Relaxation> relaxation_rows() {
+  return {modulus("modulus", &Relaxation::modulus, "of what relaxes, in shear's measure")
+              .printed("shear # MPa", per_MPa),
+          number("time", &Relaxation::time, "s", positive, "in which its stress falls to 1/e at rest")
+              .printed("over # s")};
+}
+
+Rows<Viscous> viscous_rows() {
+  return {group("shear", &Viscous::shear, relaxation_rows(),
+                "a spring and a dashpot in series beside in-plane shear")};
+}
+
+Rows<Band> band_rows() {
+  return {numbers("low", &Band::low, "", "of loading coefficients, unloading, poisson").unprinted(),
+          numbers("high", &Band::high, "", "of the same parameters").unprinted(),
+          numbers("covariance", &Band::covariance, "", "of the same parameters, row by row")
+              .next_line()
+              .unprinted()};
+}
+
+FieldOf<Bands> band(const std::string& name, Band Bands::*place) {
+  auto f = group(name, place, band_rows(), "of the " + name + "'s parameters").optional();
+  f.there = [place](const Bands& bands) { return !(bands.*place).low.empty(); };
+  return f;
+}
+
+// Of which parts, and of which not.
+std::string bands_words(const Bands& bands) {
+  std::string with, without;
+  for (const auto& [name, band] :
+       {std::pair{"warp", &bands.warp}, {"weft", &bands.weft}, {"shear", &bands.shear}}) {
+    std::string& list = band->low.empty() ? without : with;
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  const std::string of = "of " + fabricsh::number(100 * bands.level, 4) + " % confidence";
+  if (without.empty()) return of;
+  return with.empty() ? "none" : of + " on " + with + ", none on " + without;
+}
+
+Rows<Bands> bands_rows() {
+  return {number("level", &Bands::level, "", Range{0, 1, true, true}, "of confidence")
+              .or_else(0.95)
+              .said(bands_words),
+          band("warp", &Bands::warp), band("weft", &Bands::weft), band("shear", &Bands::shear)};
+}
+
+Rows<BendingFriction> friction_rows(const std::string& side) {
+  return {
+      number("moment", &BendingFriction::moment, "N", positive, "friction moment per width")
+          .printed("friction " + side + " # mN", 1e3),
+      number("curvature", &BendingFriction::curvature, "1/m", positive, "curvature over which it builds up")
+          .printed("over # 1/m"),
+      word("memory", &BendingFriction::memory, {"slip", "fading"},
+           "slip: the moment grows straight until it slips; fading: it forgets where it came from over that "
+           "curvature")
+          .unless_fallback()
+          .said([](const BendingFriction& f) {
+            return f.memory == FrictionMemory::fading ? "its memory fades" : "";
+          })};
+}
+
+// 15, or 15 falling to 11 at 100 1/m.
+std::string rigidity_words(const std::string& name, double initial, const Curve& curve) {
+  const auto micro = [](double B) { return fabricsh::number(1e6 * B, 4); };
+  if (!curve.points.empty())
+    return name + " " + std::to_string(curve.points.size()) + " points to " +
+           fabricsh::number(1e3 * curve.points.back().second, 4) + " mN at " +
+           fabricsh::number(curve.points.back().first, 4) + " 1/m";
+  std::string words = name + " " + micro(initial);
+  for (std::size_t i = 1; i < curve.coefficients.size(); ++i)
+    words += (curve.coefficients[i] < 0 ? " - " : " + ") + micro(std::abs(curve.coefficients[i])) + " k" +
+             (i > 1 ? "^" + std::to_string(i) : "");
+  return words;
+}
+
+FieldOf<Bending> rigidity(const std::string& name, double Bending::*place, Curve Bending::*as_curve) {
+  auto f = number_or_curve(name, place, as_curve, "N.m", not_negative,
+                           "bending rigidity along the " + name +
+                               ": a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, "
+                               "b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per "
+                               "width, N, from {0, 0} on")
+               .said([=](const Bending& b) { return rigidity_words(name, b.*place, b.*as_curve); });
+  f.parts = {"curvature", "moment"};
+  return f;
+}
+
+Rows<Bending> bending_rows() {
+  return {rigidity("warp", &Bending::warp, &Bending::warp_curve),
+          rigidity("weft", &Bending::weft, &Bending::weft_curve),
+          number("twist", &Bending::twist, "N.m", not_negative, "twisting rigidity, multiplies 2 kappa12")
+              .printed("twist # uN.m", 1e6),
+          group("friction_warp", &Bending::friction_warp, friction_rows("warp"),
+                "bending hysteresis along the warp"),
+          group("friction_weft", &Bending::friction_weft, friction_rows("weft"),
+                "bending hysteresis along the weft"),
+          number("tested", &Bending::tested, "1/m", not_negative,
+                 "curvature up to which the rigidities were measured: beyond it they stay; 0: not stated")
+              .or_else(0.0)
+              .unless_fallback()
+              .printed("tested to # 1/m")};
+}
+
+// Rows that are not printed.
+template <class Owner>
+Rows<Owner> silent(Rows<Owner> rows) {
+  for (auto& row : rows) {
+    row.phrase.clear();
+    row.say = nullptr;
+    row.rows = silent(row.rows);
+  }
+  return rows;
+}
+
+Rows<Estimate> estimate_rows() {
+  return silent<Estimate>({group("bending", &Estimate::bending, bending_rows(), "of the bending"),
+                           text("source", &Estimate::source, "what it is drawn from")});
+}
+
+Rows<Woven> woven_rows() {
+  return {
+      group("warp", &Woven::warp, yarn_rows("E11", "nu12: contraction along weft when pulled along warp"),
+            "along the warp"),
+      group("weft", &Woven::weft, yarn_rows("E22", "nu21: contraction along warp when pulled along weft"),
+            "along the weft"),
+      group("shear", &Woven::shear, shear_rows(), "in-plane shear"),
+      group("tested", &Woven::tested, tested_rows(), "strains up to which it was measured").optional(),
+      word("law", &Woven::law, {"potential", "incremental", "thesis"},
+           "the law that is compiled from the card")
+          .printed("#"),
+      word("transverse", &Woven::transverse, {"elastic", "follow"}, "transverse shear of the comparison laws")
+          .unless_fallback()
+          .on_line("law")
+          .said([](const Woven& law) {
+            if (law.law == LawKind::potential) return "";
+            return law.transverse == Transverse::elastic ? "transverse shear elastic"
+                                                         : "transverse shear follows";
+          }),
+      flag("shear_hysteresis", &Woven::shear_hysteresis, "of the comparison laws")
+          .or_else(true)
+          .unless_fallback()
+          .on_line("law")
+          .said([](const Woven& law) {
+            return law.law == LawKind::potential || law.shear_hysteresis ? "" : "no shear hysteresis";
+          }),
+      group("biaxial", &Woven::biaxial, biaxial_rows(),
+            "a fourth spring that acts when both yarns are stretched"),
+      group("viscous", &Woven::viscous, viscous_rows(), "stress that relaxes with time, law potential only"),
+      group("bands", &Woven::bands, bands_rows(), "confidence bands of the measured parameters").on_lines()};
+}
+
+template <class Law>
+FieldOf<Law> ratios(std::string sentence) {
+  auto f = row<Law>("poisson", Holds::ratios, "", Range{-1, 10, true, false}, std::move(sentence))
+               .in_column("poisson")
+               .in_rows({"warp", "weft"});
+  f.parts = {"nu12", "nu21"};
+  f.get = [](const Law& law) { return Value(std::vector{law.nu12, law.nu21}); };
+  f.set = [](Law& law, const Value& v) {
+    const auto& pair = std::get<std::vector<double>>(v);
+    law.nu12 = pair.at(0), law.nu21 = pair.at(1);
+  };
+  return f;
+}
+
+template <class Law>
+Rows<Law> moduli() {
+  const auto direction = [](std::string name, double Law::*place, std::string sentence) {
+    return modulus(name, place, std::move(sentence)).in_column("modulus, MPa", per_MPa, name);
+  };
+  return {direction("warp", &Law::warp, "modulus along the warp"),
+          direction("weft", &Law::weft, "modulus along the weft").same_line(),
+          direction("shear", &Law::shear, "engineering shear modulus, S12 = 2 shear E12").same_line()};
+}
+
+FieldOf<Svk> young() {
+  auto f = row<Svk>("young", Holds::number, "Pa", positive,
+                    "modulus of an isotropic sheet, instead of warp, weft, shear")
+               .ask(1e3, 1e12, "is the modulus in Pa? (write 8*MPa; N/m divided by the thickness)")
+               .optional();
+  f.set = [](Svk& law, const Value& v) {  // after the ratios
+    law.warp = law.weft = std::get<double>(v);
+    law.shear = law.warp / (2 * (1 + law.nu12));
+  };
+  return f;
+}
+
+FieldOf<Svk> transverse() {
+  auto f =
+      row<Svk>("transverse", Holds::numbers, "Pa", positive, "{G13, G23}; default 5/6 of shear").optional();
+  f.parts = {"G13", "G23"};
+  f.get = [](const Svk& law) {
+    const double usual = 5.0 / 6.0 * law.shear;
+    if (!law.g13 && !law.g23) return Value();
+    return Value(std::vector{law.g13.value_or(usual), law.g23.value_or(usual)});
+  };
+  f.set = [](Svk& law, const Value& v) {
+    const auto& pair = std::get<std::vector<double>>(v);
+    law.g13 = pair.at(0), law.g23 = pair.at(1);
+  };
+  return f.printed("#", per_MPa);
+}
+
+Rows<Svk> svk_rows() {
+  Rows<Svk> rows;
+  for (const auto& f : moduli<Svk>()) rows.push_back(f.optional());
+  rows.push_back(ratios<Svk>("{nu12, nu21}, or one number for both"));
+  rows.push_back(young());
+  rows.push_back(transverse());
+  return rows;
+}
+
+Rows<Linear> linear_rows() {
+  auto rows = moduli<Linear>();
+  rows.push_back(ratios<Linear>("{nu12, nu21}"));
+  return rows;
+}
+
+// Name, source, density, thickness are the heading of a card's print.
+template <class Law>
+FieldTable table_of(const Rows<Law>& law) {
+  FieldTable rows = {text("name", &Card::name, "of the fabric").or_else("").unprinted(),
+                     text("source", &Card::source, "where the numbers come from").or_else("").unprinted(),
+                     number("density", &Card::density, "kg/m^3", positive, "mass over volume")
+                         .ask(20, 5000, "mass per area is density * thickness")
+                         .unprinted(),
+                     number("thickness", &Card::thickness, "m", positive, "of the sheet")
+                         .ask(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
+                         .same_line()
+                         .unprinted()};
+  rows.push_back(group("bending", &Card::bending, bending_rows(),
+                       "own bending rigidity instead of integration through the thickness")
+                     .written_last());
+  rows.push_back(flag("through_thickness", &Card::through_thickness,
+                      "bending by integration through the thickness is meant where the card has no bending "
+                      "of its own, also where it is far stiffer than "
+                      "cloth, and nothing is said of it")
+                     .or_else(false)
+                     .unless_fallback()
+                     .written_last()
+                     .on_line("bending")
+                     .said([](const Card& c) { return c.through_thickness ? "through the thickness" : ""; }));
+  rows.push_back(group("estimate", &Card::estimate, estimate_rows(),
+                       "of what nobody measured: fabric.card(name, { bending='estimated' }) takes it")
+                     .written_last());
+  const auto enter = [](auto& card) -> auto& { return std::get<Law>(card.law); };
+  for (const auto& f : law) rows.push_back(lifted<Card>(f, enter));
+  return rows;
+}
+
+}  // namespace
+
+std::string kind(const Card& card) {
+  if (std::holds_alternative<Svk>(card.law)) return "svk";
+  return std::holds_alternative<Linear>(card.law) ? "linear" : "woven";
+}
+
+Card blank(const std::string& kind) {
+  Card card;
+  if (kind == "svk") card.law = Svk{};
+  if (kind == "linear") card.law = Linear{};
+  return card;
+}
+
+const FieldTable& fields(const std::string& kind) {
+  static const FieldTable woven = table_of(woven_rows()), svk = table_of(svk_rows()),
+                          linear = table_of(linear_rows());
+  return kind == "svk" ? svk : kind == "linear" ? linear : woven;
+}
+
+}  // namespace fabricsh::card

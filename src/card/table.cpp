@@ -1,0 +1,102 @@
+// What is done with all fields of a card at once.
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "card/fields.hpp"
+
+namespace fabricsh::card {
+
+namespace {
+
+// Calls visit(path, field, value) for every field of the card that is there, groups aside.
+template <class Visit>
+void visit_fields(const FieldTable& table, const Card& card, const std::string& path, const Visit& visit) {
+  for (const Field& field : table) {
+    if (field.holds == Holds::group) {
+      if (field.there(card)) visit_fields(field.rows, card, path + field.name + ".", visit);
+    } else if (field.get) {
+      const Value value = field.get(card);
+      if (!std::holds_alternative<std::monostate>(value)) visit(path + field.name, field, value);
+    }
+  }
+}
+
+double initial_modulus(const Value& curve) {
+  if (const auto* points = std::get_if<Points>(&curve))
+    return points->size() > 1 ? (*points)[1].second / (*points)[1].first : 0.0;
+  const auto& coefficients = std::get<std::vector<double>>(curve);
+  return coefficients.empty() ? 0.0 : coefficients.front();
+}
+
+// The number that tells whether the unit is right.
+std::optional<double> telling(const Field& field, const Value& value) {
+  if (const auto* x = std::get_if<double>(&value)) return *x;
+  if (field.holds == Holds::curve) return initial_modulus(value);
+  return {};
+}
+
+}  // namespace
+
+const Field* find_field(const FieldTable& table, const std::string& path) {
+  const auto dot = path.find('.');
+  for (const Field& field : table)
+    if (field.name == path.substr(0, dot))
+      return dot == std::string::npos ? &field : find_field(field.rows, path.substr(dot + 1));
+  return nullptr;
+}
+
+std::vector<double> parameters(const Field& group, const Card& card) {
+  std::vector<double> out;
+  for (const Field& field : group.rows) {
+    if (!field.measured) continue;
+    const Value value = field.get(card);
+    if (const auto* one = std::get_if<double>(&value)) out.push_back(*one);
+    if (const auto* many = std::get_if<std::vector<double>>(&value))
+      out.insert(out.end(), many->begin(), many->end());
+  }
+  return out;
+}
+
+void set_parameters(const Field& group, Card& card, const std::vector<double>& values) {
+  auto next = values.begin();
+  for (const Field& field : group.rows) {
+    if (!field.measured) continue;
+    Value value = field.get(card);
+    if (auto* one = std::get_if<double>(&value)) *one = *next++;
+    if (auto* many = std::get_if<std::vector<double>>(&value))
+      for (double& x : *many) x = *next++;
+    field.set(card, value);
+  }
+}
+
+std::string at_field(const Card& card, const std::string& path) {
+  return (card.name.empty() ? "the card" : "card '" + card.name + "'") + ": field '" + path + "': ";
+}
+
+void require(const Card& card) {
+  visit_fields(fields(card), card, "", [&](const std::string& path, const Field& field, const Value& value) {
+    const auto refuse = [&](double x) {
+      throw Error(at_field(card, path) + "expected " + number_words(field.range, field.unit) + ", got " +
+                  fabricsh::number(x));
+    };
+    const auto check = [&](double x) {
+      if (!std::isfinite(x) || !field.range.holds(x)) refuse(x);
+    };
+    if (const auto* x = std::get_if<double>(&value)) check(*x);
+    if (field.holds == Holds::ratios || field.holds == Holds::numbers)
+      for (const double x : std::get<std::vector<double>>(value)) check(x);
+  });
+}
+
+std::vector<Doubt> doubts(const Card& card) {
+  std::vector<Doubt> out;
+  visit_fields(fields(card), card, "", [&](const std::string& path, const Field& field, const Value& value) {
+    const auto x = telling(field, value);
+    if (x && *x > 0 && !field.question.empty() && !field.cloth.holds(*x))
+      out.push_back({path, field.unit, field.question, *x, field.cloth});
+  });
+  return out;
+}
+
+}  // namespace fabricsh::card

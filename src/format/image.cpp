@@ -1,0 +1,132 @@
+#include "format/image.hpp"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "format/image_decode.hpp"
+#include "format/source.hpp"
+#include "system/atomic.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+struct Format {
+  const char* word;  // in messages
+  std::vector<std::string_view> endings, signatures;
+  Image (*decode)(const Encoded& file);
+};
+
+const std::vector<Format>& formats() {
+  using namespace std::string_view_literals;
+  static const std::vector<Format> all = {
+      {"png", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, decode_png},
+      {"jpg", {".jpg", ".jpeg"}, {"\xff\xd8"sv}, decode_jpeg},
+      {"tif", {".tif", ".tiff"}, {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}, decode_tiff},
+      {"bmp", {".bmp"}, {"BM"sv}, decode_bmp},
+  };
+  return all;
+}
+
+const Format& format_of(const std::string& path) {
+  const std::string ending = ending_of(path);
+  for (const Format& format : formats())
+    if (std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end())
+      return format;
+  throw Error("image '" + path + "': expected a name ending in .png, .jpg, .jpeg, .tif, .tiff or .bmp");
+}
+
+constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
+constexpr std::uint64_t tightest = 1040, small = std::uint64_t{1} << 20;
+
+template <class Sample>
+void fill(Image& image, int row, const std::uint8_t* samples, int channels, double white) {
+  for (int column = 0; column < image.width; ++column) {
+    const auto channel = [&](int c) {
+      Sample value;
+      std::memcpy(&value, samples + (std::size_t(column) * channels + c) * sizeof value, sizeof value);
+      return static_cast<double>(value);
+    };
+    const double shown =
+        channels < 3 ? channel(0) : 0.299 * channel(0) + 0.587 * channel(1) + 0.114 * channel(2);
+    image.at(column, row) = static_cast<float>(shown / white);
+  }
+}
+
+}  // namespace
+
+void refused(const Encoded& file, const std::string& why) {
+  throw Error("image '" + file.name + "': " + why);
+}
+
+void damaged(const Encoded& file, const std::string& why) {
+  refused(file, "it is damaged or cut short (" + why + ")");
+}
+
+Image image_of_size(const Encoded& file, std::uint64_t width, std::uint64_t height,
+                    std::uint64_t bytes_per_pixel) {
+  if (width < 1 || height < 1) refused(file, "it holds no picture");
+  const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (width > most_pixels / height)
+    refused(file,
+            "it says to have " + size + ", more than the " + std::to_string(most_pixels) + " that are read");
+  if (width * height * bytes_per_pixel > tightest * file.bytes.size() + small)
+    damaged(file, std::to_string(file.bytes.size()) + " bytes can't hold " + size);
+  return {static_cast<int>(width), static_cast<int>(height), std::vector<float>(width * height)};
+}
+
+void fill_row(Image& image, int row, const std::uint8_t* samples, int channels, int bits) {
+  if (bits == 16)
+    fill<std::uint16_t>(image, row, samples, channels, 65535);
+  else
+    fill<std::uint8_t>(image, row, samples, channels, 255);
+}
+
+Image parse_image(const std::string& name, std::string_view bytes) {
+  const Format& format = format_of(name);
+  const bool known = std::any_of(format.signatures.begin(), format.signatures.end(),
+                                 [&](std::string_view signature) { return bytes.starts_with(signature); });
+  if (!known)
+    throw Error("image '" + name + "': expected a " + format.word + " file, its content is something else");
+  return format.decode({name, bytes});
+}
+
+Image read_image(const std::string& path) {
+  format_of(path);  // a wrong name is told before the file is read
+  return parse_image(path, read_file(path));
+}
+
+void write_png(const std::string& path, const Image& image) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column) {
+      const double grey = std::clamp(std::round(255.0 * image.at(column, row)), 0.0, 255.0);
+      data->SetScalarComponentFromDouble(column, image.height - 1 - row, 0, 0, grey);
+    }
+  system::make_folder_for(path);
+  system::AtomicFile file(path);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(file.temporary().c_str());
+  writer->SetInputData(data);
+  writer->Write();
+  if (writer->GetErrorCode() != 0) throw Error("cannot write '" + path + "'");
+  file.commit(system::Sync::no);
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,94 @@
+// PNG by libpng, which leaves a damaged file by longjmp: the functions that it leaves hold nothing that needs
+// a destructor.
+#include <png.h>
+
+#include <bit>
+#include <csetjmp>
+#include <cstring>
+
+#include "format/image_decode.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+struct Job {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  const char* bytes = nullptr;
+  std::size_t left = 0;
+  char why[120] = "not enough memory";
+  png_uint_32 width = 0, height = 0;
+  int bits = 0, channels = 0;
+  std::size_t row_bytes = 0;
+  std::vector<std::uint8_t> samples;
+  std::vector<png_bytep> rows;
+
+  Job() = default;
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+  ~Job() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+extern "C" {
+
+[[noreturn]] void png_trouble(png_structp png, png_const_charp why) {
+  auto& job = *static_cast<Job*>(png_get_error_ptr(png));
+  std::strncpy(job.why, why, sizeof job.why - 1);
+  png_longjmp(png, 1);
+}
+
+void png_quiet(png_structp, png_const_charp) {}
+
+void png_take(png_structp png, png_bytep to, std::size_t count) {
+  auto& job = *static_cast<Job*>(png_get_io_ptr(png));
+  if (count > job.left) png_error(png, "the file ends within it");
+  std::memcpy(to, job.bytes, count);
+  job.bytes += count;
+  job.left -= count;
+}
+}
+
+// Size and form of the rows: 8 or 16 bits, no palette. False: job.why.
+bool read_head(Job& job) {
+  if (setjmp(png_jmpbuf(job.png)) != 0) return false;
+  png_set_read_fn(job.png, &job, png_take);
+  png_read_info(job.png, job.info);
+  png_set_expand(job.png);
+  if (std::endian::native == std::endian::little) png_set_swap(job.png);
+  png_set_interlace_handling(job.png);
+  png_read_update_info(job.png, job.info);
+  job.width = png_get_image_width(job.png, job.info);
+  job.height = png_get_image_height(job.png, job.info);
+  job.bits = png_get_bit_depth(job.png, job.info);
+  job.channels = png_get_channels(job.png, job.info);
+  job.row_bytes = png_get_rowbytes(job.png, job.info);
+  return true;
+}
+
+bool read_rows(Job& job) {
+  if (setjmp(png_jmpbuf(job.png)) != 0) return false;
+  png_read_image(job.png, job.rows.data());
+  png_read_end(job.png, nullptr);
+  return true;
+}
+
+}  // namespace
+
+Image decode_png(const Encoded& file) {
+  Job job;
+  job.bytes = file.bytes.data();
+  job.left = file.bytes.size();
+  job.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, png_trouble, png_quiet);
+  if (job.png != nullptr) job.info = png_create_info_struct(job.png);
+  if (job.info == nullptr || !read_head(job)) damaged(file, job.why);
+  Image image = image_of_size(file, job.width, job.height, job.row_bytes / job.width);
+  job.samples.resize(job.row_bytes * job.height);
+  for (png_uint_32 row = 0; row < job.height; ++row) job.rows.push_back(&job.samples[row * job.row_bytes]);
+  if (!read_rows(job)) damaged(file, job.why);
+  for (int row = 0; row < image.height; ++row)
+    fill_row(image, row, job.rows[static_cast<std::size_t>(row)], job.channels, job.bits);
+  return image;
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,89 @@
+#include "format/mesh_builder.hpp"
+
+#include <filesystem>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "mesh/edges.hpp"
+
+namespace fabricsh::format {
+
+using mesh::Index;
+using mesh::Mesh;
+using mesh::NodeSet;
+
+void MeshBuilder::add_node(std::int64_t number, const Vec3& position) {
+  if (!position.allFinite()) source_.fail("node " + std::to_string(number) + ": a coordinate is not finite");
+  if (!places_.emplace(number, static_cast<Index>(mesh_.nodes.size())).second)
+    source_.fail("node " + std::to_string(number) + " is there twice");
+  mesh_.nodes.push_back(position);
+}
+
+Index MeshBuilder::place(std::int64_t number, const std::string& who) const {
+  const auto found = places_.find(number);
+  if (found == places_.end())
+    source_.fail(who + ": node " + std::to_string(number) + " is not in the file (it has " +
+                 std::to_string(nodes()) + " nodes)");
+  return found->second;
+}
+
+void MeshBuilder::add_element(std::int64_t number, std::span<const std::int64_t> corners) {
+  const std::string who = "element " + std::to_string(number);
+  std::array<Index, 4> ids{-1, -1, -1, -1};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    ids[i] = place(corners[i], who);
+    for (std::size_t k = 0; k < i; ++k)
+      if (ids[k] == ids[i]) source_.fail(who + ": node " + std::to_string(corners[i]) + " is in it twice");
+  }
+  mesh_.elements.push_back(ids);
+}
+
+void MeshBuilder::add_to_set(const std::string& name, std::span<const std::int64_t> numbers) {
+  if (numbers.size() > members_left_)
+    source_.fail("set " + in_quotes(name) + ": the sets have more members than a file of this size can name");
+  members_left_ -= numbers.size();
+  NodeSet& set = sets_[name];
+  for (const std::int64_t number : numbers) set.push_back(place(number, "set " + in_quotes(name)));
+}
+
+void MeshBuilder::drop_unused() {
+  std::vector<Index> place(mesh_.nodes.size(), -1);
+  for (const auto& element : mesh_.elements)
+    for (const Index id : element)
+      if (id >= 0) place[static_cast<std::size_t>(id)] = 0;
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < place.size(); ++i)
+    if (place[i] == 0) {
+      place[i] = static_cast<Index>(kept.size());
+      kept.push_back(mesh_.nodes[i]);
+    }
+  mesh_.nodes = std::move(kept);
+  for (auto& element : mesh_.elements)
+    for (Index& id : element)
+      if (id >= 0) id = place[static_cast<std::size_t>(id)];
+  for (auto& [name, set] : sets_) {
+    for (Index& id : set) id = place[static_cast<std::size_t>(id)];
+    std::erase(set, -1);
+  }
+}
+
+Mesh MeshBuilder::finish() {
+  const std::string file = std::filesystem::path(source_.name()).filename().string();
+  if (mesh_.elements.empty())
+    throw Error(source_.name() + ": no triangle or quadrilateral is in it (" + std::to_string(nodes()) +
+                " nodes)");
+  drop_unused();
+  for (auto& [name, set] : sets_)
+    if (!set.empty() && !name.empty()) mesh_.define(name, std::move(set));
+  if (!mesh_.sets.contains("all")) {
+    NodeSet all(mesh_.nodes.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    mesh_.define("all", std::move(all));
+  }
+  NodeSet boundary = mesh::free_nodes(mesh_);
+  if (!mesh_.sets.contains("boundary") && !boundary.empty()) mesh_.define("boundary", std::move(boundary));
+  mesh_.origin = "file " + file;
+  return std::move(mesh_);
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,45 @@
+// A surface mesh put together from a file: nodes by the file's own numbers, elements, sets.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "format/source.hpp"
+#include "mesh/mesh.hpp"
+
+namespace fabricsh::format {
+
+class MeshBuilder {
+ public:
+  // most_members: of all sets together, each counted as often as it is named.
+  explicit MeshBuilder(const Source& source, std::size_t most_members = static_cast<std::size_t>(-1))
+      : source_(source), members_left_(most_members) {}
+
+  // Error: a number used before, a coordinate that is not finite.
+  void add_node(std::int64_t number, const Vec3& position);
+  bool has_node(std::int64_t number) const { return places_.contains(number); }
+  std::size_t nodes() const { return mesh_.nodes.size(); }
+  std::size_t elements() const { return mesh_.elements.size(); }
+  // 3 or 4 node numbers. Error, naming the element: an unknown node, one node twice.
+  void add_element(std::int64_t number, std::span<const std::int64_t> corners);
+  void add_to_set(const std::string& name, std::span<const std::int64_t> numbers);
+
+  // Nodes that no element uses are left out, and sets of such nodes alone. The sets all and boundary are
+  // added unless the file has sets of these names. Error: no element.
+  mesh::Mesh finish();
+
+ private:
+  mesh::Index place(std::int64_t number, const std::string& who) const;
+  void drop_unused();
+
+  const Source& source_;
+  std::size_t members_left_;
+  mesh::Mesh mesh_;
+  std::unordered_map<std::int64_t, mesh::Index> places_;
+  std::map<std::string, mesh::NodeSet> sets_;
+};
+
+}  // namespace fabricsh::format

@@ -1,0 +1,60 @@
+#include "format/mesh_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "format/source.hpp"
+#include "format/vtu.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+std::string ending(const std::string& path) {
+  std::string text = std::filesystem::path(path).extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  return text;
+}
+
+using Reader = mesh::Mesh (*)(const std::string&, std::string_view);
+
+Reader reader_of(const std::string& path) {
+  const std::string text = ending(path);
+  if (text == ".msh") return read_gmsh;
+  if (text == ".obj") return read_obj;
+  if (text == ".vtu") return read_vtu;
+  if (text == ".vtk") return read_legacy_vtk;
+  throw Error("cannot read '" + path + "': expected a name that ends in .msh, .vtu, .vtk or .obj");
+}
+
+void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
+  Grid grid{mesh.nodes, mesh.elements};
+  for (const auto& [name, ids] : mesh.sets) {
+    Array array{name, 1, std::vector<double>(mesh.nodes.size(), 0.0)};
+    for (const Index id : ids) array.values[static_cast<std::size_t>(id)] = 1;
+    array.flags = true;
+    grid.point_data.push_back(std::move(array));
+  }
+  write_vtu(path, grid);
+}
+
+}  // namespace
+
+mesh::Mesh read_mesh(const std::string& path) {
+  const Reader read = reader_of(path);
+  const std::string bytes = read_file(path);
+  if (bytes.empty()) throw Error(path + ": the file is empty");
+  return read(path, bytes);
+}
+
+void write_mesh(const std::string& path, const mesh::Mesh& mesh) {
+  const std::string text = ending(path);
+  if (mesh.elements.empty()) throw Error("cannot write '" + path + "': the mesh has no element");
+  if (text == ".vtu") return write_vtu_mesh(path, mesh);
+  if (text == ".msh") return system::write_file(path, gmsh_text(mesh));
+  throw Error("cannot write '" + path + "': expected a name that ends in .vtu or .msh");
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,91 @@
+// Wavefront .obj: v, f, l, p; groups (g) and objects (o) are sets.
+#include <array>
+
+#include "format/mesh_builder.hpp"
+#include "format/mesh_file.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(const std::string& name, std::string_view bytes)
+      : source_(name, bytes), builder_(source_, 16 * bytes.size()) {}
+
+  mesh::Mesh read() {
+    std::string_view line;
+    while (source_.next_line(line)) statement(Source("", line.substr(0, line.find('#'))));
+    return builder_.finish();
+  }
+
+ private:
+  void statement(Source line) {
+    const auto keyword = line.word_or_none();
+    if (keyword == "v") return node(line);
+    if (keyword == "f") return element(line);
+    if (keyword == "l" || keyword == "p") return add_to_sets(corners(line));
+    if (keyword == "g") return groups(line);
+    if (keyword == "o") {
+      object_ = line.word_or_none();
+      return;
+    }
+    for (const char* ignored : {"", "vt", "vn", "vp", "s", "usemtl", "mtllib"})
+      if (keyword == ignored) return;
+    source_.fail("unknown statement " + in_quotes(keyword) +
+                 ", expected v, f, g, o, l, p, vt, vn, s, usemtl, mtllib");
+  }
+
+  void node(Source& line) {
+    Vec3 x;
+    for (int i = 0; i < 3; ++i) {
+      const auto word = line.word_or_none();
+      if (!parse(word, x[i])) source_.fail("expected three coordinates, got " + in_quotes(word));
+    }
+    builder_.add_node(static_cast<std::int64_t>(builder_.nodes()) + 1, x);
+  }
+
+  void element(Source& line) {
+    const auto numbers = corners(line);
+    if (numbers.size() < 3 || numbers.size() > 4)
+      source_.fail("expected a face of 3 or 4 corners, got " + std::to_string(numbers.size()));
+    builder_.add_element(static_cast<std::int64_t>(builder_.elements()) + 1, numbers);
+    add_to_sets(numbers);
+  }
+
+  // Vertex numbers of "3", "3/1", "3//2", "3/1/2"; a negative one counts back from the last vertex.
+  std::vector<std::int64_t> corners(Source& line) const {
+    std::vector<std::int64_t> numbers;
+    for (auto word = line.word_or_none(); !word.empty(); word = line.word_or_none()) {
+      std::int64_t number = 0;
+      if (!parse(word.substr(0, word.find('/')), number))
+        source_.fail("expected the number of a vertex, got " + in_quotes(word));
+      if (number < 0) number += static_cast<std::int64_t>(builder_.nodes()) + 1;
+      if (!builder_.has_node(number)) source_.fail("vertex " + in_quotes(word) + " is not above this line");
+      numbers.push_back(number);
+    }
+    return numbers;
+  }
+
+  void groups(Source& line) {
+    groups_.clear();
+    for (auto word = line.word_or_none(); !word.empty(); word = line.word_or_none())
+      groups_.emplace_back(word);
+  }
+
+  void add_to_sets(const std::vector<std::int64_t>& numbers) {
+    for (const std::string& group : groups_) builder_.add_to_set(group, numbers);
+    if (!object_.empty()) builder_.add_to_set(object_, numbers);
+  }
+
+  Source source_;
+  MeshBuilder builder_;
+  std::vector<std::string> groups_;
+  std::string object_;
+};
+
+}  // namespace
+
+mesh::Mesh read_obj(const std::string& name, std::string_view bytes) { return ObjReader(name, bytes).read(); }
+
+}  // namespace fabricsh::format

@@ -1,0 +1,79 @@
+// A file that is read: all of its bytes, a place among them, and errors that name the place. Nothing that the
+// file claims is believed: a count is checked against the bytes that are left before anything is made for it.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace fabricsh::format {
+
+// The bytes of a regular file. Error: "cannot read 'disc.msh': No such file or directory".
+std::string read_file(const std::string& path);
+
+class Source {
+ public:
+  Source(std::string name, std::string_view bytes) : name_(std::move(name)), bytes_(bytes) {}
+
+  const std::string& name() const { return name_; }
+  std::size_t place() const { return at_; }
+  void move_to(std::size_t place) { at_ = said_ = place; }
+  std::size_t size() const { return bytes_.size(); }
+  std::string_view bytes(std::size_t begin, std::size_t end) const {
+    return bytes_.substr(begin, end - begin);
+  }
+  std::size_t left() const { return bytes_.size() - at_; }
+  bool ended() const { return at_ == bytes_.size(); }
+  std::string_view rest() const { return bytes_.substr(at_); }
+
+  // Text: words between blanks, whole lines, numbers. Errors name the line.
+  bool next_line(std::string_view& line);   // without its end; false at the end of the file
+  std::string_view line(const char* what);  // error at the end of the file
+  std::string_view word(const char* what);
+  std::string_view word_or_none();
+  void skip_blanks();
+  std::int64_t integer(const char* what);
+  double real(const char* what);
+  // A number of things that take so many bytes each in the rest of the file.
+  std::int64_t count(const char* what, std::size_t bytes_each);
+  std::int64_t checked(const char* what, std::int64_t count, std::size_t bytes_each) const;
+
+  // Binary: a value as it is stored. Errors name the byte.
+  template <class T>
+  T raw(const char* what) {
+    T value;
+    std::memcpy(&value, take(sizeof value, what).data(), sizeof value);
+    return swapped_ ? reversed(value) : value;
+  }
+  std::string_view take(std::size_t bytes, const char* what);
+  void swap_bytes(bool swapped) { swapped_ = swapped; }
+  void set_binary(bool binary) { binary_ = binary; }
+
+  // Error: "disc.msh:12: ...", or "disc.msh: byte 120: ..." while binary.
+  [[noreturn]] void fail(const std::string& why) const;
+
+ private:
+  template <class T>
+  static T reversed(T value) {
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    for (std::size_t i = 0; i < sizeof value / 2; ++i) std::swap(bytes[i], bytes[sizeof value - 1 - i]);
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+  }
+
+  std::string name_;
+  std::string_view bytes_;
+  std::size_t at_ = 0, said_ = 0;  // the place, and the one that an error names
+  bool swapped_ = false, binary_ = false;
+};
+
+// A word of a file in an error message: short, printable.
+std::string in_quotes(std::string_view word);
+
+// The whole of a word as a number; false if it is none.
+bool parse(std::string_view word, std::int64_t& value);
+bool parse(std::string_view word, double& value);
+
+}  // namespace fabricsh::format

@@ -1,0 +1,306 @@
+#include "format/table.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/error.hpp"
+#include "format/source.hpp"
+#include "format/table_line.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+bool carries_data(std::string_view line) { return !trimmed(line).empty() && !is_comment(line); }
+
+// The cells of a row of so many columns; one that ends with the separator may have left the last cell empty.
+void split_row(std::string_view line, char separator, std::size_t columns, Cells& cells) {
+  split_line(line, separator, cells);
+  if (cells.size() + 1 == columns && separator != ' ' && line.find_last_of(separator) != line.npos &&
+      trimmed(line.substr(line.find_last_of(separator) + 1)).empty())
+    cells.emplace_back();
+}
+
+struct Reading {  // how a file can be read, and where its numbers begin
+  TableForm form;
+  std::size_t columns = 0;
+  std::size_t place = 0;  // byte of the first line of numbers
+};
+
+// The next line that carries data, or an empty one at the end.
+std::string_view next_data_line(Source& source) {
+  std::string_view line;
+  while (source.next_line(line))
+    if (carries_data(line)) return line;
+  return {};
+}
+
+// Whether the lines from here on (four at most) are rows in equally many cells: of numbers alone, or, where
+// `text` is allowed, with at least two columns of numbers.
+std::size_t columns_from(Source source, const TableForm& form, bool text) {
+  Cells cells;
+  std::vector<char> numeric;
+  double value = 0;
+  for (int i = 0; i < 4; ++i) {
+    const auto line = next_data_line(source);
+    if (line.empty()) break;
+    split_row(line, form.separator, numeric.size(), cells);
+    if (numeric.empty()) numeric.assign(cells.size(), 1);
+    if (cells.size() != numeric.size()) return 0;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (!parse_cell(cells[c], form.decimal, value)) numeric[c] = 0;
+  }
+  const auto count = static_cast<std::size_t>(std::count(numeric.begin(), numeric.end(), 1));
+  return count == numeric.size() || (text && count >= 2) ? numeric.size() : 0;
+}
+
+// Where numbers begin when the file is read in this form; columns 0 when nowhere in the first 200 lines.
+Reading try_form(Source source, const TableForm& form, bool text) {
+  for (int i = 0; i < 200 && !source.ended(); ++i) {
+    Reading reading{form, 0, source.place()};
+    reading.columns = columns_from(source, form, text);
+    std::string_view line;
+    source.next_line(line);
+    if (reading.columns != 0 && carries_data(line)) return reading;
+  }
+  return {};
+}
+
+// Of the forms that fit, those whose numbers begin first, and with most columns: two where the first rows do
+// not show the decimal sign, none when none fits.
+std::vector<Reading> find_readings(const Source& source, const TableForm& given, bool text) {
+  std::vector<Reading> best;
+  for (const char separator : {'\t', ';', ',', ' '}) {
+    if (given.separator != 0 && given.separator != separator) continue;
+    for (const char decimal : {'.', ','}) {
+      if (given.decimal != 0 && given.decimal != decimal) continue;
+      if (separator == decimal) continue;
+      const Reading reading = try_form(source, {separator, decimal}, text);
+      if (reading.columns == 0) continue;
+      const auto rank = [](const Reading& r) {
+        return std::pair(r.place, std::numeric_limits<std::size_t>::max() - r.columns);
+      };
+      if (!best.empty() && rank(reading) > rank(best[0])) continue;
+      const bool tie = !best.empty() && rank(reading) == rank(best[0]);
+      if (tie && separator != best[0].form.separator) continue;
+      if (!tie) best.clear();
+      best.push_back(reading);
+    }
+  }
+  return best;
+}
+
+// A line without digits in any cell, as wide as the table: names, or units below them.
+bool is_heading(std::string_view line, const Reading& reading, Cells& cells) {
+  split_line(line, reading.form.separator, cells);
+  double value = 0;
+  return cells.size() == reading.columns && std::none_of(cells.begin(), cells.end(), [&](auto cell) {
+           return parse_cell(cell, reading.form.decimal, value);
+         });
+}
+
+std::string_view bare(std::string_view cell) {
+  if (cell.size() > 2 && std::string_view("([<{").find(cell.front()) != std::string_view::npos)
+    return trimmed(cell.substr(1, cell.size() - 2));
+  return cell;
+}
+
+void name_columns(Table& table, const std::vector<std::string_view>& above, const Reading& reading) {
+  table.columns.resize(reading.columns);
+  for (std::size_t i = 0; i < reading.columns; ++i) table.columns[i].name = std::to_string(i + 1);
+  Cells cells, below;
+  std::size_t last = above.size();  // one behind the lowest heading line
+  while (last > 0 && !is_heading(above[last - 1], reading, cells)) --last;
+  if (last == 0) return;
+  table.header = true;
+  // Two heading lines: the lower one holds units (it may leave some out).
+  const bool units = last > 1 && is_heading(above[last - 2], reading, below);
+  const Cells& names = units ? below : cells;
+  for (std::size_t i = 0; i < reading.columns; ++i) {
+    table.columns[i] = heading(names[i]);
+    if (units && table.columns[i].unit.empty()) table.columns[i].unit = bare(cells[i]);
+  }
+}
+
+// Lines above the place where four rows of numbers begin that are rows themselves, a cell of which is no
+// number: up to the first line without any. The place of the highest.
+std::size_t first_row(const std::vector<std::string_view>& above, const std::vector<std::size_t>& places,
+                      const Reading& reading) {
+  Cells cells;
+  double value = 0;
+  std::size_t first = reading.place;
+  for (std::size_t i = above.size(); i-- > 0;) {
+    split_row(above[i], reading.form.separator, reading.columns, cells);
+    const bool some = std::any_of(cells.begin(), cells.end(),
+                                  [&](auto cell) { return parse_cell(cell, reading.form.decimal, value); });
+    if (!some && !(cells.size() == reading.columns && std::all_of(cells.begin(), cells.end(), is_missing)))
+      break;
+    if (cells.size() == reading.columns) first = places[i];
+  }
+  return first;
+}
+
+// Names columns from the lines above the rows; returns where the rows begin.
+std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
+  std::vector<std::string_view> above;
+  std::vector<std::size_t> places;
+  std::string_view line;
+  while (source.place() < reading.place) {
+    const std::size_t place = source.place();
+    source.next_line(line);
+    if (!carries_data(line)) continue;
+    above.push_back(line);
+    places.push_back(place);
+  }
+  const std::size_t begin = first_row(above, places, reading);
+  while (!places.empty() && places.back() >= begin) places.pop_back();
+  above.resize(places.size());
+  name_columns(table, above, reading);
+  source.move_to(0);
+  while (source.place() < begin) {
+    source.next_line(line);
+    if (!trimmed(line).empty()) table.preamble.emplace_back(trimmed(line));
+  }
+  return begin;
+}
+
+// The message of a cell that is no number, with file and line.
+std::string trouble_of(const Source& source, const TableForm& form, const std::string& column,
+                       std::string_view cell) {
+  try {
+    source.fail("column '" + column + "': expected a finite number" +
+                (form.decimal == ',' ? " with a decimal comma" : "") + ", got " + in_quotes(cell));
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+// The heading above the rows: a line of names and perhaps one of units below it; none without one.
+std::vector<std::string_view> heading_lines(Source source, const Reading& reading, std::size_t begin) {
+  Cells cells;
+  std::vector<std::string_view> lines;
+  std::string_view line;
+  source.move_to(0);
+  while (source.place() < begin && source.next_line(line)) {
+    if (!carries_data(line)) continue;
+    if (is_heading(line, reading, cells))
+      lines.push_back(trimmed(line));
+    else
+      lines.clear();
+  }
+  if (lines.size() > 2) lines.erase(lines.begin(), lines.end() - 2);
+  return lines;
+}
+
+// Frames that write in blocks (MTS) put the heading above each of them anew, below a few lines of words.
+// True: the line is the first of these, and the source now stands behind the heading.
+bool pass_block_head(Source& source, std::string_view line, const std::vector<std::string_view>& heading) {
+  constexpr int most = 20;  // lines of words between two blocks
+  if (heading.empty()) return false;
+  Source ahead = source;
+  for (int i = 0; trimmed(line) != heading.front(); ++i)
+    if (i == most || !ahead.next_line(line)) return false;
+  for (std::size_t i = 1; i < heading.size(); ++i) {
+    Source below = ahead;
+    if (!below.next_line(line) || trimmed(line) != heading[i]) break;
+    ahead = below;
+  }
+  source = ahead;
+  return true;
+}
+
+// Whether a line may stand between two blocks: it has no number in any cell, or other cells than a row.
+bool between_blocks(const Cells& cells, const Table& table) {
+  double value = 0;
+  return cells.size() != table.columns.size() || std::none_of(cells.begin(), cells.end(), [&](auto cell) {
+           return parse_cell(cell, table.form.decimal, value);
+         });
+}
+
+// The rows; returns how many cells are no numbers.
+std::size_t read_rows(Table& table, Source& source, const std::vector<std::string_view>& heading) {
+  Cells cells;
+  std::string_view line;
+  std::size_t bad = 0;
+  while (source.next_line(line)) {
+    if (!carries_data(line)) continue;
+    split_row(line, table.form.separator, table.columns.size(), cells);
+    if (between_blocks(cells, table) && pass_block_head(source, line, heading)) continue;
+    if (cells.size() != table.columns.size())
+      source.fail("expected " + std::to_string(table.columns.size()) + " cells, got " +
+                  std::to_string(cells.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      TableColumn& column = table.columns[i];
+      double value = 0;
+      if (parse_cell(cells[i], table.form.decimal, value)) {
+        column.text = false;
+      } else {
+        value = std::numeric_limits<double>::quiet_NaN();
+        ++bad;
+        if (column.trouble.empty()) {
+          column.trouble = trouble_of(source, table.form, column.name, cells[i]);
+          column.trouble_row = column.values.size();
+        }
+      }
+      column.values.push_back(value);
+    }
+  }
+  return bad;
+}
+
+// The table in one form; bad: cells that are no numbers.
+Table read_as(Source source, const Reading& reading, std::size_t& bad) {
+  Table table;
+  table.form = reading.form;
+  const std::size_t begin = read_preamble(table, source, reading);
+  const auto heading = heading_lines(source, reading, begin);
+  source.move_to(begin);
+  bad = read_rows(table, source, heading);
+  return table;
+}
+
+}  // namespace
+
+Table parse_table(const std::string& name, std::string_view bytes, const TableForm& form) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    throw Error(name + ":1: expected plain text (UTF-8), got UTF-16; save it as UTF-8");
+  const Source source(name, bytes);
+  // Rows of numbers alone, unless rows with text or gaps in the same form begin before.
+  auto readings = find_readings(source, form, false);
+  auto wider = find_readings(source, form, true);
+  if (readings.empty() ||
+      (!wider.empty() && wider[0].place < readings[0].place && wider[0].columns >= readings[0].columns &&
+       wider[0].form.separator == readings[0].form.separator))
+    readings = std::move(wider);
+  if (readings.empty())
+    throw Error(source.name() +
+                ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
+                "blanks; decimal point or comma), found none in the first 200 lines");
+  std::size_t bad = 0;
+  Table table = read_as(source, readings[0], bad);
+  if (bad > 0 && readings.size() > 1) {  // the first rows did not show the decimal sign: the rest does
+    std::size_t other = 0;
+    Table comma = read_as(source, readings[1], other);
+    if (other < bad) table = std::move(comma);
+  }
+  if (!form.lenient) check(table);
+  return table;
+}
+
+void check(const Table& table) {
+  const TableColumn* first = nullptr;
+  for (const TableColumn& column : table.columns)
+    if (!column.text && !column.trouble.empty() && (!first || column.trouble_row < first->trouble_row))
+      first = &column;
+  if (first) throw Error(first->trouble);
+}
+
+Table read_table(const std::string& path, const TableForm& form) {
+  return parse_table(path, read_file(path), form);
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,127 @@
+#include "format/vtu.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSignedCharArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "format/checksum.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+void check_length(const Array& array, std::size_t items, const char* of) {
+  const std::size_t wanted = items * static_cast<std::size_t>(array.components);
+  if (array.components >= 1 && array.values.size() == wanted) return;
+  throw Error("array '" + array.name + "': expected " + std::to_string(array.components) +
+              " values for each of " + std::to_string(items) + " " + of + ", got " +
+              std::to_string(array.values.size()) + " in all");
+}
+
+// VTK writes a name as it is, whatever XML makes of it.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&')
+      text += "&amp;";
+    else if (c == '<')
+      text += "&lt;";
+    else if (c == '"')
+      text += "&quot;";
+    else
+      text += c;
+  }
+  return text;
+}
+
+void add_flags(vtkDataSetAttributes* data, const Array& array) {
+  vtkNew<vtkSignedCharArray> copy;
+  copy->SetName(escaped(array.name).c_str());
+  for (const double value : array.values) copy->InsertNextValue(value != 0 ? 1 : 0);
+  data->AddArray(copy);
+}
+
+void add(vtkDataSetAttributes* data, const Array& array) {
+  if (array.flags) return add_flags(data, array);
+  vtkNew<vtkDoubleArray> copy;
+  copy->SetName(escaped(array.name).c_str());
+  copy->SetNumberOfComponents(array.components);
+  for (std::size_t c = 0; c < array.component_names.size(); ++c)
+    copy->SetComponentName(static_cast<vtkIdType>(c), array.component_names[c].c_str());
+  copy->SetNumberOfTuples(static_cast<vtkIdType>(array.values.size()) / array.components);
+  std::copy(array.values.begin(), array.values.end(), copy->GetPointer(0));
+  data->AddArray(copy);
+}
+
+void add_points(vtkUnstructuredGrid* data, const Grid& grid) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(grid.points.size()));
+  for (std::size_t i = 0; i < grid.points.size(); ++i)
+    points->SetPoint(static_cast<vtkIdType>(i), grid.points[i].data());
+  data->SetPoints(points);
+}
+
+void add_cells(vtkUnstructuredGrid* data, const Grid& grid) {
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> types;
+  for (const auto& cell : grid.cells) {
+    const int corners = cell[3] < 0 ? 3 : 4;
+    cells->InsertNextCell(corners);
+    for (int i = 0; i < corners; ++i)
+      cells->InsertCellPoint(static_cast<vtkIdType>(cell[static_cast<std::size_t>(i)]));
+    types->InsertNextValue(corners == 3 ? VTK_TRIANGLE : VTK_QUAD);
+  }
+  data->SetCells(types, cells);
+}
+
+void add_time(vtkUnstructuredGrid* data, double time) {
+  vtkNew<vtkDoubleArray> value;
+  value->SetName("TimeValue");  // the name that ParaView looks for
+  value->InsertNextValue(time);
+  data->GetFieldData()->AddArray(value);
+}
+
+// Into memory: the file itself is written by this room, with the system's reason when that fails.
+std::string document(vtkUnstructuredGrid* data) {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->SetCompressorTypeToZLib();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() != 1) throw Error("VTK could not make the grid");
+  return writer->GetOutputString();
+}
+
+}  // namespace
+
+FileSum sum_of(std::string_view bytes) { return {static_cast<std::int64_t>(bytes.size()), checksum(bytes)}; }
+
+FileSum write_vtu(const std::string& path, const Grid& grid, system::Sync sync, system::Folder folder) {
+  vtkNew<vtkUnstructuredGrid> data;
+  for (const Array& array : grid.point_data) check_length(array, grid.points.size(), "points");
+  for (const Array& array : grid.cell_data) check_length(array, grid.cells.size(), "cells");
+  add_points(data, grid);
+  add_cells(data, grid);
+  for (const Array& array : grid.point_data) add(data->GetPointData(), array);
+  for (const Array& array : grid.cell_data) add(data->GetCellData(), array);
+  if (grid.time) add_time(data, *grid.time);
+  const std::string bytes = document(data);
+  system::write_file(path, bytes, sync, folder);
+  return sum_of(bytes);
+}
+
+}  // namespace fabricsh::format

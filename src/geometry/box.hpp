@@ -1,0 +1,26 @@
+// The box about points, along the axes.
+#pragma once
+#include <vector>
+
+#include "geometry/vec.hpp"
+
+namespace fabricsh {
+
+struct Box {
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // m
+  Vec3 size() const { return high - low; }
+  Vec3 middle() const { return (low + high) / 2; }
+};
+
+// Of no points: from zero to zero.
+inline Box box_of(const std::vector<Vec3>& points) {
+  Box box;
+  if (!points.empty()) box.low = box.high = points.front();
+  for (const Vec3& x : points) {
+    box.low = box.low.cwiseMin(x);
+    box.high = box.high.cwiseMax(x);
+  }
+  return box;
+}
+
+}  // namespace fabricsh

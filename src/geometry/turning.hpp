@@ -1,0 +1,67 @@
+// Turning directors on the unit sphere, and the matrices of a vector product and of a turning body.
+#pragma once
+#include <cmath>
+
+#include "geometry/vec.hpp"
+
+namespace fabricsh {
+
+// a x v = cross_matrix(a) v.
+inline Mat3 cross_matrix(const Vec3& a) {
+  Mat3 m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
+}
+
+// Second variation of a vector r of a body that turns, exp(theta) r, on a force f: theta . (sym(r f^T) -
+// (r.f) 1) theta.
+inline Mat3 turning_stiffness(const Vec3& r, const Vec3& f) {
+  return (r * f.transpose() + f * r.transpose()) / 2 - r.dot(f) * Mat3::Identity();
+}
+
+// Of the angle whose square is x: cos, sin / angle, (cos - 1) / x. Below x = 0.01, where the steps of
+// dynamics are, by series that end under rounding.
+struct Turn {
+  double cosine, sine, versed;
+};
+inline Turn turn_by(double x) {
+  if (x < 0.01)
+    return {1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56))),
+            1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72))),
+            -0.5 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56 * (1 - x / 90))))};
+  const double angle = std::sqrt(x), cosine = std::cos(angle);
+  return {cosine, std::sin(angle) / angle, (cosine - 1) / x};
+}
+
+// v of almost unit length made so: one step of Newton, whose error is the square of the length's.
+inline void renew(Eigen::Map<Vec3> v) { v *= 1.5 - 0.5 * v.squaredNorm(); }
+
+// The director d turned by the increment q (tangent to the sphere, rad) along a great circle, its first axis
+// b1 carried with it.
+inline void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
+  const Turn by = turn_by(q.squaredNorm());
+  const Vec3 d0 = d;
+  d = by.cosine * d0 + by.sine * q;
+  renew(d);
+  const double along = b1.dot(q);
+  b1 += along * (by.versed * q - by.sine * d0);
+  b1 -= b1.dot(d) * Vec3(d);
+  renew(b1);
+}
+
+// The first axis of a director's frame after Hughes, from the global axis least aligned with it [hughes1981]:
+// unit, normal to d.
+inline Vec3 first_axis(const Vec3& d) {
+  double a1 = std::abs(d.x()), a3 = std::abs(d.z());
+  const double a2 = std::abs(d.y());
+  int j = 0;
+  if (a1 > a3) {
+    a3 = a1;
+    j = 1;
+  }
+  if (a2 > a3) j = 2;
+  const Vec3 e2 = d.cross(Vec3::Unit(j)).normalized();
+  return e2.cross(d);
+}
+
+}  // namespace fabricsh

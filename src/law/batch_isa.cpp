@@ -1,0 +1,105 @@
+// The batch kernels: compiled once per instruction set, picked at run time by batch_function().
+#include "law/energy_kernel.hpp"
+#include "law/part.hpp"
+#include "law/update.hpp"
+
+namespace fabricsh::law {
+inline namespace FABRICSH_ISA {
+
+// most: the longest state of this law, so that the copy on the stack stays small.
+template <int most, class Kernel>
+unsigned run_part(int state, const double* E, const double* s0, double* s1, double* S, double* C,
+                  Kernel kernel) {
+  Pack e[5], old[most] = {}, trial[most];
+  for (int i = 0; i < 5; ++i) e[i] = load(E + i * lanes);
+  for (int i = 0; i < state; ++i) old[i] = load(s0 + i * lanes);
+  const Response<Pack> out = kernel(e, old, trial);
+  for (int i = 0; i < state; ++i) store(s1 + i * lanes, trial[i]);
+  for (int i = 0; i < 5; ++i) store(S + i * lanes, out.S[i]);
+  if (C != nullptr) put_tangent(out, [C](int entry, Pack value) { store(C + entry * lanes, value); });
+  return bits(!healthy(e, out));
+}
+
+template <bool rubs>
+[[gnu::flatten]] unsigned potential_part(const Law& law, const Step& step, const double* E, const double* s0,
+                                         double* s1, double* S, double* C) {
+  return run_part<potential_state::count + 2>(
+      law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
+        return potential_update<rubs>(law.woven, step.at, e, old, trial);
+      });
+}
+
+[[gnu::flatten]] unsigned plain_part(const Law& law, const Step& step, const double* E, const double* s0,
+                                     double* s1, double* S, double* C) {
+  return run_part<potential_state::count>(potential_state::count, E, s0, s1, S, C,
+                                          [&](const Pack* e, const Pack* old, Pack* trial) {
+                                            return potential_update(law.plain, step.at, e, old, trial);
+                                          });
+}
+
+template <bool rubs>
+[[gnu::flatten]] unsigned viscous_part(const Law& law, const Step& step, const double* E, const double* s0,
+                                       double* s1, double* S, double* C) {
+  return run_part<potential_state::count + 2 + viscous_state::count>(
+      law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
+        return viscous_update<rubs>(law.woven, step, e, old, trial);
+      });
+}
+
+template <bool exact>
+[[gnu::flatten]] unsigned rate_part(const Law& law, const Step& step, const double* E, const double* s0,
+                                    double* s1, double* S, double* C) {
+  return run_part<rate_state::count>(law.state_size, E, s0, s1, S, C,
+                                     [&](const Pack* e, const Pack* old, Pack* trial) {
+                                       return rate_update<exact>(law.woven, step.at, e, old, trial);
+                                     });
+}
+
+unsigned elastic_part(const Law& law, const Step&, const double* E, const double* s0, double* s1, double* S,
+                      double* C) {
+  return run_part<1>(0, E, s0, s1, S, C,
+                     [&](const Pack* e, const Pack*, Pack*) { return elastic_update(law.elastic, e); });
+}
+
+// Law "potential": a kernel for what is switched on, so that nobody pays for what is off.
+BatchFunction potential_part_for(const Law& law) {
+  if (law.is_plain) return plain_part;
+  if (law.woven.viscous.on) return law.woven.friction.on ? viscous_part<true> : viscous_part<false>;
+  return law.woven.friction.on ? potential_part<true> : potential_part<false>;
+}
+
+BatchFunction part_for(const Law& law) {
+  switch (law.kind) {
+    case Kind::potential:
+      return potential_part_for(law);
+    case Kind::incremental:
+      return rate_part<true>;
+    case Kind::thesis:
+      return rate_part<false>;
+    default:
+      return elastic_part;
+  }
+}
+
+unsigned batch(const Law& law, const Step& step, const double* E, const double* s0, double* s1, double* S,
+               double* C) {
+  const auto part = part_for(law);
+  return at_parts([=, &law, &step](int i) {
+    return part(law, step, E + i, s0 + i, s1 + i, S + i, C == nullptr ? nullptr : C + i);
+  });
+}
+
+void energies(const Law& law, const double* E, const double* s, double* out) {
+  at_parts([=, &law](int part) {
+    Pack e[5], state[most_states] = {};
+    for (int i = 0; i < 5; ++i) e[i] = load(E + part + i * lanes);
+    for (int i = 0; i < law.state_size; ++i) state[i] = load(s + part + i * lanes);
+    const EnergyOf<Pack> energy = energy_at(law, e, state);
+    const Pack all[energy_values] = {energy.stored, energy.warp, energy.weft, energy.shear, energy.created};
+    for (int i = 0; i < energy_values; ++i) store(out + part + i * lanes, all[i]);
+    return 0u;
+  });
+}
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::law

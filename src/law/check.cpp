@@ -1,0 +1,101 @@
+#include "law/check.hpp"
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "card/fields.hpp"
+#include "law/bending_spring.hpp"
+#include "law/check_parts.hpp"
+#include "law/provenance.hpp"
+#include "law/text.hpp"
+
+namespace fabricsh::law {
+
+const char* name(Severity severity) {
+  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
+}
+
+const char* name(Branch branch) {
+  return branch == Branch::virgin ? "virgin" : branch == Branch::unloading ? "unloading" : "slack";
+}
+
+bool CheckReport::ok() const {
+  for (const auto& item : items)
+    if (item.severity == Severity::error) return false;
+  return true;
+}
+
+const CheckItem* CheckReport::find(const std::string& key) const {
+  for (const auto& item : items)
+    if (item.key == key) return &item;
+  return nullptr;
+}
+
+std::string CheckReport::text() const {
+  std::string out = "card '" + card + "': " + (ok() ? "usable" : "refused") + "\n";
+  for (const Severity wanted : {Severity::error, Severity::warning, Severity::note})
+    for (const auto& item : items)
+      if (item.severity == wanted) {
+        std::string key = item.key;
+        key.resize(std::max<std::size_t>(key.size(), 18), ' ');
+        out += std::string("  ") + (wanted == Severity::note ? "       " : name(wanted)) +
+               (wanted == Severity::error     ? "   "
+                : wanted == Severity::warning ? " "
+                                              : " ") +
+               key + " " + item.text + "\n";
+      }
+  return out;
+}
+
+void check_units(const card::Card& card, CheckReport& report) {
+  auto doubts = card::doubts(card);
+  const double mass = card.density * card.thickness;
+  const Range cloth{5e-3, 3};
+  if (mass > 0 && !cloth.holds(mass))
+    doubts.push_back({"areal_mass", "kg/m^2", "are density and thickness in kg/m^3 and m?", mass, cloth});
+  for (const auto& d : doubts)
+    report.items.push_back({"units." + d.field,
+                            Severity::warning,
+                            d.field + ": " + number(d.value) + (d.unit.empty() ? "" : " " + d.unit) +
+                                " is far from what cloth is (" + number(d.cloth.low) + " to " +
+                                number(d.cloth.high) + "): " + d.question,
+                            {{"value", d.value}, {"low", d.cloth.low}, {"high", d.cloth.high}}});
+}
+
+namespace {
+
+// What nobody measured is said with every check.
+void check_provenance(const card::Card& card, CheckReport& report) {
+  for (const auto& [field, words] : provenance_of(card.source))
+    if (words.starts_with("assumed"))
+      report.items.push_back({"assumed." + field, Severity::note, field + " is " + words, {}});
+}
+
+}  // namespace
+
+CheckReport check(const card::Card& card, double element_size) {
+  CheckReport report;
+  report.card = card.name;
+  check_units(card, report);
+  check_provenance(card, report);
+  std::shared_ptr<const Law> law;
+  try {
+    law = compile(card);
+    if (card.bending) bending_springs(card);
+  } catch (const Error& refusal) {
+    report.items.push_back({"refused", Severity::error, refusal.what(), {}});
+    return report;
+  }
+  const auto* woven = std::get_if<card::Woven>(&card.law);
+  if (woven != nullptr) {
+    check_curves(*woven, *law, report);
+    check_continuity(*law, report);
+  }
+  check_definite(*law, report);
+  if (woven != nullptr) check_criterion(*woven, *law, report);
+  check_bending(card, *law, report);
+  check_step(card, *law, element_size, report);
+  return report;
+}
+
+}  // namespace fabricsh::law

@@ -1,0 +1,228 @@
+// From a card to a compiled law; refuses what share/doc/theory.md, 4, refuses.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "card/fields.hpp"
+#include "law/curve.hpp"
+#include "law/data.hpp"
+#include "law/text.hpp"
+#include "law/viscous.hpp"
+
+namespace fabricsh::law {
+
+namespace {
+
+void require_ratios(const card::Card& card, double nu12, double nu21) {
+  if ((nu12 == 0) != (nu21 == 0))
+    throw Error(card::at_field(card, nu12 == 0 ? "warp.poisson" : "weft.poisson") +
+                "expected both Poisson ratios zero or neither, got nu12 = " + number(nu12) +
+                ", nu21 = " + number(nu21));
+  if (nu12 * nu21 >= 1)
+    throw Error(card::at_field(card, "warp.poisson") + "expected nu12 nu21 < 1, got " + number(nu12) + " x " +
+                number(nu21) + " = " + number(nu12 * nu21));
+}
+
+void compile_axis(const card::Card& card, const std::string& side, const std::string& strain,
+                  const card::Yarn& yarn, double tested, AxisData& axis, std::vector<Piece>& pieces) {
+  axis.unloading = yarn.unloading;
+  axis.poisson = yarn.poisson;
+  CurveSpec spec;
+  spec.card = card.name;
+  spec.field = side + ".loading";
+  spec.strain = strain;
+  spec.unloading = yarn.unloading;
+  spec.tested = tested;
+  axis.curve = compile_curve(yarn.loading, spec, pieces);
+}
+
+void compile_shear(const card::Card& card, const card::Shear& shear, double tested, ShearData& out,
+                   std::vector<Piece>& pieces) {
+  const bool tensor = shear.measure == card::Measure::tensor;
+  CurveSpec spec;
+  spec.card = card.name;
+  spec.field = "shear.loading";
+  spec.strain = tensor ? "E12" : "2E12";
+  spec.scale = tensor ? 2 : 1;
+  spec.unloading = shear.unloading / spec.scale;
+  spec.tested = 2 * tested;
+  spec.assumed = 0.6;
+  spec.lenient = !tensor;
+  out.unloading = spec.unloading;
+  out.fading = shear.memory == card::ShearMemory::fading;
+  out.curve = compile_curve(shear.loading, spec, pieces);
+}
+
+void compile_biaxial(const card::Biaxial& spring, BiaxialData& out, std::vector<Piece>& pieces) {
+  pieces = polynomial_pieces({0, spring.loading}, 1);
+  out.on = true;
+  out.alpha = spring.alpha;
+  out.offset = spring.offset;
+  out.unloading = spring.unloading;
+  out.curve.piece = pieces.data();
+  out.curve.pieces = 1;
+  out.curve.limit = spring.unloading / spring.loading;
+}
+
+// Shear with friction: it must stay stiff while the friction slips back (D > growth), and the friction must
+// stick more stiffly than its limit changes.
+void compile_friction(const card::Card& card, const card::Woven& woven, WovenData& w) {
+  const auto refuse = [&](const std::string& words) {
+    throw Error(card::at_field(card, "shear.friction") + words);
+  };
+  if (woven.law != card::LawKind::potential)
+    refuse("expected law = \"potential\", the only one that takes it, got another law");
+  if (woven.shear.memory == card::ShearMemory::fading)
+    refuse("expected shear.memory = \"printed\": friction has a memory of its own");
+  const double scale = woven.shear.measure == card::Measure::tensor ? 2 : 1;
+  const auto& shear = w.shear;
+  FrictionData& f = w.friction;
+  f = {true, woven.shear.friction->stress, woven.shear.friction->growth / scale,
+       shear.unloading - shear.curve.initial, shear.curve.tested};
+  if (!(f.stiffness > std::fabs(f.growth)))
+    refuse("expected unloading above the initial modulus by more than growth, got unloading " +
+           pressure(shear.unloading * scale) + ", initial " + pressure(shear.curve.initial * scale) +
+           ", growth " + pressure(f.growth * scale));
+  if (!(f.stress > 0) || !(f.stress + f.growth * f.limit > 0))
+    refuse("expected a stress above 0 up to the tested strain, got " + pressure(f.stress) + " + " +
+           pressure(f.growth * scale) + " x " + number(f.limit / scale));
+  constexpr int samples = 1000;
+  for (int i = 0; i <= samples; ++i) {
+    const double gamma = f.limit * i / samples, D = backbone_at(shear.curve, gamma).D;
+    if (!(D > std::fabs(f.growth)))
+      refuse("expected a growth below the modulus of loading up to the tested strain, got growth " +
+             pressure(f.growth * scale) + " and D = " + pressure(D * scale) + " at " + number(gamma / scale));
+  }
+}
+
+void compile_viscous(const card::Card& card, const card::Woven& woven, ViscousData& out) {
+  if (woven.law != card::LawKind::potential)
+    throw Error(card::at_field(card, "viscous") +
+                "expected law = \"potential\", the only one that takes it, got another law");
+  const bool tensor = woven.shear.measure == card::Measure::tensor;
+  out = {true, woven.viscous->shear.modulus / (tensor ? 2 : 1), woven.viscous->shear.time};
+}
+
+// c = min(nu21 d, nu12 k) / (1 - nn), h1 = c / nu21, h2 = c / nu12; both ratios zero: c = 0, h_i = D_i(0).
+void compile_coupling(WovenData& w) {
+  AxisData &warp = w.axis[0], &weft = w.axis[1];
+  const double nu12 = warp.poisson, nu21 = weft.poisson;
+  const double d = warp.curve.initial, k = weft.curve.initial;
+  w.coupling = std::min(nu21 * d, nu12 * k) / (1 - nu12 * nu21);
+  warp.slack = nu21 > 0 ? w.coupling / nu21 : d;
+  weft.slack = nu12 > 0 ? w.coupling / nu12 : k;
+}
+
+int woven_state(const Law& law) {
+  if (law.kind != Kind::potential) return rate_state::count;
+  return viscous_slot(law.woven) + (law.woven.viscous.on ? viscous_state::count : 0);
+}
+
+std::optional<CubicBackbone> cubic(const Backbone& curve) {
+  const Piece& piece = curve.piece[0];
+  if (curve.pieces != 1 || curve.terms != 4 || piece.start != 0 || piece.P0 != 0 || piece.U0 != 0) return {};
+  CubicBackbone c;
+  c.limit = curve.limit;
+  std::copy_n(piece.d, 4, c.d);
+  std::copy_n(piece.p, 4, c.p);
+  std::copy_n(piece.u, 4, c.u);
+  return c;
+}
+
+void compile_plain(Law& law) {
+  const WovenData& w = law.woven;
+  const auto warp = cubic(w.axis[0].curve), weft = cubic(w.axis[1].curve), shear = cubic(w.shear.curve);
+  law.is_plain = law.kind == Kind::potential && warp && weft && shear && !w.shear.fading && !w.biaxial.on &&
+                 !w.viscous.on && !w.friction.on;
+  if (!law.is_plain) return;
+  const auto axis = [&](int i, const CubicBackbone& curve) {
+    const AxisData& a = w.axis[i];
+    return AxisOf<CubicBackbone>{curve, a.unloading, a.softness, a.poisson, a.slack};
+  };
+  law.plain = {{axis(0, *warp), axis(1, *weft)},
+               {*shear, w.shear.unloading, w.shear.softness, false, true},
+               w.coupling,
+               w.transverse};
+}
+
+void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
+  WovenData& w = law.woven;
+  require_ratios(card, woven.warp.poisson, woven.weft.poisson);
+  compile_axis(card, "warp", "E11", woven.warp, woven.tested.warp, w.axis[0], law.warp_pieces);
+  compile_axis(card, "weft", "E22", woven.weft, woven.tested.weft, w.axis[1], law.weft_pieces);
+  compile_shear(card, woven.shear, woven.tested.shear, w.shear, law.shear_pieces);
+  compile_coupling(w);
+  w.transverse = 5.0 / 6.0 * w.shear.curve.initial;
+  law.kind = woven.law == card::LawKind::potential     ? Kind::potential
+             : woven.law == card::LawKind::incremental ? Kind::incremental
+                                                       : Kind::thesis;
+  if (law.kind != Kind::potential) {
+    w.follow = woven.transverse == card::Transverse::follow;
+    w.shear.hysteresis = woven.shear_hysteresis;
+    w.shear.fading = false;
+  }
+  if (law.kind == Kind::potential && woven.biaxial)
+    compile_biaxial(*woven.biaxial, w.biaxial, law.biaxial_pieces);
+  if (woven.shear.friction) compile_friction(card, woven, w);
+  if (woven.viscous) compile_viscous(card, woven, w.viscous);
+  w.axis[0].softness = 1 / w.axis[0].unloading;
+  w.axis[1].softness = 1 / w.axis[1].unloading;
+  w.shear.softness = 1 / w.shear.unloading;
+  law.symmetric = law.kind == Kind::potential;
+  law.state_size = woven_state(law);
+  compile_plain(law);
+}
+
+// C11 = d / (1 - nn), C22 = k / (1 - nn), C12 = sqrt(nn d k) / (1 - nn): keeps both moduli and nn.
+void compile_svk(const card::Card& card, const card::Svk& svk, ElasticData& e) {
+  const double nn = svk.nu12 * svk.nu21;
+  if (!std::isfinite(nn) || svk.nu12 < 0 || svk.nu21 < 0 || nn >= 1)
+    throw Error(card::at_field(card, "poisson") +
+                "expected two ratios of 0 or more with nu12 nu21 < 1, got " + number(svk.nu12) + " and " +
+                number(svk.nu21));
+  e.C11 = svk.warp / (1 - nn);
+  e.C22 = svk.weft / (1 - nn);
+  e.C12 = std::sqrt(nn * svk.warp * svk.weft) / (1 - nn);
+  e.G12 = svk.shear;
+  e.G13 = svk.g13.value_or(5.0 / 6.0 * svk.shear);
+  e.G23 = svk.g23.value_or(5.0 / 6.0 * svk.shear);
+  e.young1 = svk.warp;
+  e.young2 = svk.weft;
+}
+
+// [williams2010, eq. 4.2] with nu12 / E1 = nu21 / E2, without which it has no energy.
+void compile_linear(const card::Card& card, const card::Linear& linear, ElasticData& e) {
+  const double a = linear.nu12 * linear.weft, b = linear.nu21 * linear.warp;
+  if (std::fabs(a - b) > 1e-6 * std::fmax(std::fabs(a), std::fabs(b)))
+    throw Error(card::at_field(card, "poisson") +
+                "expected nu12 / E1 = nu21 / E2 (a symmetric law), got nu12 = " + number(linear.nu12) +
+                ", nu21 = " + number(linear.nu21) + " with E1 = " + pressure(linear.warp) +
+                ", E2 = " + pressure(linear.weft) + "; nu21 = " + number(a / linear.warp) + " would do");
+  card::Svk same{linear.warp, linear.weft, linear.shear, linear.nu12, linear.nu21, {}, {}};
+  compile_svk(card, same, e);
+}
+
+void compile_elastic(const card::Card& card, Law& law) {
+  law.kind = Kind::elastic;
+  law.symmetric = true;
+  law.state_size = 0;
+  if (const auto* svk = std::get_if<card::Svk>(&card.law))
+    compile_svk(card, *svk, law.elastic);
+  else
+    compile_linear(card, std::get<card::Linear>(card.law), law.elastic);
+}
+
+}  // namespace
+
+std::shared_ptr<const Law> compile(const card::Card& card) {
+  card::require(card);
+  auto law = std::make_shared<Law>();
+  if (const auto* woven = std::get_if<card::Woven>(&card.law))
+    compile_woven(card, *woven, *law);
+  else
+    compile_elastic(card, *law);
+  return law;
+}
+
+}  // namespace fabricsh::law

@@ -1,0 +1,149 @@
+// Compiled parameters of a law: plain data that the kernels read. No functions here, since the kernels are
+// compiled once per instruction set and this header is shared by all the copies.
+#pragma once
+#include <vector>
+
+#include "law/law.hpp"
+
+namespace fabricsh::law {
+
+inline constexpr int max_terms = 8;  // coefficients of D in one piece
+
+// One polynomial piece of a backbone in t = x - start: D = sum d_k t^k, P = P0 + sum p_k t^(k+1),
+// U = U0 + P0 t + sum u_k t^(k+2).
+struct Piece {
+  double start = 0, P0 = 0, U0 = 0;
+  double d[max_terms] = {}, p[max_terms] = {}, u[max_terms] = {};
+};
+
+// Virgin loading curve of one spring: tangent modulus D, stress P = int D, energy U = int P, for x >= 0.
+// Beyond `limit` (x_c, where the range guard acts) D stays at its value there.
+struct Backbone {
+  const Piece* piece = nullptr;
+  int pieces = 0;
+  int terms = 4;      // 4 or max_terms
+  double limit = 0;   // x_c
+  double tested = 0;  // x_t
+  double D_limit = 0, P_limit = 0, U_limit = 0;
+  double initial = 0;  // D(0)
+};
+
+// A backbone of one piece from zero with four terms, as most cards have: the piece's constants are known to
+// be zero, and the batch kernels need no loop and no branch.
+struct CubicBackbone {
+  static constexpr double start = 0, P0 = 0, U0 = 0;
+  double limit = 0;
+  double d[4] = {}, p[4] = {}, u[4] = {};
+};
+
+template <class Curve>
+struct AxisOf {
+  Curve curve;
+  double unloading = 0;  // Du, Pa
+  double softness = 0;   // 1 / Du
+  double poisson = 0;    // nu12 on the warp, nu21 on the weft
+  double slack = 0;      // h, Pa
+};
+using AxisData = AxisOf<Backbone>;
+
+template <class Curve>
+struct ShearOf {  // in gamma = 2 E12
+  Curve curve;
+  double unloading = 0;  // Gu, Pa
+  double softness = 0;   // 1 / Gu
+  bool fading = false;
+  bool hysteresis = true;
+};
+using ShearData = ShearOf<Backbone>;
+
+struct BiaxialData {
+  bool on = false;
+  double alpha = 0, offset = 0;
+  Backbone curve;
+  double unloading = 0;  // Tu, Pa
+};
+
+// Friction beside elastic shear, in gamma = 2 E12: it sticks with `stiffness` and slips at
+// stress + growth |gamma|, which stays from `limit` on.
+struct FrictionData {
+  bool on = false;
+  double stress = 0, growth = 0, stiffness = 0;  // Pa
+  double limit = 0;
+};
+
+struct ViscousData {  // of shear, in gamma = 2 E12
+  bool on = false;
+  double modulus = 0, time = 0;  // Pa, s
+};
+
+struct WovenData {
+  AxisData axis[2];  // warp, weft
+  ShearData shear;
+  FrictionData friction;
+  BiaxialData biaxial;
+  ViscousData viscous;
+  double coupling = 0;    // c, Pa
+  double transverse = 0;  // G_t, Pa
+  bool follow = false;    // transverse shear follows the in-plane switch [williams2010, eq. 6.30]
+};
+
+// What law "potential" needs of a card whose three backbones are cubic, without biaxial spring, fading or
+// viscous shear.
+struct PlainWoven {
+  AxisOf<CubicBackbone> axis[2];
+  ShearOf<CubicBackbone> shear;
+  double coupling = 0, transverse = 0;  // Pa
+};
+
+struct ElasticData {  // constant symmetric tangent, Pa
+  double C11 = 0, C12 = 0, C22 = 0, G23 = 0, G13 = 0, G12 = 0;
+  double young1 = 0, young2 = 0;  // uniaxial moduli
+};
+
+enum class Kind { potential, incremental, thesis, elastic };
+
+class Law {
+ public:
+  Law() = default;
+  Law(const Law&) = delete;
+  Law& operator=(const Law&) = delete;
+
+  Kind kind = Kind::elastic;
+  int state_size = 0;
+  bool symmetric = true;
+  WovenData woven;
+  ElasticData elastic;
+  bool is_plain = false;  // law "potential", and `plain` says all of it
+  PlainWoven plain;
+  std::vector<Piece> warp_pieces, weft_pieces, shear_pieces, biaxial_pieces;  // what the backbones point to
+};
+
+// State of law "potential": one number each.
+namespace potential_state {
+inline constexpr int m1 = 0, m2 = 1;  // largest strain so far of warp and weft, not below 0
+inline constexpr int g0 = 2;          // origin of the present shear branch, in gamma
+inline constexpr int gp = 3;          // largest r so far on it
+inline constexpr int sg = 4;          // its sign; 0 means +1
+inline constexpr int lost = 5;        // J/m^3, dissipated on branches left behind
+// Then, if switched on: faded peak of the branch left, or with friction the slip, in gamma (gp is then the
+// largest |gamma|, sg its side, g0 zero); the biaxial peak; viscous shear.
+inline constexpr int count = 6;
+}  // namespace potential_state
+
+// The longest state that any law has.
+inline constexpr int most_states = 24;
+
+// State of the comparison laws.
+namespace rate_state {
+inline constexpr int E = 0;                      // 5-vector, strain at the last commit
+inline constexpr int S = 5;                      // 5-vector, stress at the last commit, Pa
+inline constexpr int m1 = 10, m2 = 11;           // largest strains so far, not below 0
+inline constexpr int g0 = 12, gp = 13;           // E5*, largest |E5 - E5*| [williams2010, eq. 6.28]
+inline constexpr int sg = 14;                    // sign of the shear branch; 0 means +1
+inline constexpr int W1 = 15, W2 = 16, W3 = 17;  // work done on warp, weft, shears, J/m^3
+inline constexpr int dissipated = 18;            // J/m^3, work less stored energy
+inline constexpr int created = 19;               // J/m^3, sum of its falls
+inline constexpr int count = 20;
+}  // namespace rate_state
+
+}  // namespace fabricsh::law

@@ -1,0 +1,119 @@
+// Stored and dissipated energy per reference volume, from strain and state alone (share/doc/theory.md, 4),
+// over a number type T.
+#pragma once
+#include "law/potential.hpp"
+#include "law/rate_laws.hpp"
+#include "law/viscous.hpp"
+
+namespace fabricsh::law {
+inline namespace FABRICSH_ISA {
+
+// J/m^3.
+template <class T>
+struct EnergyOf {
+  T stored, warp, weft, shear;  // stored; dissipated in warp, weft and shear
+  T created;                    // by a law that is not dissipative
+};
+
+// Stored energy of one yarn with its share c nu E^2 / 2 of the coupling.
+template <class T>
+T yarn_stored(const AxisData& axis, double coupling, T E, T residual) {
+  const T cross(coupling * axis.poisson), half(0.5), x = E - residual;
+  const T taut = half * T(axis.unloading) * x * x + half * cross * E * E;
+  const T slack = cross * residual * (half * residual + x) + half * T(axis.slack) * x * x;
+  return select(x >= T(0.0), taut, slack);
+}
+
+template <class T>
+struct YarnPoint {
+  T stored, dissipated, residual;
+};
+
+// m: the largest strain so far.
+template <class T>
+YarnPoint<T> yarn_point(const AxisData& axis, double coupling, T E, T m) {
+  const T peak = max(E, m);
+  const auto curve = backbone_at(axis.curve, peak);
+  const T residual = peak - curve.P * T(axis.softness);
+  return {yarn_stored(axis, coupling, E, residual), branch_loss(curve, T(axis.unloading)), residual};
+}
+
+template <class T>
+void add_biaxial_energy(const WovenData& w, const T E[5], const T* s, EnergyOf<T>& out) {
+  T m = s[biaxial_slot(w)];
+  const double alpha = w.biaxial.alpha;
+  const auto t =
+      biaxial_spring(w.biaxial, AtSwitch::loading, E[0] + T(alpha) * E[1] - T(w.biaxial.offset), m);
+  const T unloading(w.biaxial.unloading), lost = branch_loss(backbone_at(w.biaxial.curve, m), unloading);
+  out.stored += t.S * t.S / (T(2.0) * unloading);
+  out.warp += lost / T(1 + alpha);
+  out.weft += lost * T(alpha) / T(1 + alpha);
+}
+
+template <class T>
+struct ShearPoint {
+  T stored, dissipated;
+};
+
+template <class T>
+ShearPoint<T> hysteretic_point(const WovenData& w, T gamma, const T* s) {
+  auto branch = load_shear(w.shear, s);
+  const auto shear = shear_spring(w.shear, AtSwitch::loading, gamma, branch);
+  const T Gu(w.shear.unloading);
+  return {shear.S * shear.S / (T(2.0) * Gu),
+          branch.lost + branch_loss(backbone_at(w.shear.curve, branch.peak), Gu)};
+}
+
+template <class T>
+ShearPoint<T> rubbing_point(const WovenData& w, T gamma, const T* s) {
+  using namespace potential_state;
+  T slip = s[count], gone = s[lost];
+  const T held = shear_friction(w.friction, AtSwitch::loading, gamma, slip, gone).S;
+  return {backbone_at(w.shear.curve, abs(gamma)).U + held * held / T(2 * w.friction.stiffness), gone};
+}
+
+template <class T>
+EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
+  using namespace potential_state;
+  const auto warp = yarn_point(w.axis[0], w.coupling, E[0], s[m1]);
+  const auto weft = yarn_point(w.axis[1], w.coupling, E[1], s[m2]);
+  const auto shear = w.friction.on ? rubbing_point(w, E[4], s) : hysteretic_point(w, E[4], s);
+  EnergyOf<T> out;
+  out.stored = warp.stored + weft.stored + T(w.coupling) * E[0] * E[1];
+  out.stored += shear.stored;
+  out.stored += T(0.5 * w.transverse) * (E[2] * E[2] + E[3] * E[3]);
+  out.warp = warp.dissipated;
+  out.weft = weft.dissipated;
+  out.shear = shear.dissipated;
+  out.created = T(0.0);
+  if (w.biaxial.on) add_biaxial_energy(w, E, s, out);
+  if (w.viscous.on) add_viscous_energy(w, s, out.stored, out.shear);
+  return out;
+}
+
+template <class T>
+EnergyOf<T> elastic_energy(const ElasticData& e, const T E[5]) {
+  const T half(0.5), none(0.0);
+  return {half * (T(e.C11) * E[0] * E[0] + T(e.C22) * E[1] * E[1]) + T(e.C12) * E[0] * E[1] +
+              half * (T(e.G23) * E[2] * E[2] + T(e.G13) * E[3] * E[3] + T(e.G12) * E[4] * E[4]),
+          none, none, none, none};
+}
+
+// The comparison laws keep the work; what is not stored counts as dissipated.
+template <class T>
+EnergyOf<T> rate_energy(const WovenData& w, const T* s) {
+  using namespace rate_state;
+  const auto stored = rate_stored(w, s + S);
+  return {stored.warp + stored.weft + stored.shear, s[W1] - stored.warp, s[W2] - stored.weft,
+          s[W3] - stored.shear, s[created]};
+}
+
+template <class T>
+EnergyOf<T> energy_at(const Law& law, const T E[5], const T* s) {
+  if (law.kind == Kind::elastic) return elastic_energy(law.elastic, E);
+  if (law.kind != Kind::potential) return rate_energy(law.woven, s);
+  return potential_energy(law.woven, E, s);
+}
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::law

@@ -1,0 +1,59 @@
+#include "law/peaks.hpp"
+
+#include <cmath>
+
+#include "law/data.hpp"
+
+namespace fabricsh::law {
+
+// The copies that peaks_isa.cpp makes.
+namespace avx2 {
+void shares(const Law&, const double*, const double*, long, int, double*);
+}
+namespace avx512 {
+void shares(const Law&, const double*, const double*, long, int, double*);
+}
+inline namespace baseline {
+void shares(const Law&, const double*, const double*, long, int, double*);
+}
+
+SharesFunction shares_function(Isa isa) {
+  switch (isa) {
+    case Isa::avx512:
+      return avx512::shares;
+    case Isa::avx2:
+      return avx2::shares;
+    default:
+      return baseline::shares;
+  }
+}
+
+namespace {
+
+double tested(double stated, const card::Curve& curve) {
+  if (stated > 0 || curve.points.empty()) return stated;
+  return curve.points.back().first;
+}
+
+}  // namespace
+
+std::array<double, 3> tested_strains(const card::Card& card) {
+  const auto* woven = std::get_if<card::Woven>(&card.law);
+  if (woven == nullptr) return {};
+  const double half =
+      woven->shear.measure == card::Measure::engineering && woven->tested.shear <= 0 ? 0.5 : 1;
+  return {tested(woven->tested.warp, woven->warp.loading), tested(woven->tested.weft, woven->weft.loading),
+          half * tested(woven->tested.shear, woven->shear.loading)};
+}
+
+std::array<double, 3> peak_strains(const Law& law, const double* s, int stride) {
+  const auto entry = [=](int i) { return s[i * stride]; };
+  if (law.kind == Kind::elastic) return {};
+  if (law.kind != Kind::potential)
+    return {entry(rate_state::E), entry(rate_state::E + 1), 0.5 * std::abs(entry(rate_state::E + 4))};
+  namespace at = potential_state;
+  const double sign = entry(at::sg) < 0 ? -1 : 1;
+  return {entry(at::m1), entry(at::m2), 0.5 * std::abs(entry(at::g0) + sign * entry(at::gp))};
+}
+
+}  // namespace fabricsh::law

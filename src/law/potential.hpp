@@ -1,0 +1,103 @@
+// The woven law "potential": a convex potential with a constant coupling and one-dimensional hysteretic
+// springs. S11 = H1(E11) + c E22, S22 = H2(E22) + c E11, S12 its own spring, transverse shear elastic.
+#pragma once
+#include "law/response.hpp"
+#include "law/springs.hpp"
+
+namespace fabricsh::law {
+inline namespace FABRICSH_ISA {
+
+template <class Curve, class T>
+ShearState<T> load_shear(const ShearOf<Curve>& shear, const T* s0) {
+  using namespace potential_state;
+  return {s0[g0], s0[gp], s0[sg], s0[lost], fades(shear) ? s0[count] : T(0.0)};
+}
+
+template <class Curve, class T>
+void save_shear(const ShearOf<Curve>& shear, const ShearState<T>& s, T* s1) {
+  using namespace potential_state;
+  s1[g0] = s.origin;
+  s1[gp] = s.peak;
+  s1[sg] = s.sign;
+  s1[lost] = s.lost;
+  if (fades(shear)) s1[count] = s.faded;
+}
+
+// Where the biaxial peak stands in the state, if there is one.
+inline int biaxial_slot(const WovenData& law) {
+  return potential_state::count + (law.shear.fading || law.friction.on ? 1 : 0);
+}
+
+// Where the state of viscous shear (viscous.hpp) begins, if there is any.
+inline int viscous_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
+
+template <class T>
+void add_biaxial(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T* s1, Response<T>& out) {
+  if (!law.biaxial.on) return;
+  const int slot = biaxial_slot(law);
+  const T alpha(law.biaxial.alpha);
+  s1[slot] = s0[slot];
+  const auto t = biaxial_spring(law.biaxial, at, E[0] + alpha * E[1] - T(law.biaxial.offset), s1[slot]);
+  out.S[0] += t.S;
+  out.S[1] += alpha * t.S;
+  out.C11 += t.C;
+  out.C12 += alpha * t.C;
+  out.C21 = out.C12;
+  out.C22 += alpha * alpha * t.C;
+}
+
+template <class T>
+void add_biaxial(const PlainWoven&, AtSwitch, const T*, const T*, T*, Response<T>&) {}
+
+// In-plane shear as a hysteretic spring, or elastic with friction beside it.
+template <class Woven, class T>
+SpringValue<T> hysteretic_shear(const Woven& law, AtSwitch at, T gamma, const T* s0, T* s1) {
+  auto branch = load_shear(law.shear, s0);
+  const auto shear = shear_spring(law.shear, at, gamma, branch);
+  save_shear(law.shear, branch, s1);
+  return shear;
+}
+
+template <class T>
+SpringValue<T> rubbing_shear(const WovenData& law, AtSwitch at, T gamma, const T* s0, T* s1) {
+  using namespace potential_state;
+  const T size = abs(gamma), side = select(gamma < T(0.0), T(-1.0), T(1.0));
+  const auto elastic = backbone_at(law.shear.curve, size);
+  s1[g0] = T(0.0);
+  s1[sg] = select(size >= s0[gp], side, s0[sg]);
+  s1[gp] = max(size, s0[gp]);
+  s1[lost] = s0[lost];
+  s1[count] = s0[count];
+  const auto rubs = shear_friction(law.friction, at, gamma, s1[count], s1[lost]);
+  return {side * elastic.P + rubs.S, elastic.D + rubs.C};
+}
+
+// Woven: WovenData, or PlainWoven where the law is that plain; rubs: with friction in shear.
+template <bool rubs = false, class Woven, class T>
+Response<T> potential_update(const Woven& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
+  using namespace potential_state;
+  Response<T> out;
+  const T c(law.coupling);
+  s1[m1] = s0[m1];
+  s1[m2] = s0[m2];
+  const auto warp = yarn_spring(law.axis[0], law.coupling, at, E[0], s1[m1]);
+  const auto weft = yarn_spring(law.axis[1], law.coupling, at, E[1], s1[m2]);
+  SpringValue<T> shear;
+  if constexpr (rubs)
+    shear = rubbing_shear(law, at, E[4], s0, s1);
+  else
+    shear = hysteretic_shear(law, at, E[4], s0, s1);
+  out.S[0] = warp.S + c * E[1];
+  out.S[1] = weft.S + c * E[0];
+  out.S[4] = shear.S;
+  out.C11 = warp.C;
+  out.C22 = weft.C;
+  out.C12 = out.C21 = c;
+  out.C55 = shear.C;
+  transverse_elastic(T(law.transverse), T(law.transverse), E, out);
+  add_biaxial(law, at, E, s0, s1, out);
+  return out;
+}
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::law

@@ -1,0 +1,259 @@
+// The comparison laws, both in rate form [williams2010, eqs. 6.11-6.30] with the corrections of
+// share/doc/theory.md, 8:
+//   thesis       the modulus at the end of the increment holds for all of it [williams2010, eq. 6.31]
+//   incremental  the mean modulus along the straight strain path, switches resolved inside the step
+// S11 += (dE1 + nu21 dE2) A1 / (1 - nn), likewise S22; A the modulus, by one rule or the other.
+#pragma once
+#include "law/path_mean.hpp"
+#include "law/response.hpp"
+#include "law/springs.hpp"
+
+namespace fabricsh::law {
+inline namespace FABRICSH_ISA {
+
+inline constexpr double standing = 1e-300;  // the step given to a path that does not move
+inline constexpr double creeping = 1e-9;    // steps below which a difference quotient is not trusted
+
+// A modulus over an increment: its mean, int (1 - s) f ds for the work, and d mean / d(end strain).
+template <class T>
+struct StepModulus {
+  T mean, first, rate;
+};
+
+// Axial modulus of one yarn that has been stretched to m [williams2010, 6.3.1]: D(0) in compression, Du below
+// 0.999 lambda_max, from there to lambda_max linear in lambda from Du to D(m), then virgin D(E).
+template <class T>
+struct YarnModulus {
+  T m, D0, Du, Dm;
+  T lambda_b, lambda_m, E_b;
+
+  YarnModulus(const AxisData& axis, T m0)
+      : m(m0), D0(axis.curve.initial), Du(axis.unloading), Dm(backbone_slope(axis.curve, m0).D) {
+    lambda_m = sqrt(T(1.0) + T(2.0) * m);
+    lambda_b = T(0.999) * lambda_m;
+    E_b = T(0.5) * (lambda_b * lambda_b - T(1.0));
+  }
+  T band_slope() const { return (Dm - Du) / (lambda_m - lambda_b); }
+  T stretch_of(T E) const { return sqrt(T(1.0) + T(2.0) * max(E, T(0.0))); }
+  T band(T E) const { return Du + band_slope() * (stretch_of(E) - lambda_b); }
+
+  BackboneSlope<T> at(const AxisData& axis, T E) const {
+    const auto top = backbone_slope(axis.curve, max(E, m));
+    const auto in_band = E >= E_b;
+    BackboneSlope<T> out{select(in_band, band(E), Du), select(in_band, band_slope() / stretch_of(E), T(0.0))};
+    out = {select(E >= m, top.D, out.D), select(E >= m, top.slope, out.slope)};
+    return {select(E < T(0.0), D0, out.D), select(E < T(0.0), T(0.0), out.slope)};
+  }
+  PathMean<T> along(const AxisData& axis, const Path<T>& path) const {
+    const T low = max(E_b, T(0.0));
+    PathMean<T> sum;
+    add_constant(sum, stretch(path, T(-far_away), T(0.0)), D0);
+    add_constant(sum, stretch(path, T(0.0), low), Du);
+    add_smooth(sum, path, stretch(path, low, m), [this](T E) { return band(E); });
+    add_backbone(sum, axis.curve, path, m);
+    return sum;
+  }
+};
+
+// d mean / d end from the end value; half the slope where the step is too small for the quotient.
+template <class T>
+T mean_rate(T end, T mean, T slope, T step) {
+  const auto small = abs(step) < T(creeping);
+  return select(small, T(0.5) * slope, (end - mean) / select(small, T(1.0), step));
+}
+
+template <class T>
+T moving(T step, AtSwitch at) {
+  const T still(at == AtSwitch::loading ? standing : -standing);
+  return select(abs(step) < T(standing), still, step);
+}
+
+template <bool exact, class T>
+StepModulus<T> yarn_step(const AxisData& axis, AtSwitch at, T E0, T E, T m) {
+  const YarnModulus<T> law(axis, m);
+  const T dE = E - E0;
+  const auto end = law.at(axis, E);
+  StepModulus<T> out{end.D, T(0.5) * end.D, end.slope};
+  if constexpr (exact) {
+    const auto path = law.along(axis, Path<T>{E0, moving(dE, at)});
+    out = {path.mean, path.first, mean_rate(end.D, path.mean, end.slope, dE)};
+  }
+  if (at == AtSwitch::unloading) {  // the predictor of a reversal: the band is 0.1 % of a stretch wide
+    const auto turning = (dE == T(0.0)) & (E >= m) & (m > T(0.0));
+    out = {select(turning, T(axis.unloading), out.mean), out.first, select(turning, T(0.0), out.rate)};
+  }
+  return out;
+}
+
+// In-plane shear over an increment: stress, slope, and the modulus that transverse shear may follow.
+template <class T>
+struct ShearIncrement {
+  T S, C;
+  StepModulus<T> modulus;
+};
+
+// G along r on the branch the step begins on: virgin above its peak, Gu down to zero stress, then the
+// reverse.
+template <class T>
+PathMean<T> shear_along(const ShearData& shear, const Path<T>& path, T peak, T zero) {
+  PathMean<T> sum;
+  add_backbone(sum, shear.curve, path, peak);
+  add_constant(sum, stretch(path, zero, peak), T(shear.unloading));
+  add_backbone(sum, shear.curve, Path<T>{zero - path.x0, -path.dx}, T(0.0));
+  return sum;
+}
+
+// The closed form of the shear spring, and the path it took from gamma0.
+template <class T>
+ShearIncrement<T> shear_exact(const ShearData& shear, AtSwitch at, T gamma0, T gamma, ShearState<T>& s) {
+  s.sign = select(s.sign < T(0.0), T(-1.0), T(1.0));
+  const T peak = s.peak, dgamma = gamma - gamma0;
+  const T zero = peak - backbone_at(shear.curve, peak).P / T(shear.unloading);
+  const Path<T> path{s.sign * (gamma0 - s.origin), moving(s.sign * dgamma, at)};
+  const auto sum = shear_along(shear, path, peak, zero);
+  const auto end = shear_spring(shear, at, gamma, s);
+  const T r = s.sign * (gamma - s.origin);
+  const T slope = select(r >= s.peak, s.sign * backbone_slope(shear.curve, s.peak).slope, T(0.0));
+  return {end.S, end.C, {sum.mean, sum.first, mean_rate(end.C, sum.mean, slope, dgamma)}};
+}
+
+// Without hysteresis: S12 = sign P(|gamma|).
+template <class T>
+ShearIncrement<T> shear_elastic(const ShearData& shear, AtSwitch at, T gamma0, T gamma) {
+  const T sign = select(gamma < T(0.0), T(-1.0), T(1.0));
+  const auto curve = backbone_at(shear.curve, abs(gamma));
+  const T slope = sign * backbone_slope(shear.curve, abs(gamma)).slope;
+  const Path<T> path{gamma0, moving(gamma - gamma0, at)};
+  const auto sum = shear_along(shear, path, T(0.0), T(0.0));
+  return {
+      sign * curve.P, curve.D, {sum.mean, sum.first, mean_rate(curve.D, sum.mean, slope, gamma - gamma0)}};
+}
+
+// [williams2010, 6.3.3 and 6.4]: loading if S dE >= 0, virgin if also |E5 - E5*| >= its peak; E5* is set to
+// the end of the step in which the stress changed sign.
+template <class T>
+ShearIncrement<T> shear_endpoint(const ShearData& shear, AtSwitch at, T gamma0, T gamma, T S0,
+                                 ShearState<T>& s) {
+  const T dgamma = gamma - gamma0, way = gamma - s.origin;
+  const auto curve = backbone_slope(shear.curve, abs(way));
+  auto is_virgin = (S0 * dgamma >= T(0.0)) & (abs(way) >= s.peak);
+  if (at == AtSwitch::unloading) is_virgin = is_virgin & !((dgamma == T(0.0)) & (s.peak > T(0.0)));
+  if (!shear.hysteresis) is_virgin = is_virgin | (s.peak >= T(0.0));
+  const T G = select(is_virgin, curve.D, T(shear.unloading));
+  const T sign = select(way < T(0.0), T(-1.0), T(1.0));
+  const T rate = select(is_virgin, sign * curve.slope, T(0.0));
+  const T S = S0 + G * dgamma;
+  if (shear.hysteresis) {
+    const auto crossed = S0 * S < T(0.0);
+    s.peak = select(crossed, T(0.0), select(is_virgin, max(s.peak, abs(way)), s.peak));
+    s.origin = select(crossed, gamma, s.origin);
+  }
+  return {S, G + rate * dgamma, {G, T(0.5) * G, rate}};
+}
+
+template <bool exact, class T>
+ShearIncrement<T> shear_step(const ShearData& shear, AtSwitch at, const T* s0, T gamma, T* s1) {
+  using namespace rate_state;
+  ShearState<T> s{s0[g0], s0[gp], s0[sg], T(0.0), T(0.0)};
+  const T gamma0 = s0[rate_state::E + 4], S0 = s0[rate_state::S + 4];
+  ShearIncrement<T> out;
+  if constexpr (exact)
+    out =
+        shear.hysteresis ? shear_exact(shear, at, gamma0, gamma, s) : shear_elastic(shear, at, gamma0, gamma);
+  else
+    out = shear_endpoint(shear, at, gamma0, gamma, S0, s);
+  s1[g0] = s.origin;
+  s1[gp] = s.peak;
+  s1[sg] = s.sign;
+  return out;
+}
+
+// Work on one component over the step: dE (S0 + dE first), `reach` standing for the dE inside dS = reach
+// mean.
+template <class T>
+T step_work(T dE, T S0, T reach, T first) {
+  return dE * (S0 + reach * first);
+}
+
+// [williams2010, eqs. 6.11, 6.24]: the axial part, both yarns.
+template <bool exact, class T>
+void axial_rates(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T* s1, Response<T>& out) {
+  using namespace rate_state;
+  const T nu12(law.axis[0].poisson), nu21(law.axis[1].poisson);
+  const T factor = T(1.0) / (T(1.0) - nu12 * nu21);
+  const T d1 = E[0] - s0[0], d2 = E[1] - s0[1];
+  const auto warp = yarn_step<exact>(law.axis[0], at, s0[0], E[0], s0[m1]);
+  const auto weft = yarn_step<exact>(law.axis[1], at, s0[1], E[1], s0[m2]);
+  const T reach1 = factor * (d1 + nu21 * d2), reach2 = factor * (d2 + nu12 * d1);
+  out.S[0] = s0[S] + reach1 * warp.mean;
+  out.S[1] = s0[S + 1] + reach2 * weft.mean;
+  out.C11 = factor * warp.mean + warp.rate * reach1;
+  out.C12 = factor * nu21 * warp.mean;
+  out.C22 = factor * weft.mean + weft.rate * reach2;
+  out.C21 = factor * nu12 * weft.mean;
+  s1[m1] = max(E[0], s0[m1]);
+  s1[m2] = max(E[1], s0[m2]);
+  s1[W1] = s0[W1] + step_work(d1, s0[S], reach1, warp.first);
+  s1[W2] = s0[W2] + step_work(d2, s0[S + 1], reach2, weft.first);
+}
+
+// Transverse shear: elastic, or 5/6 of the in-plane modulus as it switches [williams2010, eq. 6.30].
+template <class T>
+void transverse_rates(const WovenData& law, const T E[5], const T* s0, T* s1, const StepModulus<T>& G,
+                      Response<T>& out) {
+  using namespace rate_state;
+  const T share(5.0 / 6.0), d3 = E[2] - s0[2], d4 = E[3] - s0[3];
+  transverse_elastic(T(law.transverse), T(law.transverse), E, out);
+  T mean(law.transverse), first(0.5 * law.transverse);
+  if (law.follow) {
+    mean = share * G.mean;
+    first = share * G.first;
+    out.S[2] = s0[S + 2] + mean * d3;
+    out.S[3] = s0[S + 3] + mean * d4;
+    out.C33 = out.C44 = mean;
+    out.C35 = share * G.rate * d3;
+    out.C45 = share * G.rate * d4;
+  }
+  s1[W3] = s0[W3] + step_work(d3, s0[S + 2], d3, first) + step_work(d4, s0[S + 3], d4, first);
+}
+
+// What the convention of share/doc/law.md calls stored: S11^2 / (2 Du1) + S22^2 / (2 Du2) + S12^2 / (2 Gu) +
+// transverse; with its parts.
+template <class T>
+struct RateStored {
+  T warp, weft, shear;
+};
+
+template <class T>
+RateStored<T> rate_stored(const WovenData& law, const T* stress) {
+  const T half(0.5);
+  const double Gt = law.follow ? 5.0 / 6.0 * law.shear.unloading : law.transverse;
+  return {half * stress[0] * stress[0] / T(law.axis[0].unloading),
+          half * stress[1] * stress[1] / T(law.axis[1].unloading),
+          half * stress[4] * stress[4] / T(law.shear.unloading) +
+              half * (stress[2] * stress[2] + stress[3] * stress[3]) / T(Gt)};
+}
+
+template <bool exact, class T>
+Response<T> rate_update(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
+  using namespace rate_state;
+  Response<T> out;
+  axial_rates<exact>(law, at, E, s0, s1, out);
+  const auto shear = shear_step<exact>(law.shear, at, s0, E[4], s1);
+  transverse_rates(law, E, s0, s1, shear.modulus, out);
+  out.S[4] = shear.S;
+  out.C55 = shear.C;
+  const T dgamma = E[4] - s0[4];
+  s1[W3] += step_work(dgamma, s0[S + 4], dgamma, shear.modulus.first);
+  for (int i = 0; i < 5; ++i) {
+    s1[rate_state::E + i] = E[i];
+    s1[S + i] = out.S[i];
+  }
+  const auto stored = rate_stored(law, out.S);
+  s1[dissipated] = s1[W1] + s1[W2] + s1[W3] - stored.warp - stored.weft - stored.shear;
+  s1[created] = s0[created] + max(s0[dissipated] - s1[dissipated], T(0.0));
+  return out;
+}
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::law

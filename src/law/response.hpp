@@ -1,0 +1,35 @@
+// What every law kernel returns, over a number type T (double or Pack).
+#pragma once
+#include "law/data.hpp"
+#include "simd/pack.hpp"
+
+namespace fabricsh::law {
+inline namespace FABRICSH_ISA {
+
+// S  5-vector, Pa, material axes; C: the entries of dS/dE that any of the laws fills, Pa.
+template <class T>
+struct Response {
+  T S[5];
+  T C11, C12, C21, C22, C55;
+  T C33, C35, C44, C45;
+};
+
+template <class T>
+void transverse_elastic(const T& G23, const T& G13, const T E[5], Response<T>& out) {
+  out.S[2] = G23 * E[2];
+  out.S[3] = G13 * E[3];
+  out.C33 = G23;
+  out.C44 = G13;
+  out.C35 = out.C45 = T(0.0);
+}
+
+// Neither strain nor stress may be NaN or infinite: their sum shows both.
+template <class T>
+auto healthy(const T E[5], const Response<T>& out) {
+  T sum(0.0);
+  for (int i = 0; i < 5; ++i) sum += (E[i] - E[i]) + (out.S[i] - out.S[i]);
+  return sum == T(0.0);
+}
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::law

@@ -1,0 +1,51 @@
+// One update of any law over a number type T: chooses the kernel by the kind of law.
+#pragma once
+#include "law/elastic.hpp"
+#include "law/potential.hpp"
+#include "law/rate_laws.hpp"
+#include "law/viscous.hpp"
+
+namespace fabricsh::law {
+inline namespace FABRICSH_ISA {
+
+// Law "potential" by what is switched on.
+template <bool rubs, class T>
+Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
+  return law.viscous.on ? viscous_update<rubs>(law, step, E, s0, s1)
+                        : potential_update<rubs>(law, step.at, E, s0, s1);
+}
+
+template <class T>
+Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, T* s1) {
+  const AtSwitch at = step.at;
+  switch (law.kind) {
+    case Kind::potential:
+      return law.woven.friction.on ? woven_update<true>(law.woven, step, E, s0, s1)
+                                   : woven_update<false>(law.woven, step, E, s0, s1);
+    case Kind::incremental:
+      return rate_update<true>(law.woven, at, E, s0, s1);
+    case Kind::thesis:
+      return rate_update<false>(law.woven, at, E, s0, s1);
+    default:
+      return elastic_update(law.elastic, E);
+  }
+}
+
+// Row-major 5x5, entry e handed to put(e, value).
+template <class T, class Put>
+void put_tangent(const Response<T>& out, Put put) {
+  const T nought(0.0);
+  for (int e = 0; e < 25; ++e) put(e, nought);
+  put(0, out.C11);
+  put(1, out.C12);
+  put(5, out.C21);
+  put(6, out.C22);
+  put(12, out.C33);
+  put(14, out.C35);
+  put(18, out.C44);
+  put(19, out.C45);
+  put(24, out.C55);
+}
+
+}  // namespace FABRICSH_ISA
+}  // namespace fabricsh::law

@@ -1,0 +1,66 @@
+// Damping on the unknowns: Rayleigh's second part, and what holds a sheet still while it wrinkles.
+#pragma once
+#include "linear/matrix.hpp"
+#include "mechanics/term.hpp"
+
+namespace fabricsh::mechanics {
+
+class Assembly;
+
+// Forces b K_M v, K_M the law's part of the tangent when the step begins [williams2010, eq. 5.71, Box 5-2].
+// Energies: "stiffness damping", lost so far.
+class StiffnessDamping final : public Term {
+ public:
+  StiffnessDamping(Assembly& assembly, double b) : assembly_(assembly), b_(b) {}  // b: s
+  const char* name() const override { return "stiffness damping"; }
+  Outcome begin_step(const Motion& motion) override;
+  void resist(const Trial& trial, std::span<double> r) override;
+  void add_resistance(const Trial& trial, linear::Matrix& K) override;
+  void add_energies(const Trial&, std::vector<Energy>& out) const override;
+  void finish_step(const Motion& motion) override { lost_ += motion.work(before_, force_); }
+  void commit() override { before_ = force_; }
+  void keep(Archive& archive) override { archive(lost_, before_); }
+
+ private:
+  Assembly& assembly_;
+  double b_;
+  linear::Matrix K_;                    // K_M
+  std::vector<double> product_;         // K_M on the driven freedoms' rates
+  std::vector<double> force_, before_;  // per unknown, N and N m: trial, committed
+  double lost_ = 0;                     // J, in committed steps
+};
+
+// Viscous forces c m (x - x0) / dt on every free displacement over a step of dt from x0, m the node's mass. c
+// (1/s) is chosen such that a step loses a given fraction of its work. Energies: "stabilisation", lost so
+// far.
+class Stabilisation final : public Term {
+ public:
+  Stabilisation(const Assembly& assembly, double fraction);
+  const char* name() const override { return "stabilisation"; }
+  void resist(const Trial& trial, std::span<double> r) override;
+  // The first one of a run takes c such that the nodes' viscous stiffness is `fraction` of K's.
+  void add_resistance(const Trial& trial, linear::Matrix& K) override;
+  void add_energies(const Trial&, std::vector<Energy>& out) const override;
+  void finish_step(const Motion& motion) override { lost_ += work(motion); }
+  void keep(Archive& archive) override { archive(factor_, lost_); }
+
+  double work(const Motion& motion) const;  // J, lost in the step, at the trial configuration
+  double lost() const { return lost_; }     // J, in committed steps
+  // After a step: what it lost and the work that was done on the sheet in it, J.
+  void adapt(double lost, double step_work);
+  void raise() { factor_ *= 4; }  // after a step that failed
+  double factor() const { return factor_; }
+  void set_factor(double c) { factor_ = c; }
+
+ private:
+  struct Freedom {
+    Index equation, node;
+    int component;
+  };
+  double moved(const Freedom& f) const;  // m, along the node's frame, in the step
+  const Assembly& assembly_;
+  double fraction_, factor_ = 0, lost_ = 0;
+  std::vector<Freedom> freedoms_;
+};
+
+}  // namespace fabricsh::mechanics

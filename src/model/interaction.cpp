@@ -1,0 +1,286 @@
+#include "model/interaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "base/suggest.hpp"
+
+namespace fabricsh::model {
+
+using mesh::Index;
+
+namespace {
+
+std::string quoted(const std::string& s) { return "'" + s + "'"; }
+
+// The elements of one side; a body of several goes by its name. Error: unknown, or no whole element.
+std::vector<Index> elements_of(const std::string& set, const mesh::Mesh& mesh) {
+  for (const auto& part : mesh.parts) {
+    if (part.name != set) continue;
+    std::vector<Index> all(part.mesh->elements.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = part.first_element + static_cast<Index>(i);
+    return all;
+  }
+  auto inside = mesh.elements_in(mesh.set(set));
+  if (inside.empty()) throw Error("set " + quoted(set) + " holds no whole element, and so no surface");
+  return inside;
+}
+
+void check_side(const Party& party, const mesh::Mesh& mesh) {
+  if (party.body) return;
+  try {
+    elements_of(party.set, mesh);
+  } catch (const Error& error) {
+    throw Error(std::string("contact: ") + error.what());
+  }
+}
+
+void check_positive(const char* field, const std::optional<double>& value, const char* what) {
+  if (value && (!(*value > 0) || !std::isfinite(*value)))
+    throw Error(std::string("contact: field '") + field + "': expected a positive " + what + ", got " +
+                number(*value));
+}
+
+}  // namespace
+
+void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
+  if (contact.between.empty()) throw Error("contact: expected between={...} or self=, got neither");
+  for (const Party& party : contact.between) check_side(party, mesh);
+  if (std::all_of(contact.between.begin(), contact.between.end(), [](const auto& p) { return p.body; }))
+    throw Error(
+        "contact: field 'between': expected cloth on one side at least: rigid bodies do not meet each other");
+  if (!(contact.friction >= 0) || !std::isfinite(contact.friction))
+    throw Error("contact: field 'friction': expected a number of at least 0, got " +
+                number(contact.friction));
+  check_positive("thickness", contact.thickness, "length in m");
+  check_positive("stiffness", contact.stiffness, "number in Pa/m");
+  contacts_.push_back(std::move(contact));
+}
+
+void Interactions::move(BodyMotion motion) {
+  const Rigid& body = *motion.body;
+  const std::string what =
+      "move: the " + body.kind() + (body.name().empty() ? "" : " " + quoted(body.name()));
+  if (body.free())
+    throw Error(what +
+                " has a mass and moves freely: expected a body without a mass (m:velocity gives a free one "
+                "its start)");
+  if (body.moving() != nullptr)
+    throw Error(what + " moves from shape to shape by itself and cannot be moved");
+  if (motion_of(body) != nullptr)
+    throw Error(what + " is moved already: expected one call with x, y, z and turn");
+  const auto& u = motion.displacement;
+  if (!u[0] && !u[1] && !u[2] && !motion.turn)
+    throw Error("move: expected at least one of x, y, z, turn, got none");
+  if (motion.turn && (!motion.turn->axis.allFinite() || !(motion.turn->axis.norm() > 0)))
+    throw Error("move: field 'turn.axis': expected a direction {x, y, z}");
+  motions_.push_back(std::move(motion));
+}
+
+void Interactions::velocity(BodyVelocity velocity) {
+  const Rigid& body = *velocity.body;
+  const std::string what =
+      "velocity: the " + body.kind() + (body.name().empty() ? "" : " " + quoted(body.name()));
+  if (!body.free()) throw Error(what + " has no mass: expected a free body (m:move drives one that is not)");
+  if (velocity_of(body) != nullptr) throw Error(what + " has a velocity already");
+  if (!velocity.linear.allFinite() || !velocity.spin.allFinite())
+    throw Error("velocity: expected finite numbers in m/s and degrees/s");
+  velocities_.push_back(std::move(velocity));
+}
+
+void Interactions::remove(Part part, std::size_t i) {
+  const auto take = [i](auto& all) {
+    if (i >= all.size()) throw Error("remove: there is no such contact or motion of a body");
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+  };
+  if (part == Part::contact) return take(contacts_);
+  if (part == Part::motion) return take(motions_);
+  take(velocities_);
+}
+
+std::vector<RigidPointer> Interactions::bodies() const {
+  std::vector<RigidPointer> all;
+  for (const ContactGiven& contact : contacts_)
+    for (const Party& party : contact.between)
+      if (party.body && std::find(all.begin(), all.end(), party.body) == all.end()) all.push_back(party.body);
+  return all;
+}
+
+std::string Interactions::name_of(const Rigid& body) const {
+  if (!body.name().empty()) return body.name();
+  int number = 0, count = 0;
+  for (const RigidPointer& other : bodies()) {
+    if (other->kind() != body.kind()) continue;
+    ++count;
+    if (other.get() == &body) number = count;
+  }
+  return count < 2 || number == 0 ? body.kind() : body.kind() + " " + std::to_string(number);
+}
+
+const BodyMotion* Interactions::motion_of(const Rigid& body) const {
+  for (const auto& motion : motions_)
+    if (motion.body.get() == &body) return &motion;
+  return nullptr;
+}
+
+const BodyVelocity* Interactions::velocity_of(const Rigid& body) const {
+  for (const auto& velocity : velocities_)
+    if (velocity.body.get() == &body) return &velocity;
+  return nullptr;
+}
+
+std::vector<double> Interactions::kinks() const {
+  std::vector<double> all;
+  const auto add = [&](const history::History& h) {
+    all.insert(all.end(), h.kinks().begin(), h.kinks().end());
+  };
+  for (const auto& motion : motions_) {
+    for (const auto& h : motion.displacement)
+      if (h) add(*h);
+    if (motion.turn) add(motion.turn->angle);
+  }
+  for (const auto& body : bodies())
+    if (body->moving() != nullptr)
+      all.insert(all.end(), body->moving()->times.begin(), body->moving()->times.end());
+  return all;
+}
+
+void Interactions::validate(const mesh::Mesh& mesh) const {
+  const auto known = bodies();
+  const auto touches = [&](const RigidPointer& body) {
+    return std::find(known.begin(), known.end(), body) != known.end();
+  };
+  for (const auto& motion : motions_) {
+    if (!touches(motion.body))
+      throw Error("model: the " + motion.body->kind() +
+                  " that is moved touches nothing: expected m:contact{between={it, ...}}");
+    try {
+      for (const auto& h : motion.displacement)
+        if (h) h->value(0);
+      if (motion.turn) motion.turn->angle.value(0);
+    } catch (const Error& error) {
+      throw Error("move: the " + name_of(*motion.body) + ": " + error.what());
+    }
+  }
+  for (const auto& velocity : velocities_)
+    if (!touches(velocity.body))
+      throw Error("model: the " + velocity.body->kind() +
+                  " that has a velocity touches nothing: expected m:contact{between={it, ...}}");
+  work_out_surfaces(*this, mesh);
+}
+
+namespace {
+
+// Every named side of the cloth once, with its elements.
+class Sides {
+ public:
+  Sides(const Interactions& interactions, const mesh::Mesh& mesh) {
+    of_element_.resize(mesh.elements.size());
+    for (const auto& contact : interactions.contacts())
+      for (const Party& party : contact.between) {
+        if (party.body || number_.count(party.set) != 0) continue;
+        const auto number = static_cast<int>(number_.size());
+        number_[party.set] = number;
+        names_.push_back(party.set);
+        for (const Index e : elements_of(party.set, mesh)) of_element_[e].push_back(number);
+      }
+  }
+  const std::vector<int>& of(Index element) const { return of_element_[element]; }
+  int number(const std::string& set) const { return number_.at(set); }
+  std::string names(const std::vector<int>& sides) const {
+    std::string words;
+    for (const int s : sides) words += (words.empty() ? "" : " and ") + quoted(names_[s]);
+    return words;
+  }
+
+ private:
+  std::map<std::string, int> number_;
+  std::vector<std::string> names_;
+  std::vector<std::vector<int>> of_element_;
+};
+
+// Elements that the same sides name make a surface.
+std::vector<std::vector<int>> group(const Sides& sides, const mesh::Mesh& mesh, Surfaces& out) {
+  std::vector<std::vector<int>> named;  // by each surface
+  std::vector<int> owner(mesh.nodes.size(), -1);
+  for (Index e = 0; e < static_cast<Index>(mesh.elements.size()); ++e) {
+    const auto& by = sides.of(e);
+    if (by.empty()) continue;
+    const auto found = std::find(named.begin(), named.end(), by);
+    const auto surface = static_cast<int>(found - named.begin());
+    if (found == named.end()) {
+      named.push_back(by);
+      out.elements.emplace_back();
+    }
+    out.elements[surface].push_back(e);
+    for (const Index n : mesh.elements[e]) {
+      if (n < 0) continue;
+      if (owner[n] >= 0 && owner[n] != surface)
+        throw Error("contact: node " + std::to_string(n + 1) + " belongs to the cloth of " +
+                    sides.names(named[owner[n]]) + " and to that of " + sides.names(named[surface]) +
+                    ": expected sides that are the same, or whole sheets that share no node (\"all\" takes "
+                    "the whole)");
+      owner[n] = surface;
+    }
+  }
+  return named;
+}
+
+}  // namespace
+
+Surfaces work_out_surfaces(const Interactions& interactions, const mesh::Mesh& mesh) {
+  Surfaces out;
+  const Sides sides(interactions, mesh);
+  const auto named = group(sides, mesh, out);
+  const auto bodies = interactions.bodies();
+  const auto surfaces_of = [&](const Party& party) {
+    std::vector<int> all;
+    if (party.body) {
+      const auto at = std::find(bodies.begin(), bodies.end(), party.body) - bodies.begin();
+      return std::vector<int>{static_cast<int>(named.size() + at)};
+    }
+    for (std::size_t s = 0; s < named.size(); ++s)
+      if (std::find(named[s].begin(), named[s].end(), sides.number(party.set)) != named[s].end())
+        all.push_back(static_cast<int>(s));
+    return all;
+  };
+  const auto cloth = static_cast<int>(named.size());
+  const auto meet = [&](int a, int b, std::size_t contact) {
+    if (a >= cloth && b >= cloth) return;  // rigid bodies do not meet each other
+    const auto [first, second] = std::minmax(a, b);
+    for (const Meeting& m : out.meetings)
+      if (m.first == first && m.second == second)
+        throw Error("contact: " + sides.names(named[first]) +
+                    (first == second ? " touches itself"
+                                     : " and " +
+                                           (second < cloth ? sides.names(named[second])
+                                                           : interactions.name_of(*bodies[second - cloth])) +
+                                           " touch") +
+                    " by two calls: expected one");
+    out.meetings.push_back({first, second, contact});
+  };
+  for (std::size_t c = 0; c < interactions.contacts().size(); ++c) {
+    const auto& between = interactions.contacts()[c].between;
+    for (std::size_t i = 0; i < between.size(); ++i) {
+      const auto mine = surfaces_of(between[i]);
+      if (between.size() == 1)
+        for (std::size_t a = 0; a < mine.size(); ++a)
+          for (std::size_t b = a; b < mine.size(); ++b) meet(mine[a], mine[b], c);
+      for (std::size_t j = i + 1; j < between.size(); ++j)
+        for (const int a : mine)
+          for (const int b : surfaces_of(between[j])) {
+            if (a == b)
+              throw Error("contact: field 'between': " + quoted(between[i].set) + " and " +
+                          quoted(between[j].set) +
+                          " have cloth in common: expected sides apart; self= lets a cloth touch itself");
+            meet(a, b, c);
+          }
+    }
+  }
+  return out;
+}
+
+}  // namespace fabricsh::model

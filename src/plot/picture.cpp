@@ -1,0 +1,98 @@
+#include "plot/picture.hpp"
+
+#include <functional>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "system/atomic.hpp"
+#include "system/child.hpp"
+
+namespace fabricsh::plot {
+
+namespace {
+
+// One line each, "name value"; a line end inside a text would end it.
+std::string line(const char* name, std::string value) {
+  for (char& c : value)
+    if (c == '\n' || c == '\r' || c == '\0') c = ' ';
+  return std::string(name) + " " + value + "\n";
+}
+
+using Setter = std::function<void(Picture&, const std::string&)>;
+
+const std::vector<std::pair<std::string, Setter>>& setters() {
+  using P = Picture;
+  static const std::vector<std::pair<std::string, Setter>> all = {
+      {"png", [](P& p, const std::string& v) { p.png = v; }},
+      {"panel",
+       [](P& p, const std::string& v) {
+         p.panels.push_back({v, {}});
+       }},
+      {"label", [](P& p, const std::string& v) { p.panels.at(p.panels.size() - 1).label = v; }},
+      {"columns", [](P& p, const std::string& v) { p.columns = std::stoi(v); }},
+      {"title", [](P& p, const std::string& v) { p.title = v; }},
+      {"array", [](P& p, const std::string& v) { p.array = v; }},
+      {"component", [](P& p, const std::string& v) { p.component = v; }},
+      {"factor", [](P& p, const std::string& v) { p.factor = std::stod(v); }},
+      {"bar", [](P& p, const std::string& v) { p.bar = v; }},
+      {"low", [](P& p, const std::string& v) { p.low = std::stod(v), p.fixed_range = true; }},
+      {"high", [](P& p, const std::string& v) { p.high = std::stod(v), p.fixed_range = true; }},
+      {"azimuth", [](P& p, const std::string& v) { p.azimuth = std::stod(v); }},
+      {"elevation", [](P& p, const std::string& v) { p.elevation = std::stod(v); }},
+      {"width", [](P& p, const std::string& v) { p.width = std::stoi(v); }},
+      {"height", [](P& p, const std::string& v) { p.height = std::stoi(v); }},
+      {"edges", [](P& p, const std::string& v) { p.edges = v == "1"; }},
+      {"axes", [](P& p, const std::string& v) { p.axes = v == "1"; }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::string picture_text(const Picture& p) {
+  std::string text = line("png", p.png);
+  for (const Panel& panel : p.panels) text += line("panel", panel.vtu) + line("label", panel.label);
+  text += line("columns", std::to_string(p.columns)) + line("title", p.title) + line("array", p.array) +
+          line("component", p.component) + line("factor", full_number(p.factor)) + line("bar", p.bar);
+  if (p.fixed_range) text += line("low", full_number(p.low)) + line("high", full_number(p.high));
+  return text + line("azimuth", full_number(p.azimuth)) + line("elevation", full_number(p.elevation)) +
+         line("width", std::to_string(p.width)) + line("height", std::to_string(p.height)) +
+         line("edges", p.edges ? "1" : "0") + line("axes", p.axes ? "1" : "0");
+}
+
+Picture read_picture(std::istream& text) {
+  Picture picture;
+  for (std::string row; std::getline(text, row);) {
+    const std::size_t blank = std::min(row.find(' '), row.size());
+    const std::string name = row.substr(0, blank), value = blank < row.size() ? row.substr(blank + 1) : "";
+    bool known = false;
+    for (const auto& [word, set] : setters()) {
+      if (word != name) continue;
+      known = true;
+      try {
+        set(picture, value);
+      } catch (const std::exception&) {
+        throw Error("picture: '" + row + "' can't be read");
+      }
+    }
+    if (!known) throw Error("picture: unknown line '" + row + "'");
+  }
+  return picture;
+}
+
+void render(const Picture& picture, const std::string& program) {
+  system::AtomicFile file(picture.png);
+  Picture request = picture;
+  request.png = file.temporary();
+  const system::ChildResult result = system::run_child({program}, picture_text(request), "render");
+  if (!result.found)
+    throw Error("render: the program that draws is not there: '" + program +
+                "' (build the target fabricsh-render)");
+  if (!result.good && result.said.starts_with("render: ")) throw Error(result.said);
+  if (!result.good)
+    throw Error("render: the program that draws ended before the picture was whole: '" + program + "'" +
+                (result.said.empty() ? "" : ", saying: " + result.said.substr(0, result.said.find('\n'))));
+  file.commit(system::Sync::no);
+}
+
+}  // namespace fabricsh::plot

@@ -1,0 +1,39 @@
+// A picture of sheets with a field on them: what is to be drawn. The drawing itself is the work of the
+// program fabricsh-render (room render), so that fabricsh starts without the rendering libraries.
+#pragma once
+#include <istream>
+#include <string>
+#include <vector>
+
+namespace fabricsh::plot {
+
+struct Panel {
+  std::string vtu;    // path of the file
+  std::string label;  // above the panel
+};
+
+struct Picture {
+  std::string png;            // path of the file to write
+  std::vector<Panel> panels;  // side by side, in `columns` columns
+  int columns = 0;            // 0: as many as fit the picture's shape
+  std::string title;
+  std::string array,
+      component;      // of cells, else of points; without a component its magnitude; empty: no field
+  double factor = 1;  // the bar shows factor times the value
+  std::string bar;    // title of the colour bar, with the unit
+  bool fixed_range = false;
+  double low = 0, high = 0;            // of the bar, where fixed
+  double azimuth = 0, elevation = 90;  // degrees from which it is seen: 0, 90 from above; 0, 0 along +y
+  int width = 1200, height = 900;      // pixels
+  bool edges = true, axes = true;      // of the elements; axes with a scale
+};
+
+// The text that goes to fabricsh-render, and back. Error: a line that is not one of these.
+std::string picture_text(const Picture& picture);
+Picture read_picture(std::istream& text);
+
+// Replaces the PNG. `program`: path of fabricsh-render. Error: no such program, no display and no Xvfb to
+// make one, a file or field that is not there, with the program's words.
+void render(const Picture& picture, const std::string& program);
+
+}  // namespace fabricsh::plot

@@ -1,0 +1,154 @@
+#include "repl/interrupt.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <ctime>
+
+#include "script/at_work.hpp"
+#include "script/called_off.hpp"
+
+namespace fabricsh::repl {
+
+namespace {
+
+// A signal handler can be given nothing: what it needs has to be here.
+script::Session* interruptible = nullptr;
+Attended attended_now = Attended::no;
+volatile std::sig_atomic_t running = 0, asked = 0;  // is something running; Ctrl-C came while it did
+volatile std::sig_atomic_t between = 0;             // Ctrl-C came between two lines
+volatile std::sig_atomic_t last = 0;                // the signal that waits for an answer
+volatile std::time_t since = 0;  // s on a clock that only goes on, when the first SIGTERM came
+
+constexpr int kPatience = 10'000'000;    // instructions that a hook of a run may take to come to its end
+constexpr unsigned answers_within = 10;  // s
+constexpr std::time_t one_signal = 2;    // s, in which several are one that was sent in several ways
+
+void stop_late(lua_State* L, lua_Debug*);
+
+// Lua code stops at once, but in a hook of a run, which answers after its step.
+void stop(lua_State* L, bool late) {
+  script::Session& session = script::Session::of(L);
+  session.rest_hook(L);
+  if (!session.interrupted()) return;
+  if (session.drives() && !late) {
+    if (session.limits() == nullptr) lua_sethook(L, stop_late, LUA_MASKCOUNT, kPatience);
+    return;
+  }
+  session.take_interrupt();
+  script::call_off(session);
+  luaL_error(L, "interrupted");
+}
+
+void stop_lua(lua_State* L, lua_Debug*) { stop(L, false); }
+
+void stop_late(lua_State* L, lua_Debug*) { stop(L, true); }
+
+void end_by(int signal) {
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+std::time_t seconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec;
+}
+
+// SIGTERM may come several times at once: to each process of a job, and handed on by its shell.
+void ask_to_end(int signal) {
+  if (running == 0) return end_by(signal);
+  if (interruptible->terminated() == 0) {
+    since = seconds_now();
+    return interruptible->terminate(signal);
+  }
+  const bool at_last_outputs = script::run_is_at_work() && !interruptible->interrupted();
+  if (seconds_now() - since >= one_signal && !at_last_outputs) end_by(signal);
+}
+
+// Where Lua does not come to its next instruction no hook is called.
+extern "C" void on_no_answer(int) {
+  if (interruptible == nullptr || running == 0 || !interruptible->interrupted()) return;
+  if (script::run_is_at_work())
+    alarm(1);
+  else if (attended_now == Attended::no || last != SIGINT)
+    end_by(last);
+}
+
+// While a line is being typed Ctrl-C need only wake the reader.
+extern "C" void on_interrupt_or_end(int signal) {
+  if (interruptible == nullptr) return;
+  const bool first = interruptible->terminated() == 0;
+  if (signal != SIGINT) {
+    ask_to_end(signal);
+    if (!first || running == 0) return;
+  } else {
+    if (running == 0) {
+      between = 1;
+      return;
+    }
+    if (asked != 0) end_by(signal);
+    interruptible->interrupt();
+  }
+  asked = 1;
+  last = signal;
+  alarm(answers_within);
+  lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT,
+              1);
+}
+
+void set_handler(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;  // without SA_RESTART: a read at the prompt is interrupted too
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup stays what it is
+}
+
+void set_watch(void (*handler)(int)) {
+  alarm(0);
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGALRM, &action, nullptr);
+}
+
+}  // namespace
+
+Running::Running(script::Session& session) : session_(session) {
+  script::begin_input(session);
+  asked = 0;
+  running = 1;
+}
+
+Running::~Running() {
+  running = 0;
+  alarm(0);
+  session_.take_interrupt();
+  session_.rest_hook(session_.lua());
+}
+
+InterruptGuard::InterruptGuard(script::Session& session, Attended attended) {
+  interruptible = &session;
+  attended_now = attended;
+  set_watch(on_no_answer);
+  set_handler(on_interrupt_or_end);
+}
+
+InterruptGuard::~InterruptGuard() {
+  set_handler(SIG_DFL);
+  set_watch(SIG_DFL);
+  interruptible = nullptr;
+}
+
+bool ctrl_c_between_lines() {
+  const bool came = between != 0;
+  between = 0;
+  return came;
+}
+
+}  // namespace fabricsh::repl

@@ -1,0 +1,36 @@
+#include "run/bodies.hpp"
+
+#include "geometry/box.hpp"
+#include "mechanics/terms/contact.hpp"
+
+namespace fabricsh::run {
+
+BodyState body_state(const Run& run, const model::Rigid& body) {
+  const std::size_t i = run.body_number(body);
+  const auto& bodies = run.contact().bodies();
+  const auto state = bodies.state(i);
+  return {state.place, state.velocity, state.spin, -bodies.force(i)};
+}
+
+Touching nearest_pair(const Run& run) {
+  const auto& contact = run.contact();
+  const auto nearest = contact.nearest();
+  return {nearest.gap, nearest.point[0] < 0 ? std::string() : contact.words(nearest.point)};
+}
+
+// Planes are shown a little wider than the cloth.
+std::vector<BodyShown> shown_bodies(const Run& run) {
+  std::vector<BodyShown> all;
+  const mechanics::Contacts* contact = run.assembly().contact();
+  if (contact == nullptr) return all;
+  const double across = box_of(run.assembly().reference()).size().norm();
+  const auto& bodies = contact->bodies();
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    const model::Facets facets = model::shown(bodies.body(i), 1.2 * across);
+    all.push_back({run.model().interactions().name_of(bodies.body(i)), bodies.moved(i, facets.vertices),
+                   facets.triangles});
+  }
+  return all;
+}
+
+}  // namespace fabricsh::run

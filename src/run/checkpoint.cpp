@@ -1,0 +1,138 @@
+#include "run/checkpoint.hpp"
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "base/number.hpp"
+#include "base/version.hpp"
+#include "card/fields.hpp"
+#include "format/checkpoint.hpp"
+#include "simd/isa.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+void add_part(model::Fingerprint& parts, const std::string& name, const std::string& text,
+              const std::string& bytes) {
+  parts.push_back({name, text, hash(bytes)});
+}
+
+std::string part_text(const std::string& kind, const std::string& path) {
+  if (kind == "keep") return "kept table of checkpoint '" + path + "'";
+  return (kind == "record" ? "table '" : "series '") + path + "'";
+}
+
+std::shared_ptr<Checkpoint> checkpoint_from(const std::string& path, std::string bytes) {
+  auto c = std::make_shared<Checkpoint>();
+  Archive archive(std::move(bytes));
+  const auto refuse = [&](const std::string& why) { throw Error("checkpoint '" + path + "': " + why); };
+  try {
+    c->keep(archive);
+  } catch (const Error& error) {
+    refuse(error.what());
+  }
+  if (!archive.at_end()) refuse("it is damaged: there is more in it than belongs there");
+  if (c->instructions != name(best_isa()))
+    refuse("it was written with the instructions " + c->instructions + ", this machine has " +
+           name(best_isa()) + ": its bits would not be the same");
+  c->path = path;
+  return c;
+}
+
+}  // namespace
+
+model::Fingerprint problem_of(const Run& run) {
+  model::Fingerprint parts;
+  add_part(parts, "method", run.method(), run.method());
+  const std::string duration = exact_number(run.duration()) + " s";
+  add_part(parts, "duration", duration, duration);
+  if (const std::string kernels = run.kernels(); !kernels.empty())
+    add_part(parts, "BLAS kernels (the bits of a solve hang on them; OPENBLAS_CORETYPE chooses)", kernels,
+             kernels);
+  const model::Model& m = run.model();
+  std::string cards;
+  for (const auto& region : m.regions()) {
+    cards += card::lua_text(region.card);
+    for (const auto& ply : region.options.plies) cards += card::lua_text(ply.card);
+  }
+  add_part(parts, "card", m.card().name, cards);
+  for (auto& part : model::fingerprint(m, run.duration())) parts.push_back(std::move(part));
+  return parts;
+}
+
+std::string Checkpoint::bytes() const {
+  Archive archive;
+  Checkpoint(*this).keep(archive);
+  return archive.bytes();
+}
+
+Checkpoint checkpoint_of(Run& run) {
+  Checkpoint c;
+  c.version = version();
+  c.instructions = name(best_isa());
+  c.problem = problem_of(run);
+  c.time = run.time();
+  c.state = run.kept();
+  Archive settings;
+  run.keep_settings(settings);
+  c.settings = settings.bytes();
+  return c;
+}
+
+void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+  format::write_checkpoint(path, checkpoint.bytes());
+}
+
+std::shared_ptr<const Checkpoint> read_checkpoint(const std::string& path) {
+  auto c = checkpoint_from(path, format::read_checkpoint(path));
+  for (const std::string& bytes : c->finished) c->others.push_back(checkpoint_from(path, bytes));
+  return c;
+}
+
+std::string difference(const Checkpoint& checkpoint, const Run& run) {
+  return model::difference(checkpoint.problem, problem_of(run));
+}
+
+void take_up(Run& run, const Checkpoint& checkpoint) {
+  try {
+    Archive settings(checkpoint.settings);
+    run.keep_settings(settings);
+    run.resume(checkpoint.state);
+  } catch (const Error& error) {
+    throw Error("checkpoint '" + checkpoint.path + "': " + error.what());
+  }
+}
+
+const std::string* Claims::take(const std::string& kind, const std::string& path) {
+  if (!open()) return nullptr;
+  const auto& parts = from_->parts;
+  const auto find = [&](const auto& fits) -> const std::string* {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].kind == kind && fits(i)) {
+        claimed_[i] = path;
+        return &parts[i].bytes;
+      }
+    return nullptr;
+  };
+  const auto is_free = [&](std::size_t i) { return claimed_.count(i) == 0; };
+  const std::string* part = find([&](std::size_t i) { return !is_free(i) && claimed_[i] == path; });
+  if (part == nullptr) part = find([&](std::size_t i) { return is_free(i) && parts[i].path == path; });
+  if (part == nullptr) part = find(is_free);
+  if (part == nullptr)
+    throw Error("checkpoint '" + from_->path + "': the run that wrote it had no " + part_text(kind, path) +
+                " there; new ones can be added after the first solve(), advance() or step()");
+  return part;
+}
+
+void Claims::check() {
+  if (!open()) return;
+  for (std::size_t i = 0; i < from_->parts.size(); ++i) {
+    const auto& part = from_->parts[i];
+    if (claimed_.count(i) == 0)
+      throw Error("checkpoint '" + from_->path + "': it has the " + part_text(part.kind, part.path) +
+                  ", which nothing of this run goes on with");
+  }
+  went_on_ = true;
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,357 @@
+#include "run/dynamic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "geometry/node_view.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/damping.hpp"
+#include "run/explicit.hpp"
+#include "run/implicit.hpp"
+#include "run/settings.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+constexpr int kChecks = 200;        // of the ledger, in a run
+constexpr int kApart = 10;          // explicit steps from one to the next, at least: a look costs half a step
+constexpr int kYoung = 50;          // explicit steps before which the trapezoid says little of the work
+constexpr double kYoungLimit = 10;  // times the limit, that holds for implicit steps until then
+constexpr double kWarning = 1e-3;   // energy made, over the external work
+constexpr double kHeavy = 0.05;     // of the kinetic energy: what scaled rotary inertia may have unsaid
+constexpr double kRateStep = 1e-6;  // s, over which prescribed motions are differenced
+
+void refuse(const char* field, const char* expected, double got) {
+  throw Error(std::string("dynamic: field '") + field + "': expected " + expected + ", got " + number(got));
+}
+
+void check_options(const DynamicOptions& o) {
+  const bool is_explicit = o.scheme == Scheme::explicit_steps;
+  if (o.step && !(*o.step > 0 && std::isfinite(*o.step)))
+    refuse("step", "a positive time in s or \"auto\"", *o.step);
+  if (o.step) check_step("dynamic", *o.step, o.duration);
+  if (!(o.gamma >= 0.5) || o.gamma > 1) refuse("gamma", "a number from 0.5 to 1", o.gamma);
+  if (is_explicit && o.beta.value_or(0) != 0) refuse("beta", "0 (scheme=\"explicit\")", *o.beta);
+  if (!is_explicit && o.beta && !(*o.beta >= 0.25 * (0.5 + o.gamma) * (0.5 + o.gamma) * (1 - 1e-12)))
+    refuse("beta", "at least (1/2 + gamma)^2/4, below which steps are only conditionally stable", *o.beta);
+  if (is_explicit && o.hht != 0) refuse("hht", "0 (scheme=\"explicit\")", o.hht);
+  if (!(o.hht <= 0) || o.hht < -1.0 / 3) refuse("hht", "a number from -1/3 to 0", o.hht);
+  if (o.hht != 0 && (o.gamma != 0.5 || o.beta))
+    refuse("hht", "0 beside gamma or beta, which it sets itself", o.hht);
+  if (!(o.mass_damping >= 0)) refuse("damping.mass", "a rate in 1/s, 0 or more", o.mass_damping);
+  if (!(o.stiffness_damping >= 0)) refuse("damping.stiffness", "a time in s, 0 or more", o.stiffness_damping);
+  if (!(o.ledger_limit > 0)) refuse("ledger_limit", "a positive number", o.ledger_limit);
+}
+
+}  // namespace
+
+Dynamic::Dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                 std::shared_ptr<Notices> notices)
+    : Run(std::move(model), options.duration, std::move(notices), "dynamic"),
+      options_(options),
+      given_(options) {
+  check_options(options_);
+  scaled_ = options_.scaled.value_or(options_.scheme == Scheme::explicit_steps);
+  using namespace mechanics;
+  inertia_ =
+      &assembly_->add(std::make_unique<Inertia>(assembly_->nodal_mass(), assembly_->rotary_inertia(scaled_)));
+  if (options_.mass_damping > 0) assembly_->add(std::make_unique<MassDamping>(options_.mass_damping));
+  if (options_.stiffness_damping > 0)
+    assembly_->add(std::make_unique<StiffnessDamping>(*assembly_, options_.stiffness_damping));
+  stable_ = assembly_->stable_step(scaled_);
+  smallest_ = assembly_->smallest_size();
+}
+
+std::string Dynamic::method() const {
+  const auto& o = options_;
+  std::ostringstream text;
+  text << std::boolalpha << (o.scheme == Scheme::explicit_steps ? "explicit" : "implicit") << " with gamma "
+       << number(o.gamma) << ", beta " << number(o.beta.value_or(-1)) << ", hht " << number(o.hht)
+       << ", damping " << number(o.mass_damping) << " and " << number(o.stiffness_damping)
+       << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force;
+  return text.str();
+}
+
+void Dynamic::set(const Settings& settings) {
+  const bool is_explicit = options_.scheme == Scheme::explicit_steps;
+  if (is_explicit && (settings.tolerance || settings.max_iterations || settings.max_cuts))
+    throw Error("set: field '" +
+                std::string(settings.tolerance        ? "tolerance"
+                            : settings.max_iterations ? "max_iterations"
+                                                      : "max_cuts") +
+                "': unknown for scheme=\"explicit\", which does not iterate");
+  const DynamicOptions options = with_settings(options_, settings);
+  check_options(options);
+  take_options(options);
+}
+
+void Dynamic::keep_settings(Archive& archive) {
+  DynamicOptions options = options_;
+  run::keep_settings(archive, given_, options);
+  if (archive.reading()) take_options(options);
+}
+
+void Dynamic::begin() {
+  const auto targets = assembly_->targets(0);
+  if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; }))
+    say("dynamic: a motion is not zero at time 0; the sheet starts with its nodes there");
+  const std::vector<double> still(assembly_->unknowns(), 0);
+  assembly_->begin_iterate();
+  assembly_->retract(still, 1, targets);
+  assembly_->aim(0);
+  if (!assembly_->forces({}))
+    throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
+  assembly_->commit(0);
+  assembly_->external(0, dead_);
+  const mechanics::NodalRates rates = initial_rates();
+  set_motion(rates);
+  tell_dropped(rates);
+  work_.start(*assembly_, dead_);
+  now_.driven_kinetic_at_0 = driven_kinetic();
+  now_.next_check = duration_ / kChecks;
+}
+
+mechanics::NodalRates Dynamic::initial_rates() const {
+  const auto& X = assembly_->reference();
+  mechanics::NodalRates rates{std::vector<double>(3 * X.size(), 0), std::vector<double>(3 * X.size(), 0)};
+  const auto d = std::as_const(*assembly_).state().d();
+  for (const auto& given : model_->velocities())
+    for (const auto n : model_->mesh().set(given.set)) {
+      const model::RigidVelocity here = given.at(X[n]);
+      const Vec3 v = here.linear + here.spin.cross(X[n] - here.centre);
+      const Vec3 w = here.spin.cross(at(d, n));
+      for (int i = 0; i < 3; ++i) {
+        rates.x[3 * n + i] = v[i];
+        rates.d[3 * n + i] = w[i];
+      }
+    }
+  return rates;
+}
+
+// Which of the nodes' velocities lie along a freedom that is held or driven; the axes of those are marked.
+std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
+                                         std::array<bool, 3>& axes) const {
+  std::vector<bool> dropped(assembly_->reference().size(), false);
+  for (std::size_t n = 0; n < dropped.size(); ++n) {
+    const auto& freedoms = assembly_->freedoms().nodes[n];
+    const Vec3 v = freedoms.frame * Eigen::Map<const Vec3>(rates.x.data() + 3 * n);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto equation = freedoms.equation[i];
+      if (v[static_cast<int>(i)] == 0 || equation >= 0 || equation == mechanics::tied) continue;
+      dropped[n] = axes[i] = true;
+    }
+  }
+  return dropped;
+}
+
+// Once, for all sets together.
+void Dynamic::tell_dropped(const mechanics::NodalRates& rates) const {
+  constexpr std::size_t most = 3;  // names of sets
+  std::array<bool, 3> axes{};
+  const auto dropped = dropped_nodes(rates, axes);
+  const auto nodes = std::count(dropped.begin(), dropped.end(), true);
+  if (nodes == 0) return;
+  std::vector<std::string> sets;
+  for (const auto& given : model_->velocities()) {
+    const auto& set = model_->mesh().set(given.set);
+    const bool touched = std::any_of(set.begin(), set.end(), [&](auto n) { return dropped[n]; });
+    if (touched && std::find(sets.begin(), sets.end(), given.set) == sets.end()) sets.push_back(given.set);
+  }
+  std::string names = sets.size() == 1 ? "the velocity of set " : "the velocities of sets ", along;
+  for (std::size_t i = 0; i < std::min(most, sets.size()); ++i)
+    names += (i == 0 ? "'" : i + 1 == sets.size() ? " and '" : ", '") + sets[i] + "'";
+  if (sets.size() > most) names += " and " + std::to_string(sets.size() - most) + " more";
+  for (std::size_t i = 0; i < 3; ++i)
+    if (axes[i]) along += std::string(" ") + "xyz"[i];
+  notices_->say("dynamic: " + names + (sets.size() == 1 ? " is" : " are") + " dropped along" + along +
+                " at " + std::to_string(nodes) + (sets.size() == 1 ? " of its" : " of their") +
+                " nodes, which are fixed or moved there");
+}
+
+void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time,
+                         double most) {
+  if (now_.told_jump) return;
+  const auto& motions = assembly_->freedoms().motions;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double moved = std::abs(to[i] - from[i]);
+    if (motions[i].component > 2 || !(moved > most)) continue;
+    now_.told_jump = true;
+    return say("dynamic: the motion of node " + std::to_string(motions[i].node + 1) + " jumps by " +
+               number(moved) + " m within the step that ends at time " + number(time) +
+               " s: it hits the cloth rather than moves it, and the ledger will show it; a ramp would not");
+  }
+}
+
+std::vector<double> Dynamic::driven_rates() const {
+  // Not beyond the end, where a history of the deck's need not reach.
+  const double width = std::min(kRateStep, 1e-3 * now_.step);
+  const double from = std::max(0.0, time() - width), to = time() >= duration_ ? time() : time() + width;
+  auto later = assembly_->targets(to);
+  const auto before = assembly_->targets(from);
+  for (std::size_t i = 0; i < later.size(); ++i) later[i] = (later[i] - before[i]) / (to - from);
+  return later;
+}
+
+double Dynamic::driven_kinetic() const {
+  const auto& motions = assembly_->freedoms().motions;
+  if (motions.empty()) return 0;
+  const auto rates = driven_rates();
+  double sum = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i].component < 3) sum += assembly_->nodal_mass()[motions[i].node] * rates[i] * rates[i] / 2;
+  return sum;
+}
+
+Vec3 Dynamic::inertia(mesh::Index node) const {
+  Vec3 force = Vec3::Zero();
+  const auto& freedoms = assembly_->freedoms();
+  const auto on = assembly_->on_mass();
+  for (int c = 0; c < 3; ++c) {
+    const auto equation = freedoms.nodes[node].equation[c];
+    if (equation >= mechanics::held || equation == mechanics::tied) continue;
+    const auto& m = freedoms.motions[mechanics::motion_of(equation)];
+    const auto& history = freedoms.histories[m.history];
+    const double h = std::max(1e-5, 1e-4 * now_.step), t = std::clamp(time(), h, std::max(h, duration_ - h));
+    const double before = m.of(history.value(t - h)), now = m.of(history.value(t)),
+                 after = m.of(history.value(t + h));
+    const double a = (before - 2 * now + after) / (h * h), v = (after - before) / (2 * h);
+    force += assembly_->nodal_mass()[node] * (on.acceleration * a + on.velocity * v) *
+             assembly_->freedoms().nodes[node].frame.row(m.component).transpose();
+  }
+  return force;
+}
+
+// A support that speeds its nodes up gives them their kinetic energy.
+double Dynamic::driven_work() const { return driven_kinetic() - now_.driven_kinetic_at_0; }
+
+// Where a law made most energy; where none did, where the energy is densest.
+mesh::Index Dynamic::suspect() const {
+  mesh::Index maker = 0, densest = 0;
+  double most = 0, density = -1;
+  for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
+    double created = 0, stored = 0, volume = 0;
+    assembly_->visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
+      const auto energy = law::energy(law, E, state);
+      created += w * energy.created;
+      stored += w * (energy.stored + energy.dissipated());
+      volume += w;
+    });
+    if (created > most) {
+      most = created;
+      maker = e;
+    }
+    if (!(stored / volume <= density)) {
+      density = stored / volume;
+      densest = e;
+    }
+  }
+  return most > 0 ? maker : densest;
+}
+
+// A run above the stable step grows whatever its limit is; another may be told to go on.
+std::string Dynamic::remedy(const Energy& e) const {
+  if (options_.scheme == Scheme::explicit_steps && now_.step > stable_)
+    return "step=\"auto\" (the step of " + number(now_.step) + " s is above the stable one, " +
+           number(stable_) + " s, of the cloth at rest)";
+  return "a smaller step (now " + number(now_.step) + " s)" +
+         (e.created > 0 ? "; or law=\"potential\", which makes no energy" : "") +
+         "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on";
+}
+
+bool Dynamic::is_end(double time) const { return std::abs(time - duration_) <= same_time * duration_; }
+
+bool Dynamic::is_due(double time) const { return is_end(time) || time >= now_.next_check; }
+
+bool Dynamic::looks_after(std::int64_t steps, double time) const {
+  return is_end(time) || (is_due(time) && steps >= now_.looked + kApart);
+}
+
+// What energy() has of it, without the rest.
+double Dynamic::moving_kinetic() const {
+  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
+  return motion().kinetic() + driven_kinetic() + (contact == nullptr ? 0 : contact->bodies().kinetic());
+}
+
+void Dynamic::check() {
+  // A step that iterates costs many times what a look does, and conserves the energy that loads give it from
+  // the first on.
+  const bool is_implicit = options_.scheme == Scheme::implicit_steps;
+  const bool end = is_end(time());
+  if (!is_implicit && !is_due(time())) return;
+  const bool looks = is_implicit || looks_after(now_.steps, time());
+  now_.next_check = duration_ / kChecks * (std::floor(time() / duration_ * kChecks + 1e-9) + 1);
+  if (!looks) return weigh_inertia(moving_kinetic(), scaled_kinetic());
+  now_.looked = now_.steps;
+  const Energy e = energy();
+  weigh_inertia(e.kinetic, e.scaled);
+  // A run begins with next to no work: an error is one of the run's only where it is of its largest energies.
+  const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal()});
+  const double made = std::abs(e.surplus()) + e.created;
+  // Supports that begin to move with a jump of their velocity do work that the trapezoid knows badly at
+  // first.
+  const bool is_young = now_.steps < kYoung && !(is_implicit && assembly_->freedoms().motions.empty());
+  const double unsaid = !is_young     ? kWarning
+                        : is_implicit ? kYoungLimit * options_.ledger_limit
+                                      : std::numeric_limits<double>::infinity();
+  if (std::isfinite(made) && (scale <= 0 || made <= unsaid * scale)) {
+    now_.was_over = false;
+    return;
+  }
+  const std::string share = number(100 * made / scale) + " % of the external work";
+  if (!now_.told_error) {
+    now_.told_error = true;
+    now_.began = suspect();
+    say("dynamic: the ledger's error is " + share + " at time " + number(time()) +
+        " s, most of it about element " + std::to_string(now_.began + 1) +
+        ": a smaller step would tell whether it is the step's");
+  }
+  const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
+  now_.was_over = over;
+  if (std::isfinite(made) && !(over && (twice || end))) return;
+  const std::string accounts = "\nenergies   kinetic " + number(e.kinetic) + ", stored " + number(e.stored) +
+                               ", dissipated " + number(e.dissipated) + ", damping " + number(e.damping) +
+                               ", external " + number(e.external) + ", made by the law " + number(e.created) +
+                               " J";
+  const NumericalFailure failure("dynamic: stopped at time " + number(time()) + " s: the ledger's error is " +
+                                     share + "; it began about element " + std::to_string(now_.began + 1) +
+                                     ".\nTry: " + remedy(e) + ".",
+                                 time(), now_.began);
+  fail(failure, std::string(failure.what()).substr(std::string("dynamic: ").size()) + accounts);
+}
+
+double Dynamic::scaled_kinetic() const {
+  if (!scaled_) return 0;
+  const auto &scaled = assembly_->rotary_inertia(true), &own = assembly_->rotary_inertia(false);
+  const auto& nodes = assembly_->freedoms().nodes;
+  const auto& w = rates().d;
+  double sum = 0;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (!nodes[n].turn_axis)
+      sum += (scaled[n] - own[n]) * Eigen::Map<const Vec3>(w.data() + 3 * n).squaredNorm() / 2;
+  return sum;
+}
+
+void Dynamic::weigh_inertia(double kinetic, double scaled) {
+  now_.kinetic = std::max(now_.kinetic, kinetic);
+  if (!(scaled > 0)) return;
+  now_.scaled = std::max(now_.scaled, scaled / now_.kinetic);
+  if (now_.told_scaled || now_.scaled <= kHeavy) return;
+  now_.told_scaled = true;
+  say("dynamic: " + number(100 * scaled / now_.kinetic) +
+      " % of the kinetic energy is in rotary inertia that is scaled up for the step, at time " +
+      number(time()) + " s: inertia=\"true\" takes the thickness' own, with smaller steps");
+}
+
+std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                                      std::shared_ptr<Notices> notices) {
+  if (options.scheme == Scheme::explicit_steps)
+    return std::make_shared<Explicit>(std::move(model), options, std::move(notices));
+  return std::make_shared<Implicit>(std::move(model), options, std::move(notices));
+}
+
+}  // namespace fabricsh::run

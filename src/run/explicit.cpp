@@ -1,0 +1,304 @@
+#include "run/explicit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "run/step_control.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+constexpr double kUsual = 0.7;     // of the stable step
+constexpr double kJump = 0.1;      // of the smallest element: a motion beyond in one step is a jump
+constexpr int kStretchEvery = 16;  // steps between two looks at the stretch
+constexpr int kBlock = 64;         // steps of one size, with contact
+constexpr int kCalm = 4;           // blocks without need of it, after which a halved step is doubled
+constexpr int kHalvings = 12;      // of the step, for contact
+
+}  // namespace
+
+Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                   std::shared_ptr<Notices> notices)
+    : Dynamic(std::move(model), options, std::move(notices)),
+      motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
+      problem_(*assembly_, motion_, unpolled_),
+      residual_(static_cast<std::size_t>(assembly_->unknowns())) {
+  // Damping of the masses takes nothing from the stable step; of the stiffness, whose velocity lags half a
+  // step, sqrt(1 + xi^2) - xi with xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
+  const double xi = options_.stiffness_damping / stable_, undamped = stable_;
+  stable_ *= std::sqrt(1 + xi * xi) - xi;
+  if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
+  check_stable_step(undamped);
+  choose_step();
+  for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i)
+    farthest_.push_back(assembly_->turns(i) ? std::numbers::pi / 2 : smallest_);
+}
+
+void Explicit::check_stable_step(double undamped) const {
+  if ((options_.step && options_.force) || duration_ / usual_step() <= most_steps) return;
+  const bool damped = duration_ / (kUsual * undamped) <= most_steps;
+  throw Error("dynamic: field '" + std::string(damped ? "damping.stiffness" : "duration") + "': " +
+              (damped ? number(options_.stiffness_damping) + " s brings the stable step from " +
+                            number(undamped) + " s to " + number(stable_) + " s, with which "
+                      : "the stable step of this mesh and card is " + number(stable_) + " s, with which ") +
+              number(duration_) + " s would take more than " + number(most_steps) + " steps: expected less " +
+              (damped ? "damping" : "time") + ", or scheme=\"implicit\"");
+}
+
+double Explicit::usual_step() const {
+  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
+  return contact == nullptr ? kUsual * stable_ : std::min(kUsual * stable_, contact->largest_step(scaled_));
+}
+
+void Explicit::choose_step() {
+  const double usual = usual_step();
+  now_.step = options_.step.value_or(usual);
+  if (options_.force || now_.step <= usual * (1 + 1e-12)) return;
+  if (assembly_->contact() != nullptr)
+    throw Error("dynamic: field 'step': expected at most " + number(usual) +
+                " s, which contact carries (0.6 of the stable step of mesh and card, " + number(stable_) +
+                " s, and no more than its stiffness allows), got " + number(now_.step) +
+                " s (a smaller 'stiffness' of m:contact, or force=true, would take it)");
+  if (now_.step > stable_)
+    throw Error("dynamic: field 'step': expected at most " + number(stable_) +
+                " s, the stable step of this mesh and card, got " + number(now_.step) +
+                " s (step=\"auto\" takes " + number(usual) + " s; force=true takes it all the same)");
+  say("dynamic: the step of " + number(now_.step) + " s is above 0.7 of the stable one, " + number(stable_) +
+      " s");
+}
+
+void Explicit::take_options(const DynamicOptions& options) {
+  const DynamicOptions before = options_;
+  options_ = options;
+  if (options.step == before.step) return;
+  try {
+    choose_step();
+  } catch (...) {
+    options_ = before;
+    throw;
+  }
+}
+
+void Explicit::begin() {
+  Dynamic::begin();
+  problem_.aim(0);
+  if (problem_.begin_step() != Answer::ok || problem_.residual(residual_) != Answer::ok)
+    throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
+  motion_.accelerate(residual_, assembly_->on_mass().velocity);
+  motion_.begin();
+  problem_.start();
+}
+
+void Explicit::set_motion(const mechanics::NodalRates& rates) {
+  motion_.start(assembly_->collect_rates(rates));
+}
+
+// With contact a step may have to be done again, with all of its block, at half the size.
+double Explicit::try_step(double limit, StepReport& report) {
+  const bool touches = assembly_->contact() != nullptr;
+  if (touches) open_block();
+  for (;;) {
+    if (now_.steps % kStretchEvery == 0) split();
+    const double whole = end_of_step(committed_time(), next_landing(limit), block_step());
+    const std::optional<double> size = try_shorter(whole, report);
+    if (size && (!touches || carried(report.step))) return *size;
+    redo(report);
+  }
+}
+
+// A step of that size, or of half of it as often as a term asks for a shorter one; the next step is as long
+// as ever. Nothing: contact is where it cannot be.
+std::optional<double> Explicit::try_shorter(double size, StepReport& report) {
+  const double now = committed_time();
+  while (!attempt(size, report)) {
+    const bool touches = assembly_->contact() != nullptr;
+    if (touches && end_ == End::forces && assembly_->contact()->blocked()) return {};
+    const bool shorter =
+        end_ == End::limited || (end_ == End::forces && assembly_->outcome().answer == Answer::cut);
+    if (!shorter || ++report.cuts > options_.max_cuts) give_up(report);
+    size = now + (size - now) / 2;
+  }
+  return size;
+}
+
+void Explicit::open_block() {
+  if (!block_.start.empty() && !hooked_ && block_.steps < kBlock) return;
+  const bool whole = block_.steps >= kBlock;
+  if (block_.guarded) block_.calm = 0;
+  if (whole && block_.halved > 0 && !block_.guarded && ++block_.calm >= kCalm) {
+    --block_.halved;
+    block_.calm = 0;
+  }
+  block_.start.clear();
+  block_.steps = 0;
+  block_.guarded = hooked_ = false;
+  block_.start = mark();
+}
+
+// Can the step of that size, just tried, stand: its motion too small to pass anything, and the stiffness at
+// its end one that it carries.
+bool Explicit::carried(double dt) {
+  mechanics::Contacts& contact = *assembly_->contact();
+  if (contact.may_have_passed()) return false;
+  return !contact.guarded() || (block_.halved > 0 && dt <= contact.carried_step());
+}
+
+void Explicit::redo(const StepReport& report) {
+  if (block_.halved >= kHalvings) give_up(report);
+  Block block;
+  std::swap(block, block_);
+  go_back(block.start);
+  block_ = std::move(block);
+  ++block_.halved;
+  block_.calm = 0;
+  block_.steps = 0;
+  block_.guarded = true;
+}
+
+void Explicit::tell_guard() {
+  const mechanics::Contacts& contact = *std::as_const(*assembly_).contact();
+  ++block_.steps;
+  if (!contact.guarded()) return;
+  block_.guarded = true;
+  if (block_.told) return;
+  block_.told = true;
+  const auto nearest = contact.nearest();
+  say("dynamic: at time " + number(time()) + " s " + contact.words(nearest.point) +
+      " are pressed into the last quarter above the floor of their contact (" + number(nearest.gap) +
+      " m above it): the guard holds them, its energy is a.energy.guard; the step is halved meanwhile");
+}
+
+void Explicit::split() {
+  const double stable = stable_ / std::max(1.0, assembly_->largest_stretch());
+  const double wanted = options_.step.value_or(usual_step());
+  now_.step = wanted;
+  if (options_.force || wanted <= stable) return;
+  now_.step = wanted / std::ceil(wanted / stable);
+  if (now_.told_split) return;
+  now_.told_split = true;
+  say("dynamic: stretch has brought the stable step to " + number(stable) + " s at time " +
+      number(committed_time()) + " s; the step of " + number(wanted) + " s is split from here on");
+}
+
+bool Explicit::attempt(double size, StepReport& report) {
+  const double now = committed_time();
+  if (dirty_) assembly_->rollback();
+  dirty_ = true;
+  motion_.show_trial(false);
+  trial_time_ = report.time = now;
+  problem_.aim(size);
+  report.step = motion_.dt();
+  const auto ends = [this](End end) {
+    end_ = end;
+    return false;
+  };
+  if (!motion_.predict(farthest_)) return ends(End::ran_away);
+  if (problem_.begin_step() != Answer::ok) return ends(End::forces);
+  problem_.accept();
+  watch_jump(problem_.driven(), problem_.targets(), size, kJump * smallest_);
+  if (assembly_->limit_of_terms(motion_.increment(), problem_.targets()) < 1) return ends(End::limited);
+  problem_.retract(motion_.increment(), 1);
+  trial_time_ = size;
+  assembly_->expect_energies(looks_after(now_.steps + 1, size));
+  if (problem_.residual(residual_) != Answer::ok) return ends(End::forces);
+  motion_.accelerate(residual_, assembly_->on_mass().velocity);
+  motion_.show_trial(true);
+  report.time = size;
+  return true;
+}
+
+void Explicit::commit(StepReport& report) {
+  assembly_->finish_step();
+  if (damps()) now_.loss += motion_.loss();
+  if (!assembly_->constant_loads()) dead_ = problem_.external();
+  work_.add(*assembly_, dead_);
+  if (assembly_->contact() != nullptr) tell_guard();
+  problem_.commit(report.time);
+  motion_.commit();
+  motion_.show_trial(false);
+  dirty_ = false;
+  ++now_.steps;
+}
+
+const mechanics::NodalRates& Explicit::rates() const {
+  const auto version = std::as_const(*assembly_).state().version();
+  if (rates_version_ != version) assembly_->spread_rates(motion_.velocities(), driven_rates(), rates_);
+  rates_version_ = version;
+  return rates_;
+}
+
+// What rates() makes of the directors, and no more of it.
+double Explicit::scaled_kinetic() const {
+  if (!scaled_ || assembly_->dofs().has_ties()) return Dynamic::scaled_kinetic();
+  const auto &scaled = assembly_->rotary_inertia(true), &own = assembly_->rotary_inertia(false);
+  const auto& state = std::as_const(*assembly_).state();
+  const auto& nodes = assembly_->freedoms().nodes;
+  const auto& v = motion_.velocities();
+  const auto rate = [&v](mechanics::Index equation) { return equation >= 0 ? v[equation] : 0.0; };
+  double sum = 0;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (nodes[n].turn_axis) continue;
+    const Vec3 b1 = at(state.b1(), n), b2 = at(state.d(), n).cross(b1);
+    const Vec3 turning = rate(nodes[n].equation[3]) * b1 + rate(nodes[n].equation[4]) * b2;
+    sum += (scaled[n] - own[n]) * turning.squaredNorm() / 2;
+  }
+  return sum;
+}
+
+void Explicit::give_up(const StepReport& report) {
+  const double now = committed_time();
+  const mesh::Index element = end_ == End::forces ? assembly_->outcome().element : -1;
+  std::string text = "dynamic: stopped at time " + number(now) + " s: ";
+  text += reason() + " in a step of ";
+  text += number(report.step) + " s";
+  if (element >= 0) text += ", element " + std::to_string(element + 1);
+  text += ".\nTry: a step below " + number(usual_step()) + " s (the stable one is " + number(stable_) +
+          " s); or loads and velocities that are in SI units.";
+  std::string why = text.substr(std::string("dynamic: ").size());
+  why += "\nstretch    the sheet is stretched to " + number(assembly_->largest_stretch()) +
+         " times its length at most, the step in use is " + number(now_.step / stable_) +
+         " of the stable one";
+  if (const mesh::Index node = fastest_node(); node >= 0)
+    why +=
+        "\nfastest    node " + std::to_string(node + 1) + " with " + number(velocity(node).norm()) + " m/s";
+  fail(NumericalFailure(text, now, element), why);
+}
+
+std::string Explicit::reason() const {
+  const bool stuck = assembly_->contact() != nullptr && block_.halved >= kHalvings;
+  if (stuck && end_ != End::ran_away)
+    return "contact is pressed to its floor, and more than a step can carry";
+  if (end_ == End::ran_away) return "a node moves by more than an element";
+  if (end_ == End::limited) return "nodes move farther than is safe for what they meet";
+  const std::string& why = assembly_->outcome().why;
+  return why.empty() ? "a strain is not finite" : why;
+}
+
+mesh::Index Explicit::fastest_node() const {
+  mesh::Index fastest = -1;
+  double most = 0;
+  for (mesh::Index n = 0; n < static_cast<mesh::Index>(assembly_->reference().size()); ++n)
+    if (const double v = velocity(n).norm(); v > most) {
+      most = v;
+      fastest = n;
+    }
+  return fastest;
+}
+
+void Explicit::memory(Archive& archive) {
+  archive(now_, motion_);
+  problem_.keep(archive);
+  if (assembly_->contact() != nullptr) archive(block_, hooked_);
+  if (!archive.reading()) return;
+  dirty_ = false;
+  motion_.show_trial(false);
+  rates_version_ = 0;
+}
+
+}  // namespace fabricsh::run

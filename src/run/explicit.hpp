@@ -1,0 +1,66 @@
+// The run by central differences: one evaluation of forces a step.
+#pragma once
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "run/central_differences.hpp"
+#include "run/dynamic.hpp"
+#include "run/problem.hpp"
+
+namespace fabricsh::run {
+
+class Explicit final : public Dynamic {
+ public:
+  Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+           std::shared_ptr<Notices> notices);
+  const mechanics::NodalRates& rates() const override;
+
+ private:
+  void begin() override;
+  void take_options(const DynamicOptions& options) override;
+  void set_motion(const mechanics::NodalRates& rates) override;
+  double try_step(double limit, StepReport& report) override;
+  bool attempt(double size, StepReport& report) override;
+  double largest_step() const override { return now_.step; }
+  void commit(StepReport& report) override;
+  [[noreturn]] void give_up(const StepReport& report) override;
+  double scaled_kinetic() const override;
+  const mechanics::Motion& motion() const override { return motion_; }
+  void memory(Archive& archive) override;
+
+  void check_stable_step(double undamped) const;  // s, without stiffness damping
+  double usual_step() const;                      // s: 0.7 of the stable one; with contact what that allows
+  void choose_step();
+  void split();  // where the sheet's stretch has brought the stable step below the one in use
+  // With contact steps come in blocks of one size. Where contact wants a smaller one, the run goes back to
+  // the block's start and goes on with half the step: none follows the gap.
+  void open_block();
+  bool carried(double dt);
+  void redo(const StepReport& report);
+  void tell_guard();
+  std::optional<double> try_shorter(double size, StepReport& report);
+  double block_step() const { return std::ldexp(now_.step, -block_.halved); }  // s
+  mesh::Index fastest_node() const;                                            // -1: none moves
+  std::string reason() const;                                                  // of what end_ says
+
+  struct Block {
+    std::string start;  // see Run::mark()
+    std::int64_t steps = 0;
+    int halved = 0, calm = 0;  // times the step; blocks since the guard was needed
+    bool guarded = false, told = false;
+    void keep(Archive& archive) { archive(start, steps, halved, calm, guarded, told); }
+  } block_;
+  std::vector<double> farthest_;  // per unknown, m or rad: a step beyond is a runaway
+  CentralDifferences motion_;
+  const std::function<void()> unpolled_;  // a step is short: no one has to look in at it
+  Problem problem_;
+  std::vector<double> residual_;
+  bool dirty_ = false;  // does the trial state differ from the committed one
+  // Why the last attempt ended, where it did.
+  enum class End { none, ran_away, limited, forces } end_ = End::none;
+  mutable mechanics::NodalRates rates_;
+  mutable std::uint64_t rates_version_ = 0;
+};
+
+}  // namespace fabricsh::run

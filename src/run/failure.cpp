@@ -1,0 +1,174 @@
+#include "run/failure.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/number.hpp"
+#include "geometry/node_view.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+// What the law says at one point.
+struct PointLook {
+  law::Internal internal;
+  double E[5];
+  double ratio = 0;  // of the in-plane tangent's stiffest direction to its softest
+};
+
+double stiffness_ratio(const law::Law& law, const double* E, const double* state) {
+  std::vector<double> next(static_cast<std::size_t>(law::state_size(law)));
+  double S[5], C[25];
+  if (law::evaluate(law, law::Step{}, E, state, next.data(), S, C) != law::Outcome::ok) return 0;
+  Mat3 K;
+  const int in_plane[] = {0, 1, 4};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      K(i, j) = (C[5 * in_plane[i] + in_plane[j]] + C[5 * in_plane[j] + in_plane[i]]) / 2;
+  if (!K.allFinite()) return 0;
+  const Vec3 values = Eigen::SelfAdjointEigenSolver<Mat3>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  return values[0] > 0 ? values[2] / values[0] : 0;
+}
+
+std::vector<PointLook> look(const mechanics::Assembly& assembly, mesh::Index element, bool with_ratio) {
+  std::vector<PointLook> all;
+  assembly.visit(element, [&](double, const law::Law& law, const double* E, const double* state) {
+    PointLook p;
+    p.internal = law::internal(law, E, state);
+    std::copy(E, E + 5, p.E);
+    if (with_ratio) p.ratio = stiffness_ratio(law, E, state);
+    all.push_back(p);
+  });
+  return all;
+}
+
+const char* switching(const law::Internal& before, const law::Internal& now) {
+  if (before.warp != now.warp) return "warp";
+  if (before.weft != now.weft) return "weft";
+  return before.shear != now.shear ? "shear" : "";
+}
+
+double largest_strain(const PointLook& p) {
+  return std::max({std::abs(p.E[0]), std::abs(p.E[1]), std::abs(p.E[4])});
+}
+
+bool all_slack(const std::vector<PointLook>& points) {
+  return std::all_of(points.begin(), points.end(), [](const PointLook& p) {
+    return p.internal.warp == law::Branch::slack && p.internal.weft == law::Branch::slack;
+  });
+}
+
+// Of all elements, in the failed iterate.
+using Looks = std::vector<std::vector<PointLook>>;
+
+std::vector<mesh::Index> elements_about(const mesh::Mesh& mesh, mesh::Index node) {
+  std::vector<mesh::Index> about;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (std::find(mesh.elements[e].begin(), mesh.elements[e].end(), node) != mesh.elements[e].end())
+      about.push_back(static_cast<mesh::Index>(e));
+  return about;
+}
+
+// Names the first of the elements that switches, and its point; else the point of the first that is strained
+// most.
+void name_element(const std::vector<mesh::Index>& about, const Looks& before, const Looks& now,
+                  Blame& blame) {
+  std::size_t point = 0;
+  for (const auto e : about) {
+    for (std::size_t p = 0; p < now[e].size() && blame.yarn.empty(); ++p) {
+      blame.yarn = switching(before[e][p].internal, now[e][p].internal);
+      point = p;
+    }
+    if (blame.yarn.empty()) continue;
+    blame.element = e;
+    break;
+  }
+  if (blame.element < 0) {
+    if (about.empty()) return;
+    blame.element = about.front();
+    const auto& points = now[blame.element];
+    point = static_cast<std::size_t>(
+        std::max_element(points.begin(), points.end(),
+                         [](const auto& a, const auto& b) { return largest_strain(a) < largest_strain(b); }) -
+        points.begin());
+  }
+  const PointLook& p = now[blame.element][point];
+  blame.E11 = p.E[0];
+  blame.E22 = p.E[1];
+  blame.E12 = p.E[4] / 2;
+  blame.after = p.internal;
+  blame.before = before[blame.element][point].internal;
+}
+
+Looks look_at_all(const mechanics::Assembly& assembly) {
+  Looks all;
+  for (mesh::Index e = 0; e < assembly.elements(); ++e) all.push_back(look(assembly, e, false));
+  return all;
+}
+
+void count(const Looks& before, const Looks& now, Blame& blame) {
+  blame.elements = static_cast<std::int64_t>(now.size());
+  for (std::size_t e = 0; e < now.size(); ++e) {
+    bool switches = false;
+    for (std::size_t p = 0; p < now[e].size(); ++p)
+      switches = switches || *switching(before[e][p].internal, now[e][p].internal) != '\0';
+    blame.switching += switches ? 1 : 0;
+    blame.slack += all_slack(now[e]) ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+Blame find_blame(mechanics::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last) {
+  Blame blame;
+  std::vector<mesh::Index> about;
+  const auto x = std::as_const(assembly).state().x();
+  const bool no_forces =
+      last.status == solver::NewtonStatus::law_failed || last.status == solver::NewtonStatus::broken;
+  if (no_forces) blame.reason = assembly.outcome().why;
+  if (no_forces && assembly.outcome().element >= 0) {
+    about = {assembly.outcome().element};
+  } else if (last.worst >= 0) {
+    blame.node = assembly.node_of_unknown(last.worst);
+    blame.rotation = assembly.turns(last.worst);
+    blame.x = at(x, blame.node);
+    about = elements_about(mesh, blame.node);
+  }
+  blame.inverted = assembly.inverted_element();
+  const Looks now = look_at_all(assembly);
+  assembly.rollback();
+  const Looks before = look_at_all(assembly);
+  name_element(about, before, now, blame);
+  count(before, now, blame);
+  if (blame.element >= 0) {
+    blame.centre = assembly.centre(blame.element);
+    for (const auto& p : look(assembly, blame.element, true))
+      blame.stiffness_ratio = std::max(blame.stiffness_ratio, p.ratio);
+  }
+  return blame;
+}
+
+std::string cause(const Blame& blame, const solver::NewtonResult& last) {
+  return blame.reason.empty() ? solver::describe(last.status) : blame.reason;
+}
+
+std::string headline(const Failure& failure, const solver::NewtonResult& last, double step) {
+  const std::string from = failure.broken ? "stopped at time " : "no step beyond time ";
+  return from + number(failure.time) + " s: " + cause(failure.blame, last) + " in a step of " + number(step) +
+         " s";
+}
+
+std::string describe(const Blame& blame, const solver::NewtonResult& last, double tolerance) {
+  std::string text;
+  if (blame.node >= 0 && !last.residuals.empty())
+    text += "; the residual " + number(last.residuals.back()) + " (tolerance " + number(tolerance) +
+            ") sits at node " + std::to_string(blame.node + 1);
+  if (blame.element >= 0) text += ", element " + std::to_string(blame.element + 1);
+  if (!blame.yarn.empty()) text += ", where the " + blame.yarn + " is switching between branches";
+  return text;
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,252 @@
+#include "run/foresight.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "base/number.hpp"
+#include "law/check_parts.hpp"
+#include "run/place_text.hpp"
+
+namespace fabricsh::run {
+
+std::string beyond_text(const Beyond& b) {
+  const char* component = b.yarn == "warp" ? "E11" : b.yarn == "weft" ? "E22" : "E12";
+  const std::string element = "element " + std::to_string(b.element + 1);
+  const std::string who = b.yarn == "shear" ? element + " is sheared to "
+                                            : "the " + b.yarn + " of " + element + " is strained to ";
+  return who + component + " = " + number(b.strain) + ", the card was tested to " + number(b.tested);
+}
+
+// --- loads that jump
+
+namespace {
+
+constexpr double kEarly = 1e-9, kLater = 1e-3;  // of the duration
+
+// The load at once after time 0; 0 where it begins at zero and grows.
+double jump_of(const model::History& h, double duration) {
+  if (const double at_once = h.value(0); at_once != 0) return at_once;
+  const double early = h.value(kEarly * duration), later = h.value(kLater * duration);
+  return std::abs(early) > 0.5 * std::abs(later) ? early : 0;
+}
+
+class Jumps {
+ public:
+  explicit Jumps(double duration) : duration_(duration) {}
+  void look(const std::string& what, const model::Components& components, const char* unit) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (components[i]) look(what, std::string(1, "xyz"[i]) + " = ", *components[i], unit);
+  }
+  void look(const std::string& what, const std::string& component, const model::History& h,
+            const char* unit) {
+    const double jump = jump_of(h, duration_);
+    if (jump == 0) return;
+    all_.push_back(what + " (" + component + number(jump) + " " + unit + ")");
+    if (largest_ == 0) largest_ = jump;
+  }
+  std::string words() const {
+    constexpr std::size_t most = 3;
+    if (all_.empty()) return {};
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, all_.size()); ++i)
+      text += (i == 0 ? "" : i + 1 == all_.size() ? " and " : ", ") + all_[i];
+    if (all_.size() > most) text += " and " + std::to_string(all_.size() - most) + " more";
+    const std::string value = number(largest_);
+    return text + (all_.size() > 1 ? " are" : " is") +
+           " there whole at time 0 and applied in the first step; fabric.ramp(" + value + ", " +
+           number(duration_) + ") in place of " + value + " brings it up step by step";
+  }
+
+ private:
+  double duration_, largest_ = 0;
+  std::vector<std::string> all_;
+};
+
+}  // namespace
+
+std::string jump_warning(const model::Model& model, double duration) {
+  Jumps jumps(duration);
+  const auto of = [](const char* what, const std::string& set) { return what + (" '" + set + "'"); };
+  jumps.look("gravity", model.gravity(), "m/s^2");
+  for (const auto& f : model.forces()) jumps.look(of("the force on", f.set), f.total, "N");
+  for (const auto& t : model.tractions())
+    jumps.look(of("the traction on", t.set), t.intensity, "N/m^2 or N/m");
+  for (const auto& m : model.moments()) jumps.look(of("the moment on", m.set), m.total, "N m");
+  for (const auto& p : model.pressures()) jumps.look(of("the pressure on", p.set), "", p.value, "Pa");
+  return jumps.words();
+}
+
+// --- bending
+
+namespace {
+
+constexpr double kInPlane = 1e-6;  // sine of the angle between a free direction and the surface
+
+bool may_leave_surface(const mechanics::Assembly& assembly) {
+  const auto d = assembly.state().d();
+  for (std::size_t n = 0; n < assembly.reference().size(); ++n) {
+    const auto& node = assembly.freedoms().nodes[n];
+    const Eigen::Map<const Vec3> director(d.data() + 3 * n);
+    for (int c = 0; c < 3; ++c) {
+      const auto equation = node.equation[static_cast<std::size_t>(c)];
+      const bool moves = equation >= 0 || equation == mechanics::tied;
+      if (moves && std::abs(node.frame.row(c).dot(director)) > kInPlane) return true;
+    }
+  }
+  return false;
+}
+
+std::string odd_bending(card::Card card, double thickness, const law::Law& law) {
+  card.thickness = thickness;
+  law::CheckReport report;
+  law::check_bending(card, law, report);
+  std::string words;
+  for (const auto& item : report.items)
+    if (item.severity == law::Severity::warning)
+      words += (words.empty() ? "card '" + card.name + "': " : "; ") + item.key + ": " + item.text;
+  return words;
+}
+
+}  // namespace
+
+std::string bending_warning(const model::Model& model, const mechanics::Assembly& assembly) {
+  std::string words;
+  for (std::size_t r = 0; r < model.regions().size() && words.empty(); ++r) {
+    const auto& section = model.sections()[r];
+    const auto& plies = model.regions()[r].options.plies;
+    if (plies.empty())
+      words = odd_bending(model.regions()[r].card, section.thickness, *section.points.front().law);
+    for (std::size_t i = 0; i < plies.size() && words.empty(); ++i)
+      words = odd_bending(plies[i].card, plies[i].thickness,
+                          *section.points[i * section.points.size() / plies.size()].law);
+  }
+  return words.empty() || !may_leave_surface(assembly) ? std::string() : words;
+}
+
+// --- mechanisms
+
+namespace {
+
+constexpr double kNoStiffness = 1e-10;  // of the stiffest way: nothing holds it
+constexpr double kDriven = 1e-6;        // work of the loads on a mechanism over what it could be at most
+
+using Mode = Eigen::Matrix<double, 6, 1>;  // displacement of the centre, m; rotation times the length, m
+
+// How supports and springs resist the six rigid motions of the sheet as it is.
+class RigidMotions {
+ public:
+  explicit RigidMotions(const mechanics::Assembly& assembly) : assembly_(assembly) {
+    const auto x = assembly.state().x();
+    const auto count = static_cast<std::size_t>(assembly.reference().size());
+    centre_.setZero();
+    for (std::size_t n = 0; n < count; ++n) centre_ += at(x, n) / static_cast<double>(count);
+    for (std::size_t n = 0; n < count; ++n) length_ = std::max(length_, (at(x, n) - centre_).norm());
+    for (std::size_t n = 0; n < count; ++n) add_node(n);
+  }
+  void add_spring(const model::Spring& spring, const mesh::NodeSet& nodes) {
+    for (const auto n : nodes)
+      for (int i = 0; i < 3; ++i)
+        if (spring.stiffness[static_cast<std::size_t>(i)] > 0)
+          add_direction(static_cast<std::size_t>(n), spring.frame.row(i).transpose());
+  }
+  // Those that nothing resists.
+  std::vector<Mode> free() const {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(resistance_);
+    std::vector<Mode> all;
+    for (int i = 0; i < 6; ++i)
+      if (modes.eigenvalues()[i] <= kNoStiffness * std::max(modes.eigenvalues()[5], 1e-30))
+        all.push_back(modes.eigenvectors().col(i));
+    return all;
+  }
+  Vec3 velocity(const Mode& mode, std::size_t n) const {
+    return mode.head<3>() + turning(mode).cross(at(assembly_.state().x(), n) - centre_);
+  }
+  double length() const { return length_; }
+  std::string words(const Mode& mode) const {
+    const Vec3 turn = turning(mode), move = mode.head<3>();
+    const double rate = turn.norm();
+    if (rate * length_ < 1e-6 * move.norm()) return "move along " + place_text(move.normalized(), "");
+    const Vec3 point = centre_ + turn.cross(move) / (rate * rate);
+    return "turn about the line through " + place_text(point, " m") + " along " + place_text(turn / rate, "");
+  }
+
+ private:
+  static Eigen::Map<const Vec3> at(std::span<const double> v, std::size_t n) {
+    return Eigen::Map<const Vec3>(v.data() + 3 * n);
+  }
+  Vec3 turning(const Mode& mode) const { return mode.tail<3>() / length_; }
+  void add_row(const Mode& row) { resistance_ += row * row.transpose(); }
+  void add_direction(std::size_t n, const Vec3& e) {
+    Mode row;
+    row << e, (at(assembly_.state().x(), n) - centre_).cross(e) / length_;
+    add_row(row);
+  }
+  // The director may not turn towards b.
+  void add_rotation(const Vec3& d, const Vec3& b) {
+    Mode row;
+    row << Vec3::Zero(), d.cross(b);
+    add_row(row);
+  }
+  void add_node(std::size_t n) {
+    const auto& node = assembly_.freedoms().nodes[n];
+    const auto stays = [&](std::size_t i) {
+      return node.equation[i] < 0 && node.equation[i] != mechanics::tied;
+    };
+    for (int c = 0; c < 3; ++c)
+      if (stays(static_cast<std::size_t>(c))) add_direction(n, node.frame.row(c).transpose());
+    const Vec3 d = at(assembly_.state().d(), n), b1 = at(assembly_.state().b1(), n);
+    if (stays(3)) add_rotation(d, b1);
+    if (stays(4)) add_rotation(d, d.cross(b1));
+  }
+
+  const mechanics::Assembly& assembly_;
+  Vec3 centre_;
+  double length_ = 0;
+  Eigen::Matrix<double, 6, 6> resistance_ = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+// Do the loads of a time drive the mode, and by how much: sets what a small support has to hold.
+void look_at_loads(const RigidMotions& motions, const mechanics::Assembly& assembly, const Mode& mode,
+                   double time, Mechanism& found) {
+  std::vector<double> dead, follower;
+  assembly.external(time, dead);
+  assembly.follower(time, follower);
+  double most = 0, load = 0;
+  Vec3 work = Vec3::Zero(), along = Vec3::Zero();
+  for (std::size_t n = 0; n < assembly.reference().size(); ++n) {
+    const Vec3 v = motions.velocity(mode, n);
+    const Vec3 f =
+        Eigen::Map<const Vec3>(dead.data() + 3 * n) + Eigen::Map<const Vec3>(follower.data() + 3 * n);
+    work += f.cwiseProduct(v);
+    along += f.cwiseProduct(v).cwiseAbs();
+    most += f.norm() * v.norm();
+    load += f.norm();
+  }
+  if (std::abs(work.sum()) <= kDriven * most) return;
+  found.driven = true;
+  const double stiffness = 2 * load / motions.length();
+  if (stiffness <= found.stiffness) return;
+  found.stiffness = stiffness;
+  along.maxCoeff(&found.axis);
+}
+
+}  // namespace
+
+Mechanism find_mechanism(const model::Model& model, const mechanics::Assembly& assembly,
+                         const std::vector<double>& times) {
+  RigidMotions motions(assembly);
+  for (const auto& spring : model.springs()) motions.add_spring(spring, model.mesh().set(spring.set));
+  const auto free = motions.free();
+  Mechanism found;
+  for (const Mode& mode : free)
+    for (const double time : times) look_at_loads(motions, assembly, mode, time, found);
+  if (free.size() == 1) found.words = motions.words(free.front());
+  found.ways = static_cast<int>(free.size());
+  if (free.size() > 1) found.words = "move as a whole in " + std::to_string(free.size()) + " ways";
+  return found;
+}
+
+}  // namespace fabricsh::run

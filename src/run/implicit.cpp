@@ -1,0 +1,139 @@
+#include "run/implicit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+NewmarkScheme scheme_of(const DynamicOptions& o) {
+  NewmarkScheme s{o.gamma, o.beta.value_or(0.25 * (0.5 + o.gamma) * (0.5 + o.gamma)), o.hht};
+  if (o.hht != 0) {  // [hilbert1977]
+    s.gamma = 0.5 - o.hht;
+    s.beta = (1 - o.hht) * (1 - o.hht) / 4;
+  }
+  return s;
+}
+
+StepControl control_of(const DynamicOptions& o) { return {o.step.value_or(o.duration / 200), 0, o.max_cuts}; }
+
+}  // namespace
+
+Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+                   std::shared_ptr<Notices> notices)
+    : Dynamic(std::move(model), options, std::move(notices)),
+      newmark_(*assembly_, *inertia_, scheme_of(options_)),
+      problem_(*assembly_, newmark_, poll_),
+      newton_(assembly_->symmetric() ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()),
+      control_(control_of(options)) {
+  now_.step = control_.current();
+}
+
+void Implicit::take_options(const DynamicOptions& options) {
+  const bool changed = options.step != options_.step || options.max_cuts != options_.max_cuts;
+  options_ = options;
+  if (changed) control_ = control_of(options_);
+  now_.step = control_.current();
+}
+
+void Implicit::begin() {
+  problem_.aim(0);
+  Dynamic::begin();
+}
+
+void Implicit::set_motion(const mechanics::NodalRates& rates) {
+  // Held and tied nodes have no velocity of their own.
+  mechanics::NodalRates possible;
+  assembly_->spread_rates(assembly_->collect_rates(rates), driven_rates(), possible);
+  problem_.start(possible);
+}
+
+double Implicit::try_step(double limit, StepReport& report) {
+  double size = control_.end(committed_time(), next_landing(limit));
+  const StepControl before = control_;
+  tries_.clear();
+  while (!attempt(size, report)) {
+    const bool broken = last_.status == solver::NewtonStatus::broken;
+    if (broken || ++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) {
+      control_ = before;  // a step that fails leaves nothing behind
+      give_up(report);
+    }
+    size = control_.end(committed_time(), next_landing(limit));
+  }
+  return size;
+}
+
+bool Implicit::attempt(double size, StepReport& report) {
+  const double now = committed_time();
+  problem_.aim(size);
+  last_ = newton_.solve(problem_, {options_.tolerance, options_.max_iterations, options_.line_search});
+  report.iterations += last_.iterations;
+  report.residuals = last_.residuals;
+  report.negative_pivots = last_.negative_pivots;
+  report.step = size - now;
+  report.time = size;
+  const bool converged = last_.status == solver::NewtonStatus::converged;
+  newmark_.show_trial(converged);
+  if (!converged) {
+    blame_ = find_blame(*assembly_, model_->mesh(), last_);
+    tries_.push_back({report.step, last_.status, last_.residuals, blame_.reason});
+  }
+  trial_time_ = converged ? size : now;
+  return converged;
+}
+
+void Implicit::commit(StepReport& report) {
+  newmark_.show_trial(false);
+  const std::vector<double> driven_before = problem_.driven();
+  assembly_->finish_step();
+  // Under alpha the inertia is not the balance of the forces at the step's end: their work in its place.
+  double kinetic = 0, work = 0;
+  if (damps()) {
+    kinetic = newmark_.kinetic();
+    work = options_.hht == 0 ? newmark_.work_of_acceleration() : problem_.work_of_balance();
+  }
+  dead_ = problem_.external();
+  work_.add(*assembly_, dead_);
+  problem_.commit(report.time);
+  // Work of all forces, which the kinetic energy does not get.
+  if (damps()) now_.loss += work - (newmark_.kinetic() - kinetic);
+  watch_jump(driven_before, problem_.driven(), report.time, smallest_);
+  control_.grow(last_.iterations, report.cuts > 0);
+  now_.step = control_.current();
+  ++now_.steps;
+}
+
+const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocities(); }
+
+void Implicit::give_up(const StepReport& report) {
+  const double now = committed_time();
+  Failure failure;
+  failure.time = now;
+  failure.tries = tries_;
+  failure.blame = blame_;
+  failure.negative_pivots = last_.negative_pivots;
+  failure.moved = farthest_move(*assembly_, now, now + (tries_.empty() ? 0 : tries_.front().step));
+  failure.size = smallest_;
+  if (const auto* woven = std::get_if<card::Woven>(&model_->card_of(blame_.element).law))
+    failure.tested = woven->tested;
+  failure.dynamic = true;
+  failure.broken = last_.status == solver::NewtonStatus::broken;
+  const std::string text = "dynamic: " + headline(failure, last_, report.step) + " (the largest is " +
+                           number(control_.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
+                           describe(blame_, last_, options_.tolerance) +
+                           ".\nTry: " + advice(failure).front() + ".";
+  fail(NumericalFailure(text, now, blame_.element, blame_.yarn), run::report(failure));
+}
+
+void Implicit::memory(Archive& archive) {
+  if (archive.reading()) newmark_.show_trial(false);
+  archive(now_, control_, newmark_);
+  problem_.keep(archive);
+  newton_.keep(archive);
+}
+
+}  // namespace fabricsh::run

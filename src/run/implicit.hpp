@@ -1,0 +1,41 @@
+// The run by Newmark's implicit formulas and Newton's method.
+#pragma once
+#include "linear/libraries.hpp"
+#include "run/dynamic.hpp"
+#include "run/failure.hpp"
+#include "run/problem.hpp"
+#include "run/step_control.hpp"
+#include "solver/newton.hpp"
+
+namespace fabricsh::run {
+
+class Implicit final : public Dynamic {
+ public:
+  Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& options,
+           std::shared_ptr<Notices> notices);
+  const mechanics::NodalRates& rates() const override;
+  double tolerance() const override { return options_.tolerance; }
+  std::string kernels() const override { return linear::blas_kernels(); }
+
+ private:
+  void begin() override;
+  void take_options(const DynamicOptions& options) override;
+  void set_motion(const mechanics::NodalRates& rates) override;
+  double try_step(double limit, StepReport& report) override;
+  bool attempt(double size, StepReport& report) override;
+  double largest_step() const override { return control_.largest(); }
+  void commit(StepReport& report) override;
+  [[noreturn]] void give_up(const StepReport& report) override;
+  const mechanics::Motion& motion() const override { return newmark_; }
+  void memory(Archive& archive) override;
+
+  Newmark newmark_;
+  Problem problem_;
+  solver::Newton newton_;
+  StepControl control_;
+  solver::NewtonResult last_;
+  Blame blame_;
+  std::vector<Try> tries_;  // of the step under way, that failed
+};
+
+}  // namespace fabricsh::run

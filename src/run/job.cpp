@@ -1,0 +1,303 @@
+#include "run/job.hpp"
+
+#include <omp.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "base/number.hpp"
+#include "base/version.hpp"
+#include "card/fields.hpp"
+#include "run/vtk_series.hpp"
+#include "simd/isa.hpp"
+#include "system/atomic.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+constexpr double usual_minutes = 10;
+
+std::string absolute(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+format::Json steps_json(const Run& run) {
+  std::int64_t iterations = 0, cuts = 0;
+  double worst = 0;
+  for (const auto& step : run.steps()) {
+    iterations += step.iterations;
+    cuts += step.cuts;
+    if (!step.residuals.empty()) worst = std::max(worst, step.residuals.back());
+  }
+  format::Json json = format::Json::object();
+  json.set("count", run.steps().size()).set("iterations", iterations).set("cuts", cuts);
+  json.set("largest_final_residual", worst).set("tolerance", run.tolerance());
+  return json;
+}
+
+format::Json beyond_json(const Run& run) {
+  const auto far = run.beyond();
+  if (!far) return {};
+  format::Json json = format::Json::object();
+  json.set("share", far->share).set("yarn", far->yarn).set("element", far->element + 1);
+  json.set("time", far->time).set("first", far->first).set("elements", run.elements_beyond());
+  return json.set("strain", far->strain).set("tested", far->tested);
+}
+
+}  // namespace
+
+std::string hash_text(const std::string& bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(hash(bytes)));
+  return text;
+}
+
+// --- what it writes
+
+Job::Job(std::shared_ptr<Run> run, std::shared_ptr<Journal> journal, std::int64_t number)
+    : run_(std::move(run)), journal_(std::move(journal)), number_(number) {}
+
+std::string Job::free_path(const std::string& path) const {
+  const std::string file = absolute(path);
+  if (paths_.count(file) != 0) throw Error("argument 1: '" + path + "' is an output of this run already");
+  return file;
+}
+
+// Opens the output, new or, where the run begins from a checkpoint that has it, continued; has its frames
+// written as often as `every` says, and one more when the run ends.
+template <class Make, class Continue>
+void Job::add(Output output, double every, const std::string& written, const Make& make,
+              const Continue& continued) {
+  Output* old = nullptr;
+  for (const auto& there : outputs_)
+    if (there->kind == output.kind && there->file == absolute(written) && replaceable(*there))
+      old = there.get();
+  output.file = old != nullptr ? old->file : free_path(written);
+  if (const std::string* kept = claims_.take(output.kind, output.path)) {
+    Archive from(*kept);
+    output.series = continued(from);
+    for (const std::string& file : output.series->lost())
+      run_->notices().say("warning: restart: '" + file + "' is gone, the series goes on without it");
+  } else {
+    output.series = make();
+  }
+  if (old != nullptr) {
+    old->series = output.series;
+    return run_->reschedule(old->hook, every);
+  }
+  paths_.insert(output.file);
+  written_.push_back(written);
+  const auto added = std::make_shared<Output>(std::move(output));
+  const auto frame = [added](Run& a) { added->series->frame(a); };
+  constexpr auto repeat = Run::AfterError::repeat;
+  added->hook = every > 0 ? run_->every(every, frame, repeat) : run_->every_step(frame, repeat);
+  run_->on_restore([added](Run& a) { added->series->rewind(a.steps().size()); });
+  outputs_.push_back(added);
+}
+
+void Job::record(const std::string& path, const std::vector<Column>& columns, double every) {
+  add(
+      {"record", path, "", {}}, every, path, [&] { return std::make_shared<TableSeries>(path, columns); },
+      [&](Archive& from) { return std::make_shared<TableSeries>(path, columns, from); });
+}
+
+void Job::vtk(const std::string& stem, double every, const std::vector<std::string>& fields) {
+  add(
+      {"vtk", stem, "", {}}, every, stem + ".pvd", [&] { return std::make_shared<VtkSeries>(stem, fields); },
+      [&](Archive& from) { return std::make_shared<VtkSeries>(stem, fields, from); });
+}
+
+std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<double> every,
+                                        std::optional<double> minutes) {
+  if (!every && !minutes) minutes = usual_minutes;
+  const auto keeper = std::make_shared<Keeper>(*this, path, every, minutes);
+  const std::string file = free_path(path);
+  system::make_folder_for(path);
+  system::remove_leftovers(path);
+  paths_.insert(file);
+  keepers_.push_back(keeper);
+  run_->when_settled([keeper](Run&) { keeper->look(); });
+  return keeper;
+}
+
+// --- from a checkpoint
+
+void Job::restart(const std::string& path) { begin_from(read_checkpoint(path)); }
+
+void Job::begin_from(std::shared_ptr<const Checkpoint> from) {
+  if (!outputs_.empty() || !keepers_.empty())
+    throw Error(
+        "expected to be called before 'record', 'vtk' and 'checkpoint', which then go on with their files");
+  if (const std::string differs = difference(*from, *run_); !differs.empty())
+    throw Error("checkpoint '" + from->path + "' is of another problem: it differs in " + differs);
+  claims_ = Claims(std::move(from));
+  taken_up_ = false;
+}
+
+void Job::take_up() {
+  if (!from() || taken_up_) return;
+  run::take_up(*run_, *from());
+  taken_up_ = true;
+  seconds_ = from()->seconds;
+}
+
+// --- driving
+
+void Job::begin() {
+  claims_.check();
+  for (const auto& output : outputs_) output->series->go_on();
+  if (seconds_ == 0) write_report("running", 0);
+  clock_ = {};
+  driving_ = true;
+}
+
+void Job::leave(const std::string& status, bool ended, bool broken, const Guarded& guarded) {
+  seconds_ += clock_.seconds();
+  driving_ = false;
+  Run& a = *run_;
+  if (ended) {
+    for (const auto& output : outputs_)
+      guarded([&a, broken, s = output->series.get()] { broken ? s->extra_frame(a) : s->frame(a); });
+    for (const auto& keeper : keepers_) guarded([&keeper] { keeper->write(); });
+  }
+  guarded([&] { write_report(status, seconds_); });
+}
+
+void Job::advance(double time) {
+  take_up();
+  begin();
+  std::exception_ptr first;
+  const auto guarded = [&first](const std::function<void()>& work) {
+    try {
+      work();
+    } catch (...) {
+      if (!first) first = std::current_exception();
+    }
+  };
+  try {
+    run_->advance(time);
+  } catch (const std::exception& trouble) {
+    leave(trouble.what(), true, true, guarded);
+    throw;
+  }
+  const bool ended = run_->stopped() || run_->time() >= run_->duration() * (1 - 1e-12);
+  leave(run_->stopped() ? "stopped: " + run_->stop_reason()
+        : ended         ? "done"
+                        : "under way",
+        ended, false, guarded);
+  if (ended) remember_end();
+  if (first) std::rethrow_exception(first);
+}
+
+// --- run.json
+
+format::Json Job::report(const std::string& status, double seconds) const {
+  const Run& run = *run_;
+  const model::Model& model = run.model();
+  format::Json mine = format::Json::object();
+  mine.set("number", number_).set("kind", run.kind()).set("card", model.card().name);
+  mine.set("card_hash", hash_text(card::lua_text(model.card()))).set("model", model.describe());
+  mine.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
+  mine.set("steps", steps_json(run)).set("energy_error", run.energy().error);
+  mine.set("beyond", beyond_json(run));
+  if (run.moves()) mine.set("scaled_inertia", run.scaled_share());
+  mine.set("outputs", written_);
+  return mine;
+}
+
+void Job::write_report(const std::string& status, double seconds) {
+  if (written_.empty()) return;
+  const format::Json mine = report(status, seconds);
+  std::set<std::string> folders;
+  for (const std::string& output : written_)
+    folders.insert(std::filesystem::path(output).parent_path().string());
+  for (const std::string& folder : folders) {
+    auto& runs = journal_->folders[folder];
+    runs[number_] = mine;
+    format::Json json = format::Json::object();
+    json.set("program", "fabricsh").set("version", version()).set("build", build_kind());
+    json.set("compiler", compiler()).set("instructions", name(best_isa()));
+    if (journal_->about) journal_->about(json);
+    json.set("threads", omp_get_max_threads());
+    format::Json list = format::Json::array();
+    for (const auto& [number, record] : runs) list.push(record);
+    json.set("runs", list);
+    system::write_file((folder.empty() ? "" : folder + "/") + "run.json", json.text(), system::Sync::no,
+                       system::Folder::expect);
+  }
+}
+
+// --- checkpoints
+
+Checkpoint Job::now() {
+  Checkpoint c = checkpoint_of(*run_);
+  c.number = number_;
+  if (journal_->sign) journal_->sign(c);
+  c.seconds = seconds();
+  if (caller) c.caller = caller();
+  for (const auto& output : outputs_) {
+    Archive place;
+    output->series->keep(place);
+    c.parts.push_back({output->kind, output->path, place.bytes()});
+  }
+  for (const auto& keeper : keepers_) keeper->add_parts(c.parts);
+  return c;
+}
+
+void Job::remember_end() {
+  if (!keepers_.empty()) journal_->finished[number_] = now().bytes();
+}
+
+Keeper::Keeper(Job& job, std::string path, std::optional<double> every, std::optional<double> minutes)
+    : job_(job),
+      path_(std::move(path)),
+      every_(every),
+      minutes_(minutes),
+      last_(std::chrono::steady_clock::now()) {}
+
+bool Keeper::due() const {
+  if (forced_) return true;
+  const Run& run = job_.run();
+  if (every_ && run.time() >= next_ - same_time * run.duration()) return true;
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
+  return minutes_ && since.count() >= 60 * *minutes_;
+}
+
+// The times of `every` are counted from 0, whenever the run was taken up: what is written does not hang on
+// it.
+void Keeper::look() {
+  if (silent_) return;
+  const Run& run = job_.run();
+  if (every_ && *every_ > 0 && next_ == 0 && written_ == static_cast<std::size_t>(-1)) {
+    const auto passed = run.steps().empty() ? 0.0 : run.time() - run.steps().back().step;
+    next_ = *every_ * (std::floor(passed / *every_ + 1e-9) + 1);
+  }
+  if (due()) write();
+}
+
+void Keeper::write() {
+  if (silent_) return;
+  const Run& run = job_.run();
+  const std::size_t step = run.steps().size();
+  if (step == written_ && !forced_) return;
+  try {
+    for (const auto& output : job_.outputs()) output->series->sync();
+    Checkpoint c = job_.now();
+    for (const auto& [number, bytes] : job_.journal().finished)
+      if (number != job_.number()) c.finished.push_back(bytes);
+    write_checkpoint(path_, c);
+  } catch (const Error& error) {
+    throw Error("checkpoint: " + std::string(error.what()) + " (the run is alive at " +
+                exact_number(run.time()) + " s, solve() goes on)");
+  }
+  written_ = step;
+  forced_ = false;
+  last_ = std::chrono::steady_clock::now();
+  if (every_ && *every_ > 0) next_ = *every_ * (std::floor(run.time() / *every_ + 1e-9) + 1);
+}
+
+}  // namespace fabricsh::run

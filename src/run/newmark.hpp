@@ -1,0 +1,80 @@
+// Newmark's formulas for nodes and directors, with Hilbert, Hughes and Taylor's alpha as an option:
+//
+//   x+ = x + dt v + dt^2 ((1/2 - beta) a + beta a+),   v+ = v + dt ((1 - gamma) a + gamma a+)
+//   M a+ = (1 + alpha) f(x+) - alpha f(x),   f = f_ext - f_int - C v
+//
+// On the sphere of directors the increment is an arc from d to d+, and what belongs to d is carried along it.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "mechanics/assembly.hpp"
+#include "mechanics/terms/inertia.hpp"
+
+namespace fabricsh::run {
+
+struct NewmarkScheme {
+  double gamma = 0.5, beta = 0.25, hht = 0;
+};
+
+// Velocities and accelerations of all nodes, 3 per node, global; those of directors are tangent to the
+// sphere.
+struct NodalMotion {
+  mechanics::NodalRates v, a;  // m/s and 1/s; m/s^2 and 1/s^2
+  void keep(Archive& archive) { archive(v.x, v.d, a.x, a.d); }
+};
+
+class Newmark final : public mechanics::Motion {
+ public:
+  Newmark(mechanics::Assembly& assembly, const mechanics::Inertia& inertia, const NewmarkScheme& scheme);
+
+  const NewmarkScheme& scheme() const { return scheme_; }
+  const mechanics::Inertia& inertia() const { return inertia_; }
+  const NodalMotion& committed() const { return before_; }
+  const NodalMotion& trial() const { return trial_; }
+  // Is the trial motion that of a whole step, to be read before it is committed?
+  void show_trial(bool tried) { tried_ = tried; }
+  const mechanics::NodalRates& velocities() const { return (tried_ ? trial_ : before_).v; }
+  // A run starts with these velocities, its trial state being the committed one.
+  void start(const mechanics::NodalRates& velocities);
+  void set_accelerations(mechanics::NodalRates a) { before_.a = std::move(a); }  // at the start
+  // What the increment from the committed to the trial configuration makes of the motion, after dt().
+  void update();
+  // The trial motion becomes the committed one. targets: of the driven freedoms at `time`, whose
+  // displacements have the rate of their motion up to then: at a kink the formulas would ring.
+  void commit(double time, std::span<const double> targets);
+  // Rates of the driven freedoms in the step under way.
+  void drive(std::vector<double> rates) { driven_ = std::move(rates); }
+  // N: the largest inertia force on a node along an axis.
+  double largest_inertia() const;
+  void keep(Archive& archive) { archive(before_); }
+
+  std::span<const double> rates() const override;
+  std::vector<double> driven_rates() const override { return driven_; }
+  double damping_weight() const override { return (1 + scheme_.hht) * scheme_.gamma / scheme_.beta / dt(); }
+  double work(std::span<const double> before, std::span<const double> after) const override;
+  double work_of_velocity(double factor) const override { return work_on_mass(factor, before_.v, trial_.v); }
+  double work_of_acceleration() const override { return work_on_mass(1, before_.a, trial_.a); }
+  double kinetic() const override;
+
+ private:
+  // J, of the forces that are the mass times `factor` times these, but on driven displacements.
+  double work_on_mass(double factor, const mechanics::NodalRates& before,
+                      const mechanics::NodalRates& after) const;
+  double along(const mechanics::DrivenFreedom& m, std::span<const double> v) const;
+
+  mechanics::Assembly& assembly_;
+  const mechanics::Inertia& inertia_;
+  NewmarkScheme scheme_;
+  NodalMotion before_, trial_;
+  std::vector<double> driven_;
+  mutable std::vector<double> rates_;
+  bool tried_ = false;
+};
+
+// The tangent vector u at d carried along the arc from d to e, unit vectors, e != -d.
+Vec3 carry(const Vec3& u, const Vec3& d, const Vec3& e);
+// The arc from d to e as a tangent vector at d, rad.
+Vec3 arc(const Vec3& d, const Vec3& e);
+
+}  // namespace fabricsh::run

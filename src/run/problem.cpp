@@ -1,0 +1,268 @@
+#include "run/problem.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "linear/linear_solver.hpp"
+
+namespace fabricsh::run {
+
+Problem::Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark,
+                 double small_time, const Poll& poll)
+    : assembly_(assembly),
+      motion_(motion == nullptr ? still_ : *motion),
+      newmark_(newmark),
+      poll_(poll),
+      small_time_(small_time),
+      lead_(assembly.targets(0).size()) {
+  assembly_.set_motion(&motion_);
+  if (iterates())
+    for (auto* v : {&product_, &ahead_, &balance_}) v->resize(static_cast<std::size_t>(assembly.unknowns()));
+}
+
+Problem::Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll)
+    : Problem(assembly, nullptr, nullptr, small_time, poll) {
+  assembly.external(0, external_);  // a history that gives no number is refused before the run begins
+}
+Problem::Problem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll)
+    : Problem(assembly, &newmark, &newmark, 0, poll) {}
+Problem::Problem(mechanics::Assembly& assembly, mechanics::Motion& motion, const Poll& poll)
+    : Problem(assembly, &motion, nullptr, 0, poll) {}
+
+// --- steps
+
+void Problem::aim(double time) {
+  aimed_ = time;
+  motion_.set_dt(time - std::as_const(assembly_).state().time());
+  targets_ = assembly_.targets(time);
+  if (external_.empty() || !assembly_.constant_loads()) assembly_.external(time, external_);
+  assembly_.aim(time);
+}
+
+void Problem::start() {
+  memory_.driven = targets_;
+  remember();
+}
+
+void Problem::start(const mechanics::NodalRates& velocities) {
+  newmark_->start(velocities);
+  balance(0, balance_);
+  // The mass on the unknowns, through ties: L^T M L.
+  linear::Matrix M(assembly_.pattern());
+  assembly_.add_diagonal(newmark_->inertia().mass(), newmark_->inertia().rotary(), M);
+  std::vector<double> a(balance_.size(), 0);
+  const auto linear = linear::make_unsymmetric_solver();
+  if (!a.empty() && !(linear->factorise(M) && linear->solve(M, balance_, a)))
+    throw NumericalFailure("dynamic: the mass of the unknowns is singular", 0);
+  mechanics::NodalRates accelerations;
+  assembly_.spread_rates(a, std::vector<double>(lead_.size(), 0), accelerations);
+  newmark_->set_accelerations(std::move(accelerations));
+  start();
+}
+
+void Problem::commit(double time) {
+  assembly_.commit(time);
+  if (newmark_ != nullptr) newmark_->commit(time, targets_);
+  memory_.driven = targets_;
+  remember();
+}
+
+// What the next step looks back to; a reversal is seen from it.
+void Problem::remember() {
+  if (!iterates()) return;
+  if (newmark_ != nullptr) {
+    balance(0, balance_);
+    memory_.balance = balance_;
+  } else {
+    memory_.lead = lead_;
+    memory_.push = push_;
+    memory_.external = external_;
+  }
+  memory_.peak = force_scale();
+}
+
+void Problem::keep(Archive& archive) {
+  archive(memory_);
+  if (archive.reading()) aim(std::as_const(assembly_).state().time());
+}
+
+void Problem::keep_configuration() {
+  const auto k = std::as_const(assembly_).state().kinematics();
+  kept_.assign(k.begin(), k.end());
+}
+
+void Problem::recall() {
+  std::copy(kept_.begin(), kept_.end(), assembly_.state().kinematics().begin());
+  assembly_.state().touch();
+}
+
+law::Step Problem::step(law::AtSwitch at) const {
+  const double now = std::as_const(assembly_).state().time();
+  return {now, aimed_ - now, at};
+}
+
+Answer Problem::begin_step() { return made(assembly_.begin_step()); }
+
+// --- forces
+
+// f_ext - f_int - C v - inertia M a on the unknowns.
+void Problem::balance(double inertia, std::span<double> r) {
+  if (newmark_ == nullptr) {
+    assembly_.residual(external_, r);
+  } else {
+    const auto on = assembly_.on_mass();
+    const auto& motion = newmark_->trial();
+    const auto &mass = newmark_->inertia().mass(), &rotary = newmark_->inertia().rotary();
+    const double share = inertia * on.acceleration;
+    on_x_.resize(external_.size());
+    on_d_.resize(external_.size());
+    for (std::size_t i = 0; i < external_.size(); ++i) {
+      on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + share * motion.a.x[i]);
+      on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + share * motion.a.d[i]);
+    }
+    assembly_.residual(on_x_, r, on_d_);
+  }
+  assembly_.resist(r);
+}
+
+// The residual of the scheme: by Newmark (1 + alpha) f+ - alpha f - M a+.
+void Problem::weigh(std::span<double> r) {
+  if (newmark_ == nullptr) return balance(0, r);
+  newmark_->update();
+  const double alpha = newmark_->scheme().hht;
+  balance(1 / (1 + alpha), r);
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = (1 + alpha) * r[i] - alpha * memory_.balance[i];
+}
+
+// What the scheme makes of the forces' tangent: weighed, with damping and inertia.
+void Problem::close(linear::Matrix& K) {
+  if (weight() != 1)
+    for (double& k : K.value) k *= weight();
+  assembly_.add_resistance(K);
+  if (newmark_ == nullptr) return;
+  const auto& scheme = newmark_->scheme();
+  const auto on = assembly_.on_mass();
+  const double dt = motion_.dt();
+  const double c =
+      (on.acceleration / scheme.beta / dt + weight() * on.velocity * scheme.gamma / scheme.beta) / dt;
+  std::vector<double> on_x = newmark_->inertia().mass(), on_d = newmark_->inertia().rotary();
+  for (double& m : on_x) m *= c;
+  for (double& m : on_d) m *= c;
+  assembly_.add_diagonal(on_x, on_d, K);
+}
+
+double Problem::work_of_balance() {
+  balance(0, balance_);
+  return motion_.work(memory_.balance, balance_);
+}
+
+double Problem::force_scale() const {
+  const double inertia = newmark_ == nullptr ? 0 : newmark_->largest_inertia();
+  return std::max({memory_.peak, assembly_.largest_force(), inertia});
+}
+
+// --- Newton
+
+// What the driven freedoms do in the step.
+void Problem::lead_to_targets() {
+  for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory_.driven[i];
+  if (newmark_ == nullptr) return;
+  for (double& l : lead_) l /= motion_.dt();
+  newmark_->drive(lead_);
+  for (double& l : lead_) l *= motion_.dt();
+}
+
+Answer Problem::predict(linear::Matrix& K, std::span<double> r) {
+  assembly_.rollback();
+  assembly_.begin_iterate();
+  lead_to_targets();
+  if (newmark_ == nullptr) set_push(external_, memory_.external);
+  const bool turns = newmark_ == nullptr && reverses();
+  if (const Answer answer = begin_step(); answer != Answer::ok) return answer;
+  const auto at = turns ? law::AtSwitch::unloading : law::AtSwitch::loading;
+  if (!assembly_.tangent(step(at), K, lead_, product_)) return made(false);
+  weigh(r);
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] -= weight() * product_[i];
+  close(K);
+  return Answer::ok;
+}
+
+Answer Problem::residual(std::span<double> r) {
+  if (poll_) poll_();
+  if (!assembly_.forces(step())) return made(false);
+  weigh(r);
+  return Answer::ok;
+}
+
+Answer Problem::tangent(linear::Matrix& K) {
+  if (!assembly_.tangent(step(), K, {}, {})) return made(false);
+  close(K);
+  return Answer::ok;
+}
+
+// --- path following
+
+Answer Problem::start(linear::Matrix& K, std::span<double> r, std::span<double> q) {
+  assembly_.rollback();
+  assembly_.begin_iterate();
+  look_ahead();
+  const auto at = memory_.kink && reverses() ? law::AtSwitch::unloading : law::AtSwitch::loading;
+  const Answer answer = tangent_and_rate(at, K, q);
+  if (answer == Answer::ok) assembly_.residual(external_, r);
+  return answer;
+}
+
+Answer Problem::tangent_and_rate(linear::Matrix& K, std::span<double> q) {
+  look_ahead();
+  return tangent_and_rate(law::AtSwitch::loading, K, q);
+}
+
+double Problem::product(std::span<const double> a, std::span<const double> b) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!assembly_.turns(static_cast<mechanics::Index>(i))) sum += a[i] * b[i];
+  return sum;
+}
+
+void Problem::set_push(const std::vector<double>& to, const std::vector<double>& from) {
+  push_.resize(to.size());
+  for (std::size_t i = 0; i < to.size(); ++i) push_[i] = to[i] - from[i];
+}
+
+// What supports and dead loads do in a small time from the one aimed at.
+void Problem::look_ahead() {
+  const double later = aimed_ + small_time_;
+  const auto moved = assembly_.targets(later);
+  for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = moved[i] - targets_[i];
+  assembly_.external(later, later_external_);
+  set_push(later_external_, external_);
+}
+
+// K and q = dr/dt at fixed unknowns; the coupling with the driven freedoms is the tangent's own, the rate of
+// follower loads a difference of forces. Leaves the forces of the time aimed at.
+Answer Problem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q) {
+  const bool follower = !assembly_.symmetric_loads();
+  if (follower) {
+    assembly_.aim(aimed_ + small_time_);
+    const bool done = assembly_.forces(step(at));
+    assembly_.residual(later_external_, ahead_);
+    assembly_.aim(aimed_);
+    if (!done) return made(false);
+  }
+  if (!assembly_.tangent(step(at), K, lead_, product_)) return made(false);
+  if (!follower) assembly_.residual(later_external_, ahead_);
+  assembly_.residual(external_, q);
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = (ahead_[i] - q[i] - product_[i]) / small_time_;
+  return Answer::ok;
+}
+
+// Does this step move supports and loads against the way of the last one?
+bool Problem::reverses() const {
+  double along = 0;
+  for (std::size_t i = 0; i < memory_.lead.size(); ++i) along += memory_.lead[i] * lead_[i];
+  for (std::size_t i = 0; i < memory_.push.size(); ++i) along += memory_.push[i] * push_[i];
+  return along < 0;
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,106 @@
+// What the solvers see of a run: the sum of the terms and a time scheme. Supports and loads stand at the time
+// aimed at; forces, tangent and motion are those of a step to it from the committed configuration.
+//
+// The same for quasi-static steps, for Newmark's and for central differences, which take the residual alone
+// and have no matrix made.
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "run/newmark.hpp"
+#include "solver/arc_length.hpp"
+
+namespace fabricsh::run {
+
+class Problem final : public solver::PathProblem {
+ public:
+  using Poll = std::function<void()>;  // called, where it is set, before each evaluation of forces; may throw
+  // Quasi-static. small_time: s, that rates along an arc are differences over.
+  Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll);
+  // By Newmark; and by a scheme that solves for no unknowns. The motion is kept by reference.
+  Problem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll);
+  Problem(mechanics::Assembly& assembly, mechanics::Motion& motion, const Poll& poll);
+  ~Problem() override { assembly_.set_motion(nullptr); }
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+
+  const mechanics::Motion& motion() const { return motion_; }
+  double time() const { return aimed_; }                                // s, aimed at
+  const std::vector<double>& external() const { return external_; }     // dead loads then, N, 3 per node
+  const std::vector<double>& targets() const { return targets_; }       // of the driven freedoms then
+  const std::vector<double>& driven() const { return memory_.driven; }  // at the last commit
+  // With velocities of the nodes, and with the accelerations that the forces make: M a = f, held and driven
+  // freedoms have none. NumericalFailure: the mass is singular.
+  void start(const mechanics::NodalRates& velocities);
+  void start();  // from rest, or with a motion that the scheme has already
+  // The step begins from the committed configuration. Its answer: whether the terms can.
+  Answer begin_step();
+  void commit(double time);  // the trial state, with what it did to the terms' accounts: see finish_step()
+  // J, of the forces without inertia in the step, by the trapezoid.
+  double work_of_balance();
+  void keep(Archive& archive);
+  // Has a path come to a kink of a history, where loads may turn round?
+  void at_kink(bool kink) { memory_.kink = kink; }
+  // A configuration to come back to.
+  void keep_configuration();
+  void recall();
+
+  // --- what a solver sees
+  void aim(double time) override;
+  solver::Index size() const override { return assembly_.unknowns(); }
+  Answer predict(linear::Matrix& K, std::span<double> r) override;
+  void retract(std::span<const double> delta, double scale) override {
+    assembly_.retract(delta, scale, targets_);
+  }
+  double limit(std::span<const double> delta) override { return assembly_.limit(delta, targets_); }
+  void accept() override { assembly_.begin_iterate(); }
+  bool arrived() const override { return assembly_.arrived(); }
+  Answer residual(std::span<double> r) override;
+  Answer tangent(linear::Matrix& K) override;
+  Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
+  Answer tangent_and_rate(linear::Matrix& K, std::span<double> q) override;
+  double product(std::span<const double> a, std::span<const double> b) const override;
+  std::pair<double, solver::Index> largest(std::span<const double> r) const override {
+    return assembly_.largest_residual(r);
+  }
+  double force_scale() const override;
+  double rounding_floor(const linear::Matrix& K) const override { return assembly_.rounding_floor(K); }
+
+ private:
+  Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark, double small_time,
+          const Poll& poll);  // motion: null: none
+  // The step under way, as the law sees it.
+  law::Step step(law::AtSwitch at = law::AtSwitch::loading) const;
+  Answer made(bool done) const { return done ? Answer::ok : assembly_.outcome().answer; }
+  bool iterates() const { return newmark_ != nullptr || !motion_.moves(); }
+  double weight() const { return newmark_ == nullptr ? 1 : 1 + newmark_->scheme().hht; }  // of the forces
+  void lead_to_targets();
+  void balance(double inertia, std::span<double> r);
+  void weigh(std::span<double> r);
+  void close(linear::Matrix& K);
+  void remember();
+  void set_push(const std::vector<double>& to, const std::vector<double>& from);
+  void look_ahead();
+  Answer tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q);
+  bool reverses() const;
+
+  mechanics::Assembly& assembly_;
+  mechanics::Still still_;
+  mechanics::Motion& motion_;
+  Newmark* newmark_;  // null in other schemes
+  const Poll& poll_;
+  double small_time_, aimed_ = 0;
+  std::vector<double> product_, ahead_, later_external_, push_, kept_, balance_, on_x_, on_d_;
+  std::vector<double> lead_, targets_, external_;
+  struct Memory {                        // all that the next step remembers of the last ones
+    std::vector<double> driven, lead;    // at the last commit; what the last step did to them
+    std::vector<double> external, push;  // dead loads likewise
+    std::vector<double> balance;         // forces without inertia then, per unknown, N and N m
+    double peak = 0;                     // N, the largest nodal force of the run's committed states
+    bool kink = true;
+    void keep(Archive& archive) { archive(driven, lead, external, push, balance, peak, kink); }
+  } memory_;
+};
+
+}  // namespace fabricsh::run

@@ -1,0 +1,148 @@
+// Reading a run: nodes, elements, reactions, energies, snapshots.
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "geometry/node_view.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "run/result_fields.hpp"
+#include "run/run.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+void check_index(mesh::Index i, std::size_t size, const char* what) {
+  if (i < 0 || i >= static_cast<mesh::Index>(size))
+    throw Error(std::string(what) + ": expected a number from 1 to " + std::to_string(size) + ", got " +
+                std::to_string(i + 1));
+}
+
+void add_point(ElementValues& v, double w, const law::Law& law, const double* E, const double* state) {
+  double S[5];
+  law::stress(law, E, state, S);
+  const auto energy = law::energy(law, E, state);
+  const auto in = law::internal(law, E, state);
+  v.E11 += w * E[0];
+  v.E22 += w * E[1];
+  v.E23 += w * E[2] / 2;
+  v.E13 += w * E[3] / 2;
+  v.E12 += w * E[4] / 2;
+  v.S11 += w * S[0];
+  v.S22 += w * S[1];
+  v.S23 += w * S[2];
+  v.S13 += w * S[3];
+  v.S12 += w * S[4];
+  v.stored += w * energy.stored;
+  v.dissipated += w * energy.dissipated();
+  v.residual1 += w * in.residual1;
+  v.residual2 += w * in.residual2;
+  v.slack1 += w * in.slack1;
+  v.slack2 += w * in.slack2;
+}
+
+}  // namespace
+
+Vec3 Run::reaction(const std::string& set) const {
+  Vec3 sum = Vec3::Zero();
+  const auto& nodes = model_->mesh().set(set);
+  if (dead_.empty()) return sum;  // the run has not begun: no force has been computed
+  for (const auto n : nodes) sum += assembly_->support_force(n, dead_) + inertia(n);
+  return sum;
+}
+
+const mechanics::Contacts& Run::contact() const {
+  if (assembly_->contact() == nullptr)
+    throw Error("nothing touches in this model: expected m:contact{...} before the run");
+  return *assembly_->contact();
+}
+
+std::size_t Run::body_number(const model::Rigid& body) const {
+  const int number = contact().find_body(body);
+  if (number < 0) throw Error("the " + body.kind() + " touches nothing in the model of this run");
+  return static_cast<std::size_t>(number);
+}
+
+NodeValues Run::node(mesh::Index i) const {
+  check_index(i, model_->mesh().nodes.size(), "node");
+  const auto& state = std::as_const(*assembly_).state();
+  NodeValues v;
+  v.x = at(state.x(), i);
+  v.n = at(state.d(), i);
+  v.X = assembly_->reference()[i];
+  v.u = v.x - v.X;
+  v.v = velocity(i);
+  return v;
+}
+
+const std::vector<ElementValues>& Run::elements() const {
+  const auto version = std::as_const(*assembly_).state().version();
+  if (cache_version_ == version) return cache_;
+  cache_.assign(assembly_->elements(), {});
+  const auto& members = element_members();
+#pragma omp parallel for schedule(static) if (assembly_->elements() >= 256)
+  for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
+    double volume = 0;
+    ElementValues sum;
+    assembly_->visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
+      volume += w;
+      add_point(sum, w, law, E, state);
+    });
+    for (const auto member : members) sum.*member /= volume;
+    cache_[e] = sum;
+  }
+  cache_version_ = version;
+  return cache_;
+}
+
+ElementValues Run::element(mesh::Index i) const {
+  check_index(i, model_->mesh().elements.size(), "element");
+  return elements()[i];
+}
+
+double Run::mean(const std::string& name, const std::string& set) const {
+  const FieldPart part = find_field(name);
+  if (part.component < 0 || part.field->place != Place::element)
+    throw Error("mean: expected a field with one number per element, got '" + name + "'");
+  const auto inside = model_->mesh().elements_in(model_->mesh().set(set));
+  if (inside.empty()) throw Error("mean: set '" + set + "' holds no whole element");
+  double sum = 0, values[5];
+  for (const auto e : inside) {
+    part.field->values(*this, e, values);
+    sum += values[part.component];
+  }
+  return sum / static_cast<double>(inside.size());
+}
+
+std::vector<double> Run::field(const std::string& name) const { return values_of(*this, find_field(name)); }
+
+Energy Run::energy() const {
+  Energy sum;
+  for (const auto& energy : assembly_->energies()) {
+    if (energy.account == mechanics::Account::stored) sum.stored += energy.value;
+    if (energy.account == mechanics::Account::created) sum.created += energy.value;
+    if (energy.account == mechanics::Account::kinetic) sum.kinetic += energy.value;
+    if (energy.account == mechanics::Account::damping) sum.damping += energy.value;
+    if (energy.account == mechanics::Account::moving) sum.rigid += energy.value;
+    if (energy.name == "contact") sum.contact += energy.value;
+    if (energy.name == "guard") sum.guard += energy.value;
+    if (energy.account != mechanics::Account::dissipated) continue;
+    if (energy.name == "friction") sum.friction += energy.value;
+    if (energy.name == "warp") sum.dissipated_warp += energy.value;
+    if (energy.name == "weft") sum.dissipated_weft += energy.value;
+    if (energy.name == "shear") sum.dissipated_shear += energy.value;
+    if (energy.name == "bending") sum.dissipated_bending += energy.value;
+  }
+  sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending +
+                   sum.friction;
+  sum.kinetic = sum.kinetic + driven_kinetic() + sum.rigid;
+  sum.scaled = scaled_kinetic();
+  sum.damping += scheme_loss();
+  sum.external = work_.total() + driven_work();
+  sum.initial = initial_energy_;
+  const double scale = std::max(work_.largest(), initial_energy_);
+  if (scale > 0) sum.error = std::abs(sum.surplus()) / scale;
+  return sum;
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,257 @@
+#include "run/result_fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "base/suggest.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "run/run.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+using V = ElementValues;
+using Names = std::vector<std::string>;
+using Members = std::vector<double V::*>;
+
+constexpr std::size_t kMostNumbers = 5;
+
+struct Table {
+  std::vector<ResultField> rows;
+  Members members;
+
+  void nodal(std::string name, std::string unit, std::string sentence, Names components,
+             Vec3 NodeValues::*what, std::string letter = "") {
+    const auto values = [what](const Run& run, mesh::Index i, double* out) {
+      const Vec3 v = run.node(i).*what;
+      std::copy_n(v.data(), 3, out);
+    };
+    rows.push_back({std::move(name),
+                    std::move(unit),
+                    Shape::vector,
+                    Place::node,
+                    std::move(sentence),
+                    std::move(components),
+                    values,
+                    {},
+                    std::move(letter)});
+  }
+  void touched(const std::string& name, std::string unit, std::string sentence,
+               double (mechanics::Contacts::*what)(mechanics::Index) const) {
+    const auto values = [name, what](const Run& run, mesh::Index i, double* out) {
+      if (run.assembly().contact() == nullptr)
+        throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
+      *out = (run.assembly().contact()->*what)(i);
+    };
+    rows.push_back({name, std::move(unit), Shape::scalar, Place::node, std::move(sentence), {name}, values});
+    rows.back().touching = true;
+  }
+  void average(std::string name, std::string unit, Shape shape, std::string sentence, Names components,
+               const Members& what, Names labels) {
+    members.insert(members.end(), what.begin(), what.end());
+    const auto values = [what](const Run& run, mesh::Index e, double* out) {
+      const V& v = run.elements()[e];
+      for (const auto member : what) *out++ = v.*member;
+    };
+    rows.push_back({std::move(name), std::move(unit), shape, Place::element, std::move(sentence),
+                    std::move(components), values, std::move(labels)});
+  }
+  void direction(std::string name, std::string sentence, Vec3 std::pair<Vec3, Vec3>::*which) {
+    const auto values = [which](const Run& run, mesh::Index e, double* out) {
+      const Vec3 v = run.assembly().yarns(e).*which;
+      std::copy_n(v.data(), 3, out);
+    };
+    rows.push_back({std::move(name), "", Shape::vector, Place::element, std::move(sentence), {}, values});
+  }
+  // Of elements, and in files only where it was asked for.
+  void scalar(const std::string& name, std::string unit, std::string sentence,
+              std::function<double(const Run&, mesh::Index)> value) {
+    const auto values = [value = std::move(value)](const Run& run, mesh::Index e, double* out) {
+      *out = value(run, e);
+    };
+    rows.push_back(
+        {name, std::move(unit), Shape::scalar, Place::element, std::move(sentence), {name}, values});
+    rows.back().usual = false;
+  }
+};
+
+double stretch(double E) { return std::sqrt(std::max(0.0, 1 + 2 * E)); }
+
+// Cauchy stress 11, 22, 12, Pa, in the frame whose first axis lies along the warp now: F S F^T / J with F
+// upper triangular, F^T F = C = 1 + 2 E.
+std::array<double, 3> cauchy(const V& v) {
+  const double a = stretch(v.E11), b = a > 0 ? 2 * v.E12 / a : 0;
+  const double d = std::sqrt(std::max(0.0, 1 + 2 * v.E22 - b * b)), J = a * d;
+  if (!(J > 0)) return {};
+  return {(a * a * v.S11 + 2 * a * b * v.S12 + b * b * v.S22) / J, d * d * v.S22 / J,
+          (a * d * v.S12 + b * d * v.S22) / J};
+}
+
+// N/m: S [Pa] pulls along the yarn as it lies now, on the area that it had in the reference.
+double tension(const Run& run, mesh::Index e, double S, double E) {
+  return run.model().thickness_of(e) * S * stretch(E);
+}
+
+Table make_table() {
+  Table t;
+  t.nodal("displacement", "m", "from the reference position", {"ux", "uy", "uz"}, &NodeValues::u, "u");
+  t.nodal("velocity", "m/s", "of a run in motion; zero in statics", {"vx", "vy", "vz"}, &NodeValues::v, "v");
+  t.rows.back().moving = true;
+  t.nodal("director", "", "unit vector across the sheet", {"nx", "ny", "nz"}, &NodeValues::n);
+  t.nodal("position", "m", "where the node is now", {"x", "y", "z"}, &NodeValues::x, "x");
+  t.rows.back().usual = false;
+  t.nodal("reference", "m", "where the node was in the reference", {"X", "Y", "Z"}, &NodeValues::X, "X");
+  t.rows.back().usual = false;
+  t.touched(
+      "gap", "m",
+      "to the nearest thing that it touches, above the floor of their contact; what contact reaches at most",
+      &mechanics::Contacts::gap);
+  t.touched("contact_pressure", "Pa", "of contact, friction apart", &mechanics::Contacts::pressure);
+  t.average("E", "", Shape::tensor, "Green-Lagrange strain, tensor components",
+            {"E11", "E22", "E23", "E13", "E12"}, {&V::E11, &V::E22, &V::E23, &V::E13, &V::E12},
+            {"E11", "E22", "E23", "E13", "E12"});
+  t.average("S", "Pa", Shape::tensor, "2nd Piola-Kirchhoff stress", {"S11", "S22", "S23", "S13", "S12"},
+            {&V::S11, &V::S22, &V::S23, &V::S13, &V::S12}, {"S11", "S22", "S23", "S13", "S12"});
+  t.average("residual", "", Shape::pair, "strain that a yarn keeps when it is unloaded",
+            {"residual1", "residual2"}, {&V::residual1, &V::residual2}, {"warp", "weft"});
+  t.average("slack", "", Shape::pair, "strain by which a slack yarn is below its residual strain",
+            {"slack1", "slack2"}, {&V::slack1, &V::slack2}, {"warp", "weft"});
+  t.average("energy", "J/m^3", Shape::pair, "per reference volume: stored, and dissipated so far",
+            {"stored", "dissipated"}, {&V::stored, &V::dissipated}, {"stored", "dissipated"});
+  t.direction("warp", "unit vector along the warp as it lies now", &std::pair<Vec3, Vec3>::first);
+  t.direction("weft", "unit vector along the weft as it lies now", &std::pair<Vec3, Vec3>::second);
+  t.scalar("shear_angle", "degrees",
+           "by which the angle between warp and weft is less than a right one; of the sign of E12",
+           [](const Run& run, mesh::Index e) {
+             const auto [warp, weft] = run.assembly().yarns(e);
+             return std::asin(std::clamp(warp.dot(weft), -1.0, 1.0)) * (180 / std::numbers::pi);
+           });
+  t.scalar("tension_warp", "N/m", "force along the warp yarns over the reference width that they come from",
+           [](const Run& run, mesh::Index e) {
+             const V& v = run.elements()[e];
+             return tension(run, e, v.S11, v.E11);
+           });
+  t.scalar("tension_weft", "N/m", "force along the weft yarns over the reference width that they come from",
+           [](const Run& run, mesh::Index e) {
+             const V& v = run.elements()[e];
+             return tension(run, e, v.S22, v.E22);
+           });
+  t.scalar("nominal_strain_warp", "", "change of length along the warp over the length that it had",
+           [](const Run& run, mesh::Index e) { return stretch(run.elements()[e].E11) - 1; });
+  t.scalar("nominal_strain_weft", "", "change of length along the weft over the length that it had",
+           [](const Run& run, mesh::Index e) { return stretch(run.elements()[e].E22) - 1; });
+  t.scalar("nominal_stress_warp", "Pa", "force along the warp yarns over the reference area",
+           [](const Run& run, mesh::Index e) {
+             const V& v = run.elements()[e];
+             return v.S11 * stretch(v.E11);
+           });
+  t.scalar("nominal_stress_weft", "Pa", "force along the weft yarns over the reference area",
+           [](const Run& run, mesh::Index e) {
+             const V& v = run.elements()[e];
+             return v.S22 * stretch(v.E22);
+           });
+  t.scalar("cauchy_11", "Pa",
+           "true stress along the warp as it lies now, on the area that is now (the thickness that of the "
+           "reference)",
+           [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[0]; });
+  t.scalar("cauchy_22", "Pa", "true stress across the warp as it lies now, in the surface",
+           [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[1]; });
+  t.scalar("cauchy_12", "Pa", "true shear stress, along the warp and across it",
+           [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[2]; });
+  t.scalar("beyond", "",
+           "the largest strain so far over what the card was tested to: 1.2 is 20 % beyond; 0 where it does "
+           "not say",
+           [](const Run& run, mesh::Index e) { return run.assembly().share(e); });
+  t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
+           [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
+  return t;
+}
+
+const Table& table() {
+  static const Table t = make_table();
+  return t;
+}
+
+std::size_t items(const Run& run, Place place) {
+  const auto& mesh = run.model().mesh();
+  return place == Place::node ? mesh.nodes.size() : mesh.elements.size();
+}
+
+}  // namespace
+
+const char* name(Place place) {
+  static constexpr std::array words = {"node", "point", "element", "facet"};
+  return words.at(static_cast<std::size_t>(place));
+}
+
+const char* name(Shape shape) {
+  static constexpr std::array words = {"number", "pair", "vector", "symmetric tensor"};
+  return words.at(static_cast<std::size_t>(shape));
+}
+
+std::size_t ResultField::size() const {
+  static constexpr std::array<std::size_t, 4> sizes = {1, 2, 3, kMostNumbers};
+  return sizes.at(static_cast<std::size_t>(shape));
+}
+
+bool has(const Run& run, const ResultField& field) {
+  return (!field.moving || run.moves()) && (!field.touching || run.assembly().contact() != nullptr);
+}
+
+const std::vector<ResultField>& result_fields() { return table().rows; }
+
+const std::vector<double V::*>& element_members() { return table().members; }
+
+FieldPart find_field(const std::string& name) {
+  for (const ResultField& field : result_fields()) {
+    const auto found = std::find(field.components.begin(), field.components.end(), name);
+    if (found != field.components.end()) return {&field, static_cast<int>(found - field.components.begin())};
+    if (field.name == name) return {&field, -1};
+  }
+  const std::string guess = did_you_mean(name, field_names());
+  if (!guess.empty()) throw Error("unknown field '" + name + "'" + guess);
+  std::string known;
+  for (const std::string& word : field_names()) known += " " + word;
+  throw Error("unknown field '" + name + "' (known:" + known + ")");
+}
+
+Names scalar_names() {
+  Names names = scalar_names(Place::element);
+  for (const std::string& name : scalar_names(Place::node)) names.push_back(name);
+  return names;
+}
+
+Names scalar_names(Place place) {
+  Names names;
+  for (const ResultField& field : result_fields())
+    if (field.place == place) names.insert(names.end(), field.components.begin(), field.components.end());
+  return names;
+}
+
+Names field_names() {
+  Names names = scalar_names();
+  for (const ResultField& field : result_fields())
+    if (field.shape != Shape::scalar) names.push_back(field.name);
+  return names;
+}
+
+std::vector<double> values_of(const Run& run, const FieldPart& part) {
+  const std::size_t size = part.field->size(), n = items(run, part.field->place);
+  std::vector<double> out;
+  out.reserve(part.component < 0 ? n * size : n);
+  std::array<double, kMostNumbers> all{};
+  for (std::size_t i = 0; i < n; ++i) {
+    part.field->values(run, static_cast<mesh::Index>(i), all.data());
+    if (part.component < 0)
+      out.insert(out.end(), all.begin(), all.begin() + static_cast<std::ptrdiff_t>(size));
+    else
+      out.push_back(all[static_cast<std::size_t>(part.component)]);
+  }
+  return out;
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,302 @@
+// Driving a run: steps, landings, hooks, events.
+#include "run/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "run/failure.hpp"
+#include "run/foresight.hpp"
+#include "run/place_text.hpp"
+
+namespace fabricsh::run {
+
+Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
+         const char* kind)
+    : model_(std::move(model)), duration_(duration), notices_(std::move(notices)) {
+  if (!(duration > 0) || !std::isfinite(duration))
+    throw Error(std::string(kind) + ": field 'duration': expected a positive time in s, got " +
+                number(duration));
+  model_->validate();
+  assembly_ = std::make_unique<mechanics::Assembly>(*model_);
+  model_->seal();
+  kinks_ = model_->kinks();
+  if (const auto* contact = std::as_const(*assembly_).contact())
+    for (const std::string& words : contact->describe())
+      notices_->once("contact " + words, "contact: " + words);
+  if (const std::string words = bending_warning(*model_, *assembly_); !words.empty())
+    notices_->once("bending of card " + model_->card().name, "warning: " + words);
+}
+
+Run::~Run() = default;
+
+void Run::add(std::unique_ptr<mechanics::Term> term) {
+  if (started_) throw Error(std::string("a term '") + term->name() + "': expected before the run begins");
+  if (!term->symmetric())
+    throw Error(std::string("a term '") + term->name() + "': expected one with a symmetric tangent");
+  assembly_->add(std::move(term));
+}
+
+void Run::check_interval(double interval) const {
+  if (!(duration_ / interval <= most_steps))
+    throw Error("every: expected at least " + number(duration_ / most_steps) + " s (" + number(most_steps) +
+                " calls in the duration of " + number(duration_) + " s), got " + number(interval) + " s");
+}
+
+std::size_t Run::every_step(Hook hook, AfterError after) {
+  timed_.push_back({0, std::move(hook), after});
+  take_up(timed_.back(), timed_.size() - 1);
+  return timed_.size() - 1;
+}
+
+void Run::reschedule(std::size_t hook, double interval) {
+  Timed& timed = timed_.at(hook);
+  if (timed.interval == interval) return;
+  if (interval > 0) check_interval(interval);
+  timed.interval = interval;
+  timed.count = 1;
+  if (interval > 0) timed.count += static_cast<std::int64_t>(std::floor(time() / interval + 1e-9));
+}
+
+std::size_t Run::every(double interval, Hook hook, AfterError after) {
+  if (!(interval > 0) || !std::isfinite(interval))
+    throw Error("every: expected a positive time in s or \"step\", got " + number(interval));
+  check_interval(interval);
+  timed_.push_back({interval, std::move(hook), after});
+  take_up(timed_.back(), timed_.size() - 1);
+  return timed_.size() - 1;
+}
+
+void Run::event(std::function<double(Run&)> value, double tolerance, Hook hook) {
+  if (!(tolerance > 0))
+    throw Error("event: field 'tolerance': expected a positive number, got " + number(tolerance));
+  Event event{std::move(value), tolerance, std::move(hook)};
+  take_up(event, events_.size());
+  events_.push_back(std::move(event));
+}
+
+void Run::stop(const std::string& reason) {
+  stopped_ = true;
+  stop_reason_ = reason;
+}
+
+void Run::start() {
+  if (started_) return;
+  begin();
+  initial_energy_ = energy().kinetic + energy().internal();
+  for (auto& event : events_) {
+    measure(event);
+    event.settle();
+  }
+  for (auto& timed : timed_) timed.pending = true;
+  started_ = true;
+}
+
+void Run::advance(double to) {
+  if (!std::isfinite(to)) throw Error("advance: expected a finite time in s, got " + number(to));
+  if (to < time() - same_time * duration_)
+    throw Error("advance: expected a time from " + number(time()) + " s, where the run is, got " +
+                number(to) + " s (restore(snapshot) goes back)");
+  if (!((to - time()) / largest_step() <= most_steps))
+    throw Error("advance: expected a time up to " + number(time() + most_steps * largest_step()) + " s (" +
+                number(most_steps) + " steps of " + number(largest_step()) + " s from here), got " +
+                number(to) + " s");
+  const Busy busy(*this, "advance");
+  stopped_ = false;
+  stop_reason_.clear();
+  start();
+  run_pending();
+  while (!stopped_ && time() < to - same_time * duration_) advance_to(to);
+}
+
+void Run::step() {
+  const Busy busy(*this, "step");
+  stopped_ = false;
+  stop_reason_.clear();
+  start();
+  run_pending();
+  if (!stopped_ && time() < duration_ - same_time * duration_) advance_to(duration_);
+}
+
+double Run::next_landing(double limit) const {
+  const double now = committed_time(), after = now + same_time * duration_;
+  double landing = limit;
+  const auto kink = std::upper_bound(kinks_.begin(), kinks_.end(), after);
+  if (kink != kinks_.end()) landing = std::min(landing, *kink);
+  for (const auto& timed : timed_)
+    if (timed.interval > 0) {
+      const double t = static_cast<double>(timed.count) * timed.interval;
+      if (t > after) landing = std::min(landing, t);
+    }
+  return landing;
+}
+
+bool Run::is_kink(double time) const {
+  return std::any_of(kinks_.begin(), kinks_.end(),
+                     [&](double t) { return std::abs(t - time) <= same_time * duration_; });
+}
+
+void Run::fail(NumericalFailure failure, const std::string& why) {
+  std::string strained;
+  if (const auto far = beyond())
+    strained = "\nbeyond     " + beyond_text(*far) + ", " + number(far->share) + " times as far, at " +
+               number(far->time) + " s";
+  why_ = failure.why = std::string(kind()) + ": " + why + strained + touching_text(*assembly_) +
+                       "\nrun        to " + number(duration_) + " s, card " + model_->card().name + ", " +
+                       std::to_string(model_->mesh().elements.size()) + " elements";
+  throw NumericalFailure(failure);
+}
+
+void Run::rollback() {
+  assembly_->rollback();
+  trial_time_ = committed_time();
+}
+
+void Run::advance_to(double limit) {
+  StepReport report;
+  try {
+    land(try_step(limit, report), report);
+  } catch (...) {
+    rollback();
+    throw;
+  }
+  commit(report);
+  trial_time_ = report.time;
+  reports_.push_back(std::move(report));
+  watch_strain();
+  for (auto& event : events_) event.settle();
+  hooked_ = hooked_ || !events_.empty();
+  mark_due();
+  run_pending();
+  check();
+  for (std::size_t i = 0; i < settled_.size(); ++i) settled_[i](*this);
+  if (monitor_) monitor_(*this);
+}
+
+// What a card was tested to is the mean strain of a strip between grips. A run of that test has elements that
+// are strained a per cent or two more: that is known, and not told.
+void Run::watch_strain() {
+  constexpr double reached = 1 + 1e-6, told = 1.02;
+  const double share = assembly_->largest_share(), before = beyond_.share;
+  if (!(share > std::max(reached, before))) return;
+  const mechanics::Strained most = assembly_->most_strained();
+  const char* const yarns[] = {"warp", "weft", "shear"};
+  const double first = before > 0 ? beyond_.first : time();
+  beyond_ = {share, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
+  if (stops_beyond_ && before <= told && share > told)
+    stop("strain beyond what was tested: " + beyond_text(beyond_));
+  if (told_beyond_ || before > told || share <= told) return;
+  told_beyond_ = true;
+  notices_->say("warning: " + std::string(kind()) + ": at time " + number(time()) + " s " +
+                beyond_text(beyond_) + ", about " + place_text(assembly_->centre(most.element)) +
+                ": from here on the card is a guess; said once, a.beyond and run.json have the farthest");
+}
+
+double Run::elements_beyond() const {
+  if (!beyond()) return 0;
+  const auto all = assembly_->elements();
+  mesh::Index count = 0;
+  for (mesh::Index e = 0; e < all; ++e) count += assembly_->share(e) > 1 ? 1 : 0;
+  return static_cast<double>(count) / static_cast<double>(all);
+}
+
+// --- events
+
+void Run::Event::settle() {
+  largest = std::max(largest, std::abs(now));
+  last = now;
+  if (side != 0 && (near() || crossed())) {
+    pending = true;
+    side = 0;
+  }
+  if (!near()) side = now > 0 ? 1 : -1;
+}
+
+bool Run::Event::crossed() const { return side != 0 && !near() && (now > 0) != (side > 0); }
+
+void Run::measure(Event& event) {
+  event.now = event.value(*this);
+  if (!std::isfinite(event.now))
+    throw Error("event: field 'value': expected a finite number, got " + number(event.now));
+}
+
+// Shortens the step until no event lies beyond zero and its tolerance; one whose value jumps over zero is
+// left at the far side of the jump.
+double Run::land(double size, StepReport& report) {
+  std::vector<const Event*> jumped;
+  for (auto& event : events_) measure(event);
+  for (std::size_t tries = 0; tries <= 2 * events_.size(); ++tries) {
+    const auto beyond = std::find_if(events_.begin(), events_.end(), [&](const Event& e) {
+      return e.crossed() && std::find(jumped.begin(), jumped.end(), &e) == jumped.end();
+    });
+    if (beyond == events_.end()) break;
+    size = search(*beyond, size, report);
+    for (auto& event : events_) measure(event);
+    if (beyond->crossed()) jumped.push_back(&*beyond);
+  }
+  return size;
+}
+
+// The Illinois variant of regula falsi on the step's size, each trial a full solve from the committed state.
+// Ends near zero, or on the far side of a jump.
+double Run::search(Event& event, double size, StepReport& report) {
+  double from = no_size(), to = tried_size(size), low = event.last, high = event.now, at = to;
+  const double least = 1e-9 * (to - from);  // of the step: a jump is no better known
+  int kept = 0;                             // which end was kept last time
+  const auto try_size = [&](double s) {
+    at = s;
+    if (!attempt(s, report)) give_up(report);
+    measure(event);
+  };
+  for (int i = 0; i < 80 && !event.near(); ++i) {
+    const double next = i % 8 == 7 ? (from + to) / 2 : from + (to - from) * low / (low - high);
+    if (next == from || next == to || to - from <= least) break;
+    try_size(next);
+    if (!event.crossed()) {
+      from = next;
+      low = event.now;
+      if (kept == -1) high /= 2;
+      kept = -1;
+    } else {
+      to = next;
+      high = event.now;
+      if (kept == 1) low /= 2;
+      kept = 1;
+    }
+  }
+  if (!event.near() && at != to) try_size(to);
+  return at;
+}
+
+// --- hooks
+
+void Run::mark_due() {
+  for (auto& timed : timed_) {
+    const double due = static_cast<double>(timed.count) * timed.interval;
+    if (timed.interval > 0 && time() < due - same_time * duration_) continue;
+    ++timed.count;
+    timed.pending = true;
+  }
+}
+
+void Run::run_pending() {
+  for (std::size_t i = 0; i < timed_.size(); ++i) {
+    if (!timed_[i].pending) continue;
+    const bool repeat = timed_[i].after == AfterError::repeat;
+    timed_[i].pending = repeat;
+    hooked_ = true;
+    const Hook hook = timed_[i].hook;  // a hook may add hooks
+    hook(*this);
+    timed_[i].pending = false;
+  }
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    if (!events_[i].pending) continue;
+    events_[i].pending = false;
+    const Hook hook = events_[i].hook;
+    if (hook) hook(*this);
+  }
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,123 @@
+// What a snapshot and a checkpoint hold of a run, and going back to it.
+#include <cmath>
+
+#include "base/error.hpp"
+#include "run/run.hpp"
+
+namespace fabricsh::run {
+
+struct Run::Snapshot {
+  const Run* owner;
+  std::string bytes;
+};
+
+Run::Busy::Busy(Run& run, const char* call) : run_(run) {
+  if (run.busy_) throw Error(std::string(call) + ": not from a hook of the same run");
+  run.busy_ = true;
+}
+
+void Run::keep(Archive& archive) {
+  assembly_->keep(archive);
+  if (archive.reading()) {
+    trial_time_ = committed_time();
+    assembly_->aim(trial_time_);
+  }
+  archive.section("ledger", [&] { archive(dead_, initial_energy_, work_, reports_); });
+  archive.section("progress", [&] { archive(started_, stopped_, stop_reason_, beyond_); });
+  archive.section(kind(), [&] { memory(archive); });
+  archive.section("hooks", [&] { keep_hooks(archive); });
+}
+
+void Run::keep_motion(Archive& archive) {
+  assembly_->keep(archive);
+  std::uint64_t steps = reports_.size();
+  archive(dead_, work_, beyond_, steps);
+  memory(archive);
+  if (!archive.reading()) return;
+  trial_time_ = committed_time();
+  assembly_->aim(trial_time_);
+  reports_.resize(steps);
+}
+
+std::string Run::mark() {
+  Archive archive;
+  keep_motion(archive);
+  return archive.bytes();
+}
+
+void Run::go_back(const std::string& mark) {
+  Archive archive(mark);
+  keep_motion(archive);
+}
+
+void Run::keep_hooks(Archive& archive) {
+  if (!archive.reading()) {
+    kept_timed_.clear();
+    kept_events_.clear();
+    for (const auto& timed : timed_) kept_timed_.push_back({timed.count, timed.repeats()});
+    for (const auto& event : events_) kept_events_.push_back({event.last, event.largest, event.side});
+  }
+  archive(kept_timed_, kept_events_);
+  if (!archive.reading()) return;
+  for (std::size_t i = 0; i < timed_.size(); ++i) take_up(timed_[i], i);
+  for (std::size_t i = 0; i < events_.size(); ++i) take_up(events_[i], i);
+}
+
+// What is younger than the state counts from here.
+void Run::take_up(Timed& timed, std::size_t i) {
+  timed.pending = false;
+  timed.count = 1;
+  if (i < kept_timed_.size()) {
+    timed.count = kept_timed_[i].count;
+    timed.pending = kept_timed_[i].repeats;
+  } else if (timed.interval > 0) {
+    timed.count += static_cast<std::int64_t>(std::floor(time() / timed.interval + 1e-9));
+  }
+}
+
+void Run::take_up(Event& event, std::size_t i) {
+  event.pending = false;
+  if (i < kept_events_.size()) {
+    event.last = kept_events_[i].last;
+    event.largest = kept_events_[i].largest;
+    event.side = kept_events_[i].side;
+  } else if (started_) {
+    event.side = 0;
+    measure(event);
+    event.settle();
+  }
+}
+
+std::shared_ptr<const Run::Snapshot> Run::snapshot() {
+  return std::make_shared<Snapshot>(Snapshot{this, kept()});
+}
+
+void Run::restore(const Snapshot& snapshot) {
+  if (snapshot.owner != this) throw Error("restore: this snapshot was taken of another analysis");
+  const Busy busy(*this, "restore");
+  Archive archive(snapshot.bytes);
+  keep(archive);
+  for (const auto& hook : restored_) hook(*this);
+}
+
+std::string Run::kept() {
+  Archive archive;
+  keep(archive);
+  return archive.bytes();
+}
+
+void Run::resume(const std::string& bytes) {
+  const Busy busy(*this, "restart");
+  const std::string before = kept();
+  Archive archive(bytes);
+  try {
+    keep(archive);
+    if (!archive.at_end()) throw Error("there are more bytes than the run has");
+  } catch (...) {
+    Archive back(before);
+    keep(back);
+    throw;
+  }
+}
+
+}  // namespace fabricsh::run

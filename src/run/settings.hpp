@@ -1,0 +1,50 @@
+// The settings that may change while a run is under way: those that static runs and runs in motion share.
+#pragma once
+#include "base/archive.hpp"
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "run/run.hpp"
+
+namespace fabricsh::run {
+
+// now: as it stands; given: as the run was made.
+template <class T>
+void keep_setting(Archive& archive, const T& given, T& now) {
+  T given_then = given, then = now;
+  archive(given_then, then);
+  if (archive.reading() && given_then == given) now = then;
+}
+
+template <class T>
+void take_setting(const std::optional<T>& wanted, T& now) {
+  if (wanted) now = *wanted;
+}
+
+// Options of either kind; the order is that of the checkpoint.
+template <class Options>
+void keep_settings(Archive& archive, const Options& given, Options& now) {
+  keep_setting(archive, given.tolerance, now.tolerance);
+  keep_setting(archive, given.max_iterations, now.max_iterations);
+  keep_setting(archive, given.max_cuts, now.max_cuts);
+  keep_setting(archive, given.step, now.step);
+}
+
+// Error: a step with which the run would not end.
+inline void check_step(const char* call, double step, double duration) {
+  if (!(duration / step <= most_steps))
+    throw Error(std::string(call) + ": field 'step': expected at least " + number(duration / most_steps) +
+                " s (" + number(most_steps) + " steps to the duration of " + number(duration) + " s), got " +
+                number(step) + " s");
+}
+
+// The options with what is wanted otherwise.
+template <class Options, class Settings>
+Options with_settings(Options options, const Settings& wanted) {
+  take_setting(wanted.tolerance, options.tolerance);
+  take_setting(wanted.max_iterations, options.max_iterations);
+  take_setting(wanted.max_cuts, options.max_cuts);
+  if (wanted.step) options.step = wanted.step;
+  return options;
+}
+
+}  // namespace fabricsh::run

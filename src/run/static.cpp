@@ -1,0 +1,368 @@
+// The quasi-static run: steps, cuts, what is said.
+#include "run/static.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "run/settings.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+void check_options(const StaticOptions& o) {
+  if (o.step && !(*o.step > 0))
+    throw Error("static: field 'step': expected a positive time in s, got " + number(*o.step));
+  if (o.step) check_step("static", *o.step, o.duration);
+  if (!(o.tolerance > 0) || !(o.tolerance < 1))
+    throw Error("static: field 'tolerance': expected a number between 0 and 1, got " + number(o.tolerance));
+  if (o.max_iterations < 1) throw Error("static: field 'max_iterations': expected 1 or more");
+  if (o.max_cuts < 0) throw Error("static: field 'max_cuts': expected 0 or more");
+  if (!(o.min_step >= 0) || o.min_step > o.step.value_or(o.duration))
+    throw Error("static: field 'min_step': expected a time in s from 0 to the largest step, got " +
+                number(o.min_step));
+  if (!(o.stabilise >= 0) || !(o.stabilise < 1))
+    throw Error("static: field 'stabilise': expected true or a fraction of the work from 0 to 1, got " +
+                number(o.stabilise));
+  if (o.control == Control::arc && (o.stabilise > 0 || o.method != Method::newton))
+    throw Error(
+        "static: field 'control': \"arc\" goes with Newton alone: leave out 'stabilise' and 'method'");
+}
+
+bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly) {
+  return o.linear == Linear::symmetric || (o.linear == Linear::automatic && assembly.symmetric());
+}
+
+StepControl control_of(const StaticOptions& o) {
+  return {o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
+}
+
+constexpr double kLedger = 0.05;  // of the external work: an error of the ledger that is worth a word
+
+// Cuts after which relaxation is tried, where it is allowed.
+constexpr int kPatience = 3;
+
+}  // namespace
+
+Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options,
+               std::shared_ptr<Notices> notices)
+    : Run(std::move(model), options.duration, std::move(notices), "static"),
+      options_(options),
+      given_(options),
+      now_{control_of(options)} {
+  check_options(options_);
+  check_bodies();
+  problem_ = std::make_unique<Problem>(*assembly_, 1e-7 * options_.duration, poll_);
+  if (options_.stabilise > 0)
+    stabilisation_ =
+        &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
+  auto linear = takes_symmetric(options_, *assembly_) ? linear::make_symmetric_solver()
+                                                      : linear::make_unsymmetric_solver();
+  if (options_.control == Control::arc && assembly_->hangs_on_time())
+    throw Error(
+        "static: field 'control': \"arc\" walks along loads, not through time: expected \"load\" with a card "
+        "whose stress relaxes (viscous)");
+  if (options_.control == Control::arc)
+    arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
+  else
+    newton_ = std::make_unique<solver::Newton>(std::move(linear));
+  if (options_.method != Method::newton) relaxation_ = std::make_unique<solver::Relaxation>();
+}
+
+Static::~Static() = default;
+
+void Static::check_bodies() const {
+  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
+  if (contact == nullptr) return;
+  if (contact->bodies().any_free())
+    throw Error(
+        "static: the model has a rigid body with a mass, which moves freely: expected fabric.dynamic, or a "
+        "body without a mass");
+  if (options_.control == Control::arc && contact->bodies().any_driven())
+    throw Error(
+        "static: field 'control': \"arc\" does not go with rigid bodies that are moved: expected \"load\"");
+}
+
+std::string Static::method() const {
+  std::ostringstream text;
+  text << std::boolalpha << "static with control " << (arc_ ? "arc" : "load") << ", method "
+       << static_cast<int>(options_.method) << ", linear " << static_cast<int>(options_.linear)
+       << ", line search " << options_.line_search << ", stabilise " << number(options_.stabilise)
+       << ", min_step " << number(options_.min_step);
+  return text.str();
+}
+
+void Static::set(const Settings& settings) {
+  const StaticOptions options = with_settings(options_, settings);
+  check_options(options);
+  options_ = options;
+  if (settings.step || settings.max_cuts) now_.step = control_of(options_);
+}
+
+void Static::keep_settings(Archive& archive) {
+  const auto step = options_.step;
+  const int max_cuts = options_.max_cuts;
+  run::keep_settings(archive, given_, options_);
+  if (step != options_.step || max_cuts != options_.max_cuts) now_.step = control_of(options_);
+}
+
+void Static::begin() {
+  problem_->aim(0);
+  problem_->start();
+  dead_ = problem_->external();
+  work_.start(*assembly_, dead_);
+  const auto targets = assembly_->targets(0);
+  const auto some = [](const std::vector<double>& v) {
+    return std::any_of(v.begin(), v.end(), [](double t) { return t != 0; });
+  };
+  mechanics::WorkingForces loads;
+  assembly_->working_forces(dead_, loads);
+  now_.jumps = some(targets) || some(loads.on_x) || some(loads.on_d);
+  if (some(targets))
+    notices_->say("static: a motion is not zero at time 0; all of it is applied in the first step");
+  // Where one step is the whole run, a ramp would be applied whole as well.
+  if (now_.step.largest() >= options_.duration) return;
+  if (const std::string words = jump_warning(*model_, options_.duration); !words.empty())
+    notices_->say("warning: static: " + words);
+}
+
+double Static::no_size() const { return arc_ ? 0 : committed_time(); }
+double Static::tried_size(double size) const { return arc_ ? now_.tried_length : size; }
+
+double Static::plan(double limit) {
+  now_.landing = next_landing(limit);
+  if (arc_) return now_.arc_length;
+  return now_.step.end(committed_time(), now_.landing);
+}
+
+// A step that fails or is broken off leaves nothing behind: a run goes on as if it had not been tried.
+class Static::Trace {
+ public:
+  explicit Trace(Static& run) : run_(run), now_(run.now_), factor_(run.damping_factor()) {}
+  ~Trace() {
+    if (kept_) return;
+    run_.now_ = now_;
+    if (run_.stabilisation_ != nullptr) run_.stabilisation_->set_factor(factor_);
+  }
+  void keep() { kept_ = true; }
+
+ private:
+  Static& run_;
+  const Now now_;
+  double factor_;
+  bool kept_ = false;
+};
+
+double Static::try_step(double limit, StepReport& report) {
+  double size = plan(limit);
+  const double whole = size;
+  Trace trace(*this);
+  tries_.clear();
+  while (!attempt(size, report)) {
+    if (last_.status == solver::NewtonStatus::broken) give_up(report);
+    const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
+    if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
+      size = whole;
+      break;
+    }
+    if (!possible) give_up(report);
+    size = plan(limit);
+  }
+  if (stabilisation_ != nullptr && reports_.empty()) calibrate(size, report);
+  trace.keep();
+  return size;
+}
+
+// The first step is done again until its damping loses no more than it may, or can't be done with less.
+void Static::calibrate(double size, StepReport& report) {
+  auto& damping = *stabilisation_;
+  for (int i = 0; i < 8; ++i) {
+    const double lost = damping.work(problem_->motion()), work = energy().internal() + lost,
+                 factor = damping.factor();
+    if (lost <= 2 * options_.stabilise * work) return;
+    damping.adapt(lost, work);
+    if (attempt(size, report)) continue;
+    damping.set_factor(factor);
+    if (!attempt(size, report)) give_up(report);
+    return;
+  }
+}
+
+// Half the size. False: that is below the smallest step, and the cuts of one step after the other have added
+// up to more than one step may take.
+bool Static::cut(double size) {
+  if (arc_) {
+    now_.arc_length = now_.tried_length / 2;
+    return last_.status != solver::NewtonStatus::turned_back || now_.arc_length > 0.01 * now_.longest_length;
+  }
+  if (stabilisation_ != nullptr && stabilisation_->lost() < 0.01 * work_.largest()) stabilisation_->raise();
+  return now_.step.cut(size - committed_time());
+}
+
+bool Static::attempt(double size, StepReport& report) {
+  const solver::NewtonOptions options{options_.tolerance, options_.max_iterations, options_.line_search};
+  if (arc_) {
+    const auto arc =
+        arc_->solve(*problem_, options, {committed_time(), now_.landing, size, now_.step.largest()});
+    now_.tried_length = arc.length;
+    return finish(arc, arc.time, report);
+  }
+  problem_->aim(size);
+  return finish(options_.method == Method::relaxation ? relax() : newton_->solve(*problem_, options), size,
+                report);
+}
+
+bool Static::rescue(double size, StepReport& report) {
+  if (options_.method != Method::either) return false;
+  problem_->aim(size);
+  return finish(relax(), size, report);
+}
+
+// Relaxation goes far at little accuracy, Newton the rest of the way; where it fails, relaxation goes on from
+// where it stood.
+solver::NewtonResult Static::relax() {
+  solver::RelaxationOptions coarse;
+  coarse.tolerance = std::max(options_.tolerance, 1e-3);
+  solver::NewtonResult result = relaxation_->solve(*problem_, coarse);
+  while (result.status == solver::NewtonStatus::converged && coarse.tolerance > options_.tolerance) {
+    problem_->keep_configuration();
+    auto polished = newton_->correct(*problem_, {options_.tolerance, many_iterations, options_.line_search});
+    polished.iterations += result.iterations;
+    if (polished.status == solver::NewtonStatus::converged) return polished;
+    problem_->recall();
+    coarse.tolerance = std::max(options_.tolerance, 1e-2 * coarse.tolerance);
+    result = relaxation_->go_on(*problem_, coarse);
+    result.iterations += polished.iterations;
+  }
+  return result;
+}
+
+bool Static::finish(const solver::NewtonResult& result, double end, StepReport& report) {
+  last_ = result;
+  report.iterations += last_.iterations;
+  report.residuals = last_.residuals;
+  report.negative_pivots = last_.negative_pivots;
+  report.step = end - committed_time();
+  report.time = end;
+  const bool converged = last_.status == solver::NewtonStatus::converged;
+  if (!converged) {
+    blame_ = find_blame(*assembly_, model_->mesh(), last_);
+    tries_.push_back({report.step, last_.status, last_.residuals, blame_.reason});
+  }
+  trial_time_ = converged ? end : committed_time();
+  return converged;
+}
+
+void Static::commit(StepReport& report) {
+  const double damped = stabilisation_ == nullptr ? 0 : stabilisation_->work(problem_->motion());
+  const double before = work_.total();
+  dead_ = problem_->external();
+  work_.add(*assembly_, dead_);
+  assembly_->finish_step();
+  problem_->commit(report.time);
+  if (stabilisation_ != nullptr) stabilisation_->adapt(damped, work_.total() - before);
+  grow(report);
+  tell(report);
+}
+
+// From the iterations that the step took: a step that took many makes the next one smaller, one that took few
+// lets it grow back to the largest.
+void Static::grow(const StepReport& report) {
+  if (arc_) return grow_arc(report);
+  if (relaxation_ && last_.iterations > options_.max_iterations)
+    return;  // relaxed: that says nothing of steps
+  now_.step.grow(last_.iterations, report.cuts > 0);
+}
+
+void Static::grow_arc(const StepReport& report) {
+  const bool kink = is_kink(report.time);
+  // A run may begin with a jump of its loads, whose direction says nothing about the path.
+  if (kink || reports_.empty())
+    arc_->forget();
+  else
+    arc_->committed();
+  problem_->at_kink(kink);
+  const double factor =
+      std::clamp(std::sqrt(wanted_iterations / std::max(1.0, 1.0 * last_.iterations)), 0.5, 1.5);
+  now_.longest_length = std::max(now_.longest_length, now_.tried_length);
+  // A landing shortens a step for reasons of its own.
+  const bool landed = std::abs(report.time - now_.landing) <= same_time * options_.duration;
+  now_.arc_length = factor * (landed && report.cuts == 0 ? std::max(now_.tried_length, now_.arc_length)
+                                                         : now_.tried_length);
+}
+
+void Static::tell(const StepReport& report) {
+  if (report.negative_pivots > 0 && !now_.told_pivots) {
+    now_.told_pivots = true;
+    notices_->say("static: the tangent has " + std::to_string(report.negative_pivots) +
+                  " negative pivots at time " + number(report.time) +
+                  " s: a limit or bifurcation point has been passed");
+  }
+  if (const auto element = now_.told_inverted ? -1 : assembly_->inverted_element(); element >= 0) {
+    now_.told_inverted = true;
+    notices_->say("static: element " + std::to_string(element + 1) + " is turned inside out at time " +
+                  number(report.time) + " s: what follows is no answer; it was pushed past zero length");
+  }
+  const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
+  if (lost > 0.01 * work_.largest() && !now_.told_damping) {
+    now_.told_damping = true;
+    notices_->say("static: stabilisation has taken " + number(100 * lost / work_.largest()) +
+                  " % of the external work by time " + number(report.time) +
+                  " s: smaller steps or a smaller 'stabilise' would take less");
+  }
+}
+
+// The answer hangs on the balance of forces alone, but a law with hysteresis is followed along the same steps
+// over which the trapezoid sums the work: where that is far off, they are large. Said at the end, as the
+// first steps of a run that begins with nothing say little.
+void Static::check() {
+  const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
+  const bool first = now_.jumps && reports_.size() == 1;
+  if (now_.told_error || !(end || first)) return;
+  const Energy e = energy();
+  // A load that is there at once does more work than the springs take up; the rest is no error of the steps.
+  if (first) now_.jumped = e.surplus();
+  const double made = std::abs(e.surplus() - now_.jumped), scale = work_.largest();
+  if (!end || !(scale > 0) || made <= kLedger * scale) return;
+  now_.told_error = true;
+  notices_->say(
+      "static: the ledger's error is " + number(100 * made / scale) + " % of the external work at time " +
+      number(time()) + " s, after " + std::to_string(reports_.size()) +
+      " steps: work is summed by the trapezoid over them; smaller ones would tell whether it is the steps'");
+}
+
+void Static::give_up(const StepReport& report) {
+  const double now = committed_time();
+  Failure failure;
+  failure.time = now;
+  failure.tries = tries_;
+  failure.blame = blame_;
+  failure.negative_pivots = last_.negative_pivots;
+  failure.moved = farthest_move(*assembly_, now, now + (tries_.empty() ? 0 : tries_.front().step));
+  failure.size = assembly_->smallest_size();
+  failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
+  if (const auto* woven = std::get_if<card::Woven>(&model_->card_of(blame_.element).law))
+    failure.tested = woven->tested;
+  failure.arc = arc_ != nullptr;
+  failure.stabilised = stabilisation_ != nullptr;
+  failure.turned_back = last_.status == solver::NewtonStatus::turned_back;
+  failure.broken = last_.status == solver::NewtonStatus::broken;
+  const std::string text = "static: " + headline(failure, last_, report.step) + " (the largest is " +
+                           number(now_.step.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
+                           describe(blame_, last_, options_.tolerance) +
+                           ".\nTry: " + advice(failure).front() + ".";
+  fail(NumericalFailure(text, now, blame_.element, blame_.yarn), run::report(failure));
+}
+
+void Static::memory(Archive& archive) {
+  archive(now_);
+  problem_->keep(archive);
+  if (newton_) newton_->keep(archive);
+  if (arc_) arc_->keep(archive);
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,105 @@
+// The quasi-static run: Newton, path following or relaxation, with steps cut where they fail.
+#pragma once
+#include <optional>
+
+#include "linear/libraries.hpp"
+#include "mechanics/terms/damping.hpp"
+#include "run/failure.hpp"
+#include "run/problem.hpp"
+#include "run/run.hpp"
+#include "run/step_control.hpp"
+#include "solver/arc_length.hpp"
+#include "solver/relaxation.hpp"
+
+namespace fabricsh::run {
+
+enum class Linear { automatic, symmetric, unsymmetric };  // automatic: symmetric where law and loads are
+// load: each step has its end time. arc: each step has its length along the path, and time, which loads and
+// supports hang on, follows; it may go down, past a limit point. The run ends where it first reaches the
+// duration.
+enum class Control { load, arc };
+// relaxation: every step by dynamic relaxation, polished by Newton. either: Newton, and relaxation for a step
+// that it can't do in a few cuts.
+enum class Method { newton, relaxation, either };
+
+struct StaticOptions {
+  double duration = 0;              // s, required, positive
+  std::optional<double> step = {};  // largest step, s; default duration / 20
+  double tolerance = 1e-10;         // residual over the largest nodal force so far
+  int max_iterations =
+      50;             // slack cloth at its first strains switches many yarns: an active set takes its time
+  int max_cuts = 12;  // halvings of one step before the run gives up
+  bool line_search = true;
+  double min_step = 0;  // s: no cut goes below
+  Linear linear = Linear::automatic;
+  Control control = Control::load;
+  Method method = Method::newton;
+  // Viscous forces c m dx/dt on the nodes, c chosen such that a step loses this fraction of its work; 0:
+  // none.
+  double stabilise = 0;
+};
+inline constexpr double usual_stabilisation = 2e-4;
+
+class Static final : public Run {
+ public:
+  // Errors: options out of range; model.validate().
+  Static(std::shared_ptr<model::Model> model, const StaticOptions& options, std::shared_ptr<Notices> notices);
+  ~Static() override;
+
+  const StaticOptions& options() const { return options_; }
+  const char* kind() const override { return "static"; }
+  double tolerance() const override { return options_.tolerance; }
+  std::string method() const override;
+  std::string kernels() const override { return linear::blas_kernels(); }
+  void set(const Settings& settings) override;
+  void keep_settings(Archive& archive) override;
+
+ private:
+  class Trace;
+  void begin() override;
+  double try_step(double limit, StepReport& report) override;
+  bool attempt(double size, StepReport& report) override;
+  double largest_step() const override { return options_.step.value_or(options_.duration / 20); }
+  double no_size() const override;
+  double tried_size(double size) const override;
+  void commit(StepReport& report) override;
+  [[noreturn]] void give_up(const StepReport& report) override;
+  void memory(Archive& archive) override;
+  void check() override;
+
+  void check_bodies() const;  // Error: one that this kind of run cannot move
+  double plan(double limit);  // size of the next step
+  double damping_factor() const { return stabilisation_ == nullptr ? 0 : stabilisation_->factor(); }
+  void calibrate(double size, StepReport& report);  // the damping of the first step
+  bool rescue(double size, StepReport& report);     // by relaxation, where that is allowed
+  bool cut(double size);                            // half of it; false: too small
+  void grow(const StepReport& report);              // what the next step may be
+  void grow_arc(const StepReport& report);
+  solver::NewtonResult relax();
+  bool finish(const solver::NewtonResult& result, double end, StepReport& report);
+  void tell(const StepReport& report);  // notices
+
+  StaticOptions options_;
+  const StaticOptions given_;
+  std::unique_ptr<Problem> problem_;
+  mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none
+  std::unique_ptr<solver::Newton> newton_;             // each of the three where it is used
+  std::unique_ptr<solver::ArcLength> arc_;
+  std::unique_ptr<solver::Relaxation> relaxation_;
+  solver::NewtonResult last_;
+  Blame blame_;
+  std::vector<Try> tries_;  // of the step under way, that failed
+  struct Now {              // what changes as the run goes
+    StepControl step;
+    double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
+    bool told_pivots = false, told_damping = false, told_inverted = false, told_error = false;
+    bool jumps = false;  // are there loads, or motions, at time 0 already
+    double jumped = 0;   // J, that loads which begin with a jump gave in the first step, and no state holds
+    void keep(Archive& archive) {
+      archive(step, arc_length, tried_length, longest_length, landing, told_pivots, told_damping,
+              told_inverted, told_error, jumps, jumped);
+    }
+  } now_;
+};
+
+}  // namespace fabricsh::run

@@ -1,0 +1,61 @@
+// What can be read from a run.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "geometry/vec.hpp"
+
+namespace fabricsh::run {
+
+// Read-only averages over an element's reference volume, material axes, tensor components. result_fields.cpp
+// gives them their names.
+struct ElementValues {
+  double E11 = 0, E22 = 0, E23 = 0, E13 = 0, E12 = 0;
+  double S11 = 0, S22 = 0, S23 = 0, S13 = 0, S12 = 0;
+  double stored = 0, dissipated = 0;  // J/m^3
+  double residual1 = 0, residual2 = 0, slack1 = 0, slack2 = 0;
+};
+
+struct NodeValues {
+  Vec3 x, X, u, v, n;  // current, reference, displacement (m), velocity (m/s; zero in statics), director
+};
+
+struct Energy {  // J
+  double kinetic = 0, stored = 0, dissipated = 0, external = 0;
+  double damping = 0;  // lost to viscous forces, and to the integrator where it damps (gamma > 1/2, hht < 0)
+  double scaled = 0;   // of the kinetic, in rotary inertia beyond what the thickness has
+  double contact = 0, guard = 0;  // of the stored: of contact, and of what holds it off its floor
+  double friction = 0;            // of the dissipated: what friction of contact took
+  double rigid = 0;               // of the kinetic: of free rigid bodies
+  double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
+  double internal() const { return stored + dissipated; }
+  double initial = 0;  // kinetic, stored and dissipated when the run began
+  // kinetic + stored + dissipated + damping - external - initial, which is zero where no energy is made.
+  double surplus() const { return kinetic + stored + dissipated + damping - external - initial; }
+  double error = 0;  // |surplus| / largest |external| so far (a free flight: / initial)
+};
+
+// Where a run went farthest beyond what its card was tested to.
+struct Beyond {
+  double share = 0;               // of the tested strain: 1.2 is 20 % beyond it; 0: nowhere beyond 1
+  std::string yarn;               // "warp", "weft", "shear"
+  std::int64_t element = -1;      // from 0
+  double time = 0;                // s, of the share above
+  double first = 0;               // s, when the run first went beyond 1 anywhere
+  double strain = 0, tested = 0;  // E11, E22 or |E12| (tensor) there, and up to which the card was tested
+  void keep(Archive& archive) { archive(share, yarn, element, time, first, strain, tested); }
+};
+
+// One line per committed step.
+struct StepReport {
+  double time = 0, step = 0;
+  int iterations = 0;
+  int cuts = 0;                      // halvings that this step took
+  std::vector<double> residuals;     // relative residual of each iteration, the first one is the predictor's
+  std::int64_t negative_pivots = 0;  // of the last tangent: none on a stable path
+  void keep(Archive& archive) { archive(time, step, iterations, cuts, residuals, negative_pivots); }
+};
+
+}  // namespace fabricsh::run

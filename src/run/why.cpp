@@ -1,0 +1,246 @@
+// The report of a step that could not be done: chosen from what was measured in it.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "base/number.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "run/failure.hpp"
+#include "run/place_text.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+constexpr double kWideRatio = 1e6;  // of stiffnesses, from which Newton's steps lose half their digits
+constexpr double kBeyond = 1.5;     // times the tested strain
+constexpr std::size_t kShown = 8;   // residuals and tries
+
+const char* branch_word(law::Branch branch) {
+  switch (branch) {
+    case law::Branch::virgin:
+      return "loading";
+    case law::Branch::unloading:
+      return "unloading";
+    default:
+      return "slack";
+  }
+}
+
+// How the residuals of an attempt went on.
+enum class Course { none, falls, stands, swings, grows };
+
+Course course_of(const std::vector<double>& r) {
+  if (r.size() >= 2 && r.back() < 0.1 * r[r.size() - 2]) return Course::falls;
+  if (r.size() < 4) return Course::none;
+  const auto last = r.end() - 4;
+  int falls = 0;
+  for (int i = 1; i < 4; ++i) falls += last[i] < last[i - 1] ? 1 : 0;
+  if (falls == 3 && last[3] < 0.5 * last[0]) return Course::falls;
+  const auto [least, most] = std::minmax_element(last, r.end());
+  if (*most < 2 * *least) return Course::stands;
+  return *most == r.back() && last[3] > 10 * last[0] ? Course::grows : Course::swings;
+}
+
+const char* course_word(Course course) {
+  switch (course) {
+    case Course::falls:
+      return "still falling";
+    case Course::stands:
+      return "at a standstill";
+    case Course::swings:
+      return "swinging";
+    case Course::grows:
+      return "growing";
+    default:
+      return "";
+  }
+}
+
+std::string try_text(const Try& t) {
+  std::string text = "a step of " + number(t.step) + " s: ";
+  text += t.reason.empty() ? solver::describe(t.status) : t.reason;
+  if (t.residuals.empty()) return text;
+  const std::size_t from = t.residuals.size() > kShown ? t.residuals.size() - kShown : 0;
+  text += "; residuals" + std::string(from > 0 ? " ..." : "");
+  for (std::size_t i = from; i < t.residuals.size(); ++i) text += " " + number(t.residuals[i]);
+  if (const Course course = course_of(t.residuals); course != Course::none)
+    text += std::string(" (") + course_word(course) + ")";
+  return text;
+}
+
+// "" or ", tested to 0.26"
+std::string tested_text(double strain, double tested) {
+  return tested > 0 && std::abs(strain) > tested ? " (tested to " + number(tested) + ")" : "";
+}
+
+double beyond(const Failure& f) {
+  const auto share = [](double strain, double tested) { return tested > 0 ? strain / tested : 0; };
+  return std::max({share(f.blame.E11, f.tested.warp), share(f.blame.E22, f.tested.weft),
+                   share(std::abs(f.blame.E12), f.tested.shear)});
+}
+
+std::string switch_text(const Failure& f) {
+  std::string text;
+  const auto add = [&](const char* yarn, law::Branch before, law::Branch after) {
+    text += (text.empty() ? "" : ", ") + std::string(yarn) + " " + branch_word(before);
+    if (before != after) text += " -> " + std::string(branch_word(after));
+  };
+  add("warp", f.blame.before.warp, f.blame.after.warp);
+  add("weft", f.blame.before.weft, f.blame.after.weft);
+  add("shear", f.blame.before.shear, f.blame.after.shear);
+  return text;
+}
+
+void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
+  const auto& m = f.mechanism;
+  if (m.ways > 1) {  // no single support takes them away
+    all.push_back("supports that leave no part free (they leave the sheet free to " + m.words +
+                  "), or fabric.dynamic with damping");
+    return;
+  }
+  std::string support = "a support that takes it away";
+  if (m.driven) {
+    std::ostringstream stiffness;
+    stiffness.precision(1);
+    stiffness << m.stiffness;
+    support += " (a small one is m:spring(\"all\", { " + std::string(1, "xyz"[m.axis]) + "=" +
+               stiffness.str() + " }))";
+  }
+  all.push_back("motion, fabric.dynamic with damping, or " + support +
+                ": the supports leave the sheet free to " + m.words +
+                (m.driven ? ", and the loads drive it" : ""));
+}
+
+bool ends_singular(const Failure& f) {
+  return !f.tries.empty() && f.tries.back().status == solver::NewtonStatus::singular && !f.dynamic;
+}
+
+void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
+  const bool named = f.mechanism.ways == 1 && !f.mechanism.driven;  // else it has an advice of its own
+  const std::string pivots = std::to_string(f.negative_pivots) + " negative pivots";
+  if (f.blame.inverted >= 0)
+    all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
+                  ", or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
+                  " is turned inside out)");
+  if (ends_singular(f))
+    all.push_back(
+        "supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or stabilise=true "
+        "(the tangent is singular" +
+        (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
+  if (f.negative_pivots > 0 && !f.arc && !f.dynamic)
+    all.push_back(
+        "control=\"arc\" for a limit point, stabilise=true or fabric.dynamic for wrinkles and snaps (the "
+        "last tangent has " +
+        pivots + ")");
+}
+
+void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
+  const Try& last = f.tries.back();
+  const double residual = last.residuals.empty() ? 1 : last.residuals.back();
+  const Course course = course_of(last.residuals);
+  const bool few = last.status == solver::NewtonStatus::too_many_iterations;
+  if (few && course == Course::falls)
+    all.push_back("more max_iterations, set{ max_iterations=" +
+                  std::to_string(std::max<std::size_t>(20, 2 * last.residuals.size())) +
+                  " } (the residual is still falling)");
+  if (few && course == Course::stands && residual < 1e-5)
+    all.push_back("a larger tolerance, set{ tolerance=" + number(10 * residual) +
+                  " } (the residual stands at " + number(residual) + ")");
+  if (f.moved > f.size && f.tries.size() < 4)
+    all.push_back("a smaller step, or more max_cuts (a support moves by " + number(f.moved) +
+                  " m in a step, an element is " + number(f.size) + " m)");
+  if (f.blame.switching > 0 && course == Course::swings)
+    all.push_back(
+        std::string(f.stabilised || f.dynamic ? "a smaller step" : "stabilise=true, or method=\"either\"") +
+        " (" + std::to_string(f.blame.switching) + " of " + std::to_string(f.blame.elements) +
+        " elements switch branches, the residual swings)");
+  if (last.status == solver::NewtonStatus::law_failed && f.blame.reason.empty())
+    all.push_back("a smaller step, and a look at the units of loads and motions (a strain is not finite)");
+}
+
+void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
+  if (beyond(f) > kBeyond)
+    all.push_back("a look at the card, card:check(), and at the units of the stroke (strained " +
+                  number(beyond(f)) + " times as far as it was tested)");
+  if (f.blame.stiffness_ratio > kWideRatio)
+    all.push_back("method=\"relaxation\" or fabric.dynamic (one direction of element " +
+                  std::to_string(f.blame.element + 1) + " is " + number(f.blame.stiffness_ratio) +
+                  " times as stiff as another)");
+  if (2 * f.blame.slack > f.blame.elements && !f.dynamic)
+    all.push_back("fabric.dynamic, or stabilise=true (" + std::to_string(f.blame.slack) + " of " +
+                  std::to_string(f.blame.elements) + " elements are slack both ways)");
+}
+
+}  // namespace
+
+double farthest_move(const mechanics::Assembly& assembly, double from, double to) {
+  double farthest = 0;
+  const auto& motions = assembly.freedoms().motions;
+  const auto before = assembly.targets(from), after = assembly.targets(to);
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i].component < 3) farthest = std::max(farthest, std::abs(after[i] - before[i]));
+  return farthest;
+}
+
+std::vector<std::string> advice(const Failure& f) {
+  std::vector<std::string> all;
+  if (f.broken)
+    return {"a start from before, with what the message names put right: a smaller step does not help"};
+  if (f.turned_back)
+    all.push_back(
+        "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
+        "step, so that the path is not walked the way it came");
+  if (f.mechanism.driven) advise_on_mechanism(f, all);
+  advise_on_tangent(f, all);
+  if (!f.tries.empty()) advise_on_iterations(f, all);
+  advise_on_cloth(f, all);
+  if (!f.mechanism.driven && f.mechanism.ways == 1 && !ends_singular(f)) advise_on_mechanism(f, all);
+  if (all.empty())
+    all.push_back(f.dynamic ? "a smaller step, or scheme=\"explicit\""
+                            : "a smaller step, more max_cuts, stabilise=true, or method=\"either\"");
+  return all;
+}
+
+std::string report(const Failure& f) {
+  std::string text = (f.broken ? "stopped at time " : "no step beyond time ") + number(f.time) + " s\n";
+  const std::size_t from = f.tries.size() > kShown ? f.tries.size() - kShown : 0;
+  if (from > 0) text += "tried      " + std::to_string(from) + " larger steps\n";
+  for (std::size_t i = from; i < f.tries.size(); ++i) text += "tried      " + try_text(f.tries[i]) + "\n";
+  const Blame& b = f.blame;
+  if (b.node >= 0)
+    text += "node       " + std::to_string(b.node + 1) + " at " + place_text(b.x) +
+            " carries the residual, " + (b.rotation ? "as a moment on its director" : "as a force") + "\n";
+  if (!b.reason.empty()) text += "reason     " + b.reason + "\n";
+  if (b.element >= 0) {
+    text += "element    " + std::to_string(b.element + 1) + " about " + place_text(b.centre) + "\n";
+    text += "strain     E11 " + number(b.E11) + tested_text(b.E11, f.tested.warp) + ", E22 " + number(b.E22) +
+            tested_text(b.E22, f.tested.weft) + ", E12 " + number(b.E12) +
+            tested_text(b.E12, f.tested.shear) + "\n";
+    text += "switches   " + switch_text(f) + "\n";
+    text += "elements   " + std::to_string(b.switching) + " of " + std::to_string(b.elements) +
+            " switch branches in the step, " + std::to_string(b.slack) + " are slack both ways\n";
+  }
+  if (b.stiffness_ratio > 0)
+    text +=
+        "stiffness  the stiffest direction of the element over the softest: " + number(b.stiffness_ratio) +
+        "\n";
+  for (const std::string& a : advice(f)) text += "try        " + a + "\n";
+  text.pop_back();
+  return text;
+}
+
+std::string touching_text(const mechanics::Assembly& assembly) {
+  const mechanics::Contacts* contact = assembly.contact();
+  if (contact == nullptr) return {};
+  const auto nearest = contact->nearest();
+  const std::size_t pairs = contact->touching();
+  std::string text =
+      "\ncontact    " + std::to_string(pairs) + (pairs == 1 ? " pair touches" : " pairs touch");
+  if (pairs > 0)
+    text += "; the nearest, " + contact->words(nearest.point) + ", is " + number(nearest.gap) +
+            " m above its floor";
+  return text;
+}
+
+}  // namespace fabricsh::run

@@ -1,0 +1,27 @@
+// Work of loads and supports on the cloth, by the trapezoidal rule from one committed state to the next.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "mechanics/assembly.hpp"
+
+namespace fabricsh::run {
+
+class ExternalWork {
+ public:
+  // The assembly's trial configuration with its forces, aimed at its time and not yet committed; dead: dead
+  // loads then, N, 3 per node. The first state of a run does no work.
+  void start(mechanics::Assembly& assembly, std::span<const double> dead);
+  void add(mechanics::Assembly& assembly, std::span<const double> dead);
+  // J, of what is known otherwise.
+  void add(double work);
+  void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d); }
+  double total() const { return total_; }      // J
+  double largest() const { return largest_; }  // J, the largest |total| so far
+
+ private:
+  double total_ = 0, largest_ = 0;
+  mechanics::WorkingForces before_, now_;
+};
+
+}  // namespace fabricsh::run

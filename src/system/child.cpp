@@ -1,0 +1,98 @@
+#include "system/child.hpp"
+
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "system/computing_time.hpp"
+
+extern char** environ;
+
+namespace fabricsh::system {
+
+namespace {
+
+// A file in memory: input, output and complaints go through files, so nobody waits on a pipe.
+using Scratch = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+[[noreturn]] void no_scratch(const std::string& who) {
+  throw Error(who + ": no temporary file: " + std::generic_category().message(errno));
+}
+
+Scratch scratch(const std::string& who) {
+  const int number = memfd_create("fabricsh", MFD_CLOEXEC);
+  Scratch file(number < 0 ? nullptr : fdopen(number, "w+"), std::fclose);
+  if (!file) no_scratch(who);
+  return file;
+}
+
+std::string content(std::FILE* file) {
+  std::rewind(file);
+  std::string text;
+  char part[65536];
+  for (std::size_t n = 0; (n = std::fread(part, 1, sizeof part, file)) > 0;) text.append(part, n);
+  return text;
+}
+
+std::string words(std::FILE* file) {
+  std::string text = content(file).substr(0, 2000);
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+// 0 or the system's reason; the child's number. It leads a group of its own, so that Ctrl-C at the terminal
+// comes to us alone and who runs under it goes when it is told to.
+int spawn(const std::vector<std::string>& arguments, std::FILE* input, std::FILE* out, std::FILE* said,
+          pid_t& child) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, fileno(input), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(out), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(said), STDERR_FILENO);
+  std::vector<std::string> copies = arguments;
+  std::vector<char*> pointers;
+  for (std::string& word : copies) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawnattr_t group;
+  posix_spawnattr_init(&group);
+  posix_spawnattr_setflags(&group, POSIX_SPAWN_SETPGROUP);
+  const int reason = posix_spawnp(&child, pointers[0], &actions, &group, pointers.data(), environ);
+  posix_spawnattr_destroy(&group);
+  posix_spawn_file_actions_destroy(&actions);
+  return reason;
+}
+
+}  // namespace
+
+ChildResult run_child(const std::vector<std::string>& arguments, const std::string& input,
+                      const std::string& who) {
+  const Scratch given = scratch(who), out = scratch(who), said = scratch(who);
+  const bool written = std::fwrite(input.data(), 1, input.size(), given.get()) == input.size();
+  if (!written || std::fflush(given.get()) != 0) no_scratch(who);
+  std::rewind(given.get());
+  pid_t child = 0;
+  int reason = spawn(arguments, given.get(), out.get(), said.get(), child), status = 0;
+  if (reason == ENOENT) return {false, false, {}, {}};
+  if (reason == 0) {
+    const CountedChild counted(child);
+    while (reason == 0 && waitpid(child, &status, 0) < 0) {
+      if (errno != EINTR)
+        reason = errno;
+      else
+        kill(-child, SIGTERM);  // a signal that is for us: whoever sent it waits for no picture
+    }
+  }
+  if (reason != 0)
+    throw Error(who + ": " + arguments[0] + " does not start: " + std::generic_category().message(reason));
+  return {true, WIFEXITED(status) && WEXITSTATUS(status) == 0, content(out.get()), words(said.get())};
+}
+
+}  // namespace fabricsh::system

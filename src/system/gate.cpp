@@ -1,0 +1,229 @@
+#include "system/gate.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/error.hpp"
+
+namespace fabricsh::system {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int folder_flags = O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+
+std::string reason_text(int reason) { return std::generic_category().message(reason); }
+
+[[noreturn]] void cannot(const char* what, const std::string& path, const std::string& why) {
+  throw Error(std::string("cannot ") + what + " '" + path.c_str() + "': " + why);
+}
+
+bool is_link(int folder, const std::string& name) {
+  struct stat about {};
+  return fstatat(folder, name.c_str(), &about, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(about.st_mode);
+}
+
+// What path names below folder, both absolute and normal; false: it lies elsewhere.
+bool below(const std::string& path, const std::string& folder, std::string& rest) {
+  if (path.compare(0, folder.size(), folder) != 0) return false;
+  const bool whole = path.size() == folder.size(), at_root = folder == "/";
+  if (!whole && !at_root && path[folder.size()] != '/') return false;
+  rest = whole ? "" : path.substr(folder.size() + (at_root ? 0 : 1));
+  return true;
+}
+
+Gate& process_gate() {
+  static Gate gate;
+  return gate;
+}
+
+}  // namespace
+
+int Place::at() const { return open_gate ? AT_FDCWD : folder.number(); }
+
+std::string Place::path() const { return path_of(name); }
+
+std::string Place::path_of(const std::string& sibling) const {
+  return open_gate ? sibling : "/proc/self/fd/" + std::to_string(folder.number()) + "/" + sibling;
+}
+
+std::string Place::sibling(const std::string& last) const {
+  const auto slash = name.rfind('/');
+  return (slash == std::string::npos ? "" : name.substr(0, slash + 1)) + last;
+}
+
+const Gate& Gate::of_process() { return process_gate(); }
+
+void Gate::close_process(Gate gate) {
+  if (process_gate().closed_) throw std::logic_error("the gate is closed already");
+  process_gate() = std::move(gate);
+}
+
+Gate::Root Gate::root_of(const std::string& folder) {
+  Root root;
+  root.name = fs::absolute(folder).lexically_normal().string();
+  while (root.name.size() > 1 && root.name.back() == '/') root.name.pop_back();
+  std::error_code trouble;
+  root.real = fs::canonical(root.name, trouble).string();
+  if (!trouble) root.folder = Descriptor(::open(root.real.c_str(), folder_flags));
+  if (!root.folder.open()) cannot("open", folder, trouble ? trouble.message() : reason_text(errno));
+  return root;
+}
+
+Gate::Gate(const std::vector<std::string>& readable, const std::string& writable)
+    : closed_(true), current_(fs::current_path().string()) {
+  for (const std::string& folder : readable) readable_.push_back(root_of(folder));
+  if (!writable.empty()) writable_ = root_of(writable);
+}
+
+// Folder by folder from the root, each opened by its bare name inside the one before: there is no ".." left
+// in `rest`, and a link is not a folder for O_NOFOLLOW. Nobody can turn this walk aside by swapping a part of
+// it.
+Place Gate::enter(const Root& root, const std::string& path, const std::string& rest, bool make,
+                  const char* what) const {
+  Place place{Descriptor(fcntl(root.folder.number(), F_DUPFD_CLOEXEC, 0)), "", false};
+  std::size_t from = 0;
+  for (std::size_t slash; (slash = rest.find('/', from)) != std::string::npos; from = slash + 1) {
+    const std::string name = rest.substr(from, slash - from);
+    if (name.empty()) continue;
+    Descriptor next(openat(place.at(), name.c_str(), folder_flags));
+    if (!next.open() && errno == ENOENT && make) {
+      if (mkdirat(place.at(), name.c_str(), 0777) != 0 && errno != EEXIST)
+        cannot(what, path, reason_text(errno));
+      next = Descriptor(openat(place.at(), name.c_str(), folder_flags));
+    }
+    const int reason = errno;
+    if (!next.open() && is_link(place.at(), name)) cannot(what, path, "--safe follows no symbolic link");
+    if (!next.open()) cannot(what, path, reason_text(reason));
+    place.folder = std::move(next);
+  }
+  place.name = rest.substr(from);
+  if (place.name.empty()) place.name = ".";
+  return place;
+}
+
+namespace {
+
+// A zero byte would end the name for the system where it goes on for us.
+void check_name(const std::string& path, const char* what) {
+  if (path.find('\0') != std::string::npos) cannot(what, path, "its name has a zero byte");
+}
+
+}  // namespace
+
+Place Gate::reading(const std::string& path) const {
+  check_name(path, "read");
+  if (!closed_) return {Descriptor(), path, true};
+  const std::string whole = (fs::path(current_) / path).lexically_normal().string();
+  std::string rest;
+  const auto inside = [&](const Root& root) {
+    return root.folder.open() && (below(whole, root.name, rest) || below(whole, root.real, rest));
+  };
+  if (inside(writable_)) return enter(writable_, path, rest, false, "read");
+  for (const Root& root : readable_)
+    if (inside(root)) return enter(root, path, rest, false, "read");
+  cannot("read", path,
+         "--safe allows reading only in the deck's folder, the output folder and the program's own");
+}
+
+Place Gate::writing(const std::string& path, bool make) const {
+  check_name(path, "write");
+  if (!closed_) return {Descriptor(), path, true};
+  const std::string whole = (fs::path(current_) / path).lexically_normal().string();
+  std::string rest;
+  if (!writable_.folder.open()) cannot("write", path, "--safe allows no writing here");
+  if (!below(whole, writable_.name, rest) && !below(whole, writable_.real, rest))
+    cannot("write", path, "--safe allows writing only below '" + writable_.name + "' (option --output)");
+  return enter(writable_, path, rest, make, "write");
+}
+
+Descriptor Gate::open(const std::string& path) const {
+  const Place place = reading(path);
+  const int flags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (closed_ ? O_NOFOLLOW : 0);
+  Descriptor file(openat(place.at(), place.name.c_str(), flags));
+  if (!file.open() && errno == ELOOP && closed_) cannot("read", path, "--safe follows no symbolic link");
+  if (!file.open()) cannot("read", path, errno == ENXIO ? "it is not a regular file" : reason_text(errno));
+  struct stat about {};
+  fstat(file.number(), &about);
+  if (S_ISDIR(about.st_mode)) cannot("read", path, "it is a folder");
+  if (!S_ISREG(about.st_mode)) cannot("read", path, "it is not a regular file");
+  return file;
+}
+
+Descriptor Gate::open_to_write(const std::string& path, int flags) const {
+  const Place place = writing(path);
+  if (!closed_) {
+    Descriptor file(::open(path.c_str(), flags | O_CLOEXEC, 0666));
+    if (!file.open()) cannot("write", path, reason_text(errno));
+    return file;
+  }
+  // Cut only after what it is has been seen.
+  const int careful = (flags & ~O_TRUNC) | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+  Descriptor file(openat(place.at(), place.name.c_str(), careful, 0666));
+  if (!file.open() && errno == ELOOP) cannot("write", path, "--safe follows no symbolic link");
+  if (!file.open()) cannot("write", path, errno == ENXIO ? "it is not a regular file" : reason_text(errno));
+  struct stat about {};
+  fstat(file.number(), &about);
+  if (!S_ISREG(about.st_mode)) cannot("write", path, "it is not a regular file");
+  if (about.st_nlink > 1) cannot("write", path, "the file has another name elsewhere (a hard link)");
+  if ((flags & O_TRUNC) != 0 && ftruncate(file.number(), 0) != 0) cannot("write", path, reason_text(errno));
+  return file;
+}
+
+bool Gate::exists(const std::string& path) const {
+  try {
+    const Place place = reading(path);
+    return faccessat(place.at(), place.name.c_str(), F_OK, closed_ ? AT_SYMLINK_NOFOLLOW : 0) == 0;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::vector<std::string> Gate::names(const std::string& folder) const {
+  const Place place = reading(folder.ends_with("/") ? folder : folder + "/");
+  const int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC | (closed_ ? O_NOFOLLOW : 0);
+  const int number = openat(place.at(), place.name.c_str(), flags);
+  const std::unique_ptr<DIR, int (*)(DIR*)> list(number < 0 ? nullptr : fdopendir(number), closedir);
+  if (!list) cannot("read the folder", folder, reason_text(errno));
+  std::vector<std::string> names;
+  while (const dirent* entry = readdir(list.get()))
+    if (const std::string name = entry->d_name; name != "." && name != "..") names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void Gate::remove(const std::string& path) const {
+  const Place place = writing(path);
+  if (unlinkat(place.at(), place.name.c_str(), 0) == 0) return;
+  const int reason = errno;
+  if ((reason != EISDIR && reason != EPERM) || unlinkat(place.at(), place.name.c_str(), AT_REMOVEDIR) != 0)
+    cannot("remove", path, reason_text(reason == EISDIR || reason == EPERM ? errno : reason));
+}
+
+bool Gate::discard(const std::string& path) const noexcept {
+  try {
+    const Place place = writing(path);
+    return unlinkat(place.at(), place.name.c_str(), 0) == 0;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+void Gate::rename(const std::string& from, const std::string& to) const {
+  const Place old_place = writing(from), new_place = writing(to);
+  if (renameat(old_place.at(), old_place.name.c_str(), new_place.at(), new_place.name.c_str()) != 0)
+    cannot("rename", from, reason_text(errno));
+}
+
+}  // namespace fabricsh::system

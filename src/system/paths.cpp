@@ -1,0 +1,63 @@
+#include "system/paths.hpp"
+
+#include <sys/auxv.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "fabricsh_config.hpp"
+
+namespace fabricsh {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Resolved, or as given when it cannot be.
+fs::path resolved(const fs::path& path) {
+  std::error_code trouble;
+  const fs::path real = fs::weakly_canonical(path, trouble);
+  return trouble ? path : real;
+}
+
+void add_folder(std::vector<std::string>& roots, const fs::path& folder) {
+  std::error_code trouble;
+  if (fs::is_directory(folder, trouble)) roots.push_back(resolved(folder).string());
+}
+
+}  // namespace
+
+std::string program_path() {
+  std::error_code trouble;
+  const fs::path program = fs::read_symlink("/proc/self/exe", trouble);
+  if (!trouble) return program.string();
+  // No /proc, as in a bare root: as the system was told to start it.
+  const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  return started == nullptr ? std::string() : resolved(fs::absolute(started, trouble)).string();
+}
+
+std::vector<std::string> data_roots() {
+  std::vector<std::string> roots;
+  const char* home = std::getenv("FABRICSH_HOME");
+  if (home != nullptr && *home != '\0') add_folder(roots, home);
+  const fs::path program = program_path();
+  if (program.empty()) return roots;
+  add_folder(roots, program.parent_path() / config::data_from_program);
+  for (const fs::path& folder : {program.parent_path(), program.parent_path().parent_path()}) {
+    std::ifstream marker(folder / "fabricsh.home");
+    if (std::string source; std::getline(marker, source)) add_folder(roots, source);
+  }
+  return roots;
+}
+
+std::string data_file(const std::string& relative) {
+  for (const std::string& root : data_roots()) {
+    const fs::path file = fs::path(root) / relative;
+    std::error_code trouble;
+    if (fs::exists(file, trouble)) return file.string();
+  }
+  return {};
+}
+
+}  // namespace fabricsh

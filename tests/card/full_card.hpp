@@ -1,0 +1,67 @@
+// A card of a kind in which every field of its table has a value of its own that is not the fallback.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "card/fields.hpp"
+
+namespace fabricsh::test {
+
+namespace detail {
+
+// A number in the row's range, another one each time.
+inline double next_number(const card::Row& row, int& count) {
+  double x = 0.25 + 1e-3 * ++count;
+  if (!row.range.holds(x)) x = (row.range.low + row.range.high) / 2 + 1e-6 * count;
+  return x;
+}
+
+inline card::Value next_value(const card::Field& field, int& count) {
+  switch (field.holds) {
+    case card::Holds::number:
+      return next_number(field, count);
+    case card::Holds::flag:
+      return !std::get<bool>(field.fallback);
+    case card::Holds::text:
+      return field.words.empty() ? "words \"" + std::to_string(++count) + "\"\n" : field.words.back();
+    case card::Holds::curve:
+    case card::Holds::number_or_curve:
+      return std::vector{1e6 + ++count, 2e7 + ++count};
+    default:
+      break;
+  }
+  const std::size_t n = field.parts.empty() ? 1 : field.parts.size();
+  std::vector<double> values;
+  for (std::size_t i = 0; i < n; ++i) values.push_back(next_number(field, count));
+  return values;
+}
+
+inline void fill(const card::FieldTable& table, card::Card& card, int& count) {
+  for (const card::Field& field : table) {
+    if (field.name == "young") continue;  // stands for others
+    if (field.holds == card::Holds::group) {
+      field.make(card);
+      fill(field.rows, card, count);
+    } else {
+      field.set(card, next_value(field, count));
+    }
+  }
+}
+
+}  // namespace detail
+
+inline card::Card full_card(const std::string& kind) {
+  card::Card card = card::blank(kind);
+  int count = 0;
+  detail::fill(card::fields(kind), card, count);
+  if (auto* woven = std::get_if<card::Woven>(&card.law))
+    for (const auto& [part, band] :
+         {std::pair{"warp", &woven->bands->warp}, std::pair{"weft", &woven->bands->weft},
+          std::pair{"shear", &woven->bands->shear}}) {
+      const std::size_t n = parameters(*card::find_field(card::fields(card), part), card).size();
+      band->low.resize(n), band->high.resize(n), band->covariance.resize(n * n, 0.5);
+    }
+  return card;
+}
+
+}  // namespace fabricsh::test

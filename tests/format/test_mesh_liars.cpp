@@ -1,0 +1,249 @@
+// Files that lie, that end too early, or that are no mesh at all: an Error that names the file, and nothing
+// else.
+#include <sys/resource.h>
+
+#include "format/mesh_file.hpp"
+#include "mesh_samples.hpp"
+#include "message_of.hpp"
+#include "scratch.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::format;
+
+namespace {
+
+mesh::Mesh read(const std::string& name, const std::string& bytes) {
+  if (name.ends_with(".msh")) return read_gmsh(name, bytes);
+  if (name.ends_with(".obj")) return read_obj(name, bytes);
+  return name.ends_with(".vtu") ? read_vtu(name, bytes) : read_legacy_vtk(name, bytes);
+}
+
+std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  const auto at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), by);
+}
+
+// Every index inside, every number finite.
+void check_valid(const mesh::Mesh& m) {
+  const auto n = static_cast<mesh::Index>(m.nodes.size());
+  bool good = !m.elements.empty();
+  for (const Vec3& x : m.nodes) good = good && x.allFinite();
+  for (const auto& ids : m.elements)
+    for (std::size_t i = 0; i < 4; ++i) good = good && ids[i] < n && ids[i] >= (i == 3 ? -1 : 0);
+  for (const auto& [name, ids] : m.sets) good = good && !ids.empty() && ids.front() >= 0 && ids.back() < n;
+  CHECK(good);
+}
+
+// Reads what may be damaged: a mesh that is valid, or an Error that begins with the name of the file.
+void survive(const std::string& name, const std::string& bytes) {
+  try {
+    check_valid(read(name, bytes));
+  } catch (const Error& error) {
+    CHECK(std::string(error.what()).starts_with(name + ":"));
+  }
+}
+
+struct Liar {
+  std::string name, from, to, says;
+};
+
+const std::string grid =
+    "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 "
+    "0\n"
+    "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n9\nPOINT_DATA 4\nSCALARS s int 1\nLOOKUP_TABLE default\n0 1 0 1\n";
+
+const std::string xml =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+    "byte_order=\"LittleEndian\">\n"
+    "<UnstructuredGrid>\n<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\">\n<Points>\n"
+    "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 "
+    "0</DataArray>\n"
+    "</Points>\n<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 "
+    "3</DataArray>\n"
+    "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">4</DataArray>\n"
+    "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">9</DataArray>\n</Cells>\n</Piece>\n"
+    "</UnstructuredGrid>\n</VTKFile>\n";
+
+const std::string& base(const std::string& name) {
+  if (name == "2.msh") return samples::gmsh_2;
+  if (name == "4.msh") return samples::gmsh_4;
+  if (name == "x.obj") return samples::obj;
+  return name == "x.vtu" ? xml : grid;
+}
+
+}  // namespace
+
+TEST_CASE("the samples are good before they are spoilt", "[files]") {
+  for (const char* name : {"2.msh", "4.msh", "x.obj", "x.vtu", "x.vtk"}) check_valid(read(name, base(name)));
+}
+
+TEST_CASE("liars are told by name and line", "[files]") {
+  const std::vector<Liar> liars = {
+      {"2.msh", "$MeshFormat", "MeshFormat", "2.msh:1: expected a Gmsh file"},
+      {"2.msh", "2.2 0 8", "4.0 0 8", "2.msh:2: expected format 2.2 or 4.1"},
+      {"2.msh", "2.2 0 8", "2.2 2 8", "expected the file type 0 (text) or 1 (binary), got 2"},
+      {"2.msh", "2.2 0 8", "2.2 0 16", "expected numbers of 8 bytes, got 16"},
+      {"2.msh", "2.2 0 8", "2.2 1 8", "expected the number 1 in binary"},
+      {"2.msh", "$EndMeshFormat", "$EndMesh", "expected $EndMeshFormat, got '$EndMesh'"},
+      {"2.msh", "$Nodes\n8", "$Nodes\n8000000000000", "2.msh:10: expected a number of nodes from 0 to"},
+      {"2.msh", "$Nodes\n8", "$Nodes\n-8", "2.msh:10: expected a number of nodes from 0 to"},
+      {"2.msh", "$Nodes\n8", "$Nodes\n99999999999999999999", "got '99999999999999999999'"},
+      {"2.msh", "$Nodes\n8", "$Nodes\n7", "expected $EndNodes, got '99'"},
+      {"2.msh", "$Nodes\n8", "$Nodes\n9", "expected the number of a node, a whole number, got '$EndNodes'"},
+      {"2.msh", "12 2 0 0.125", "12 2 0 nan", "2.msh:13: node 12: a coordinate is not finite"},
+      {"2.msh", "12 2 0 0.125", "12 2 0 1e999", "2.msh:13: expected a coordinate, a number, got '1e999'"},
+      {"2.msh", "12 2 0 0.125", "11 2 0 0.125", "2.msh:13: node 11 is there twice"},
+      {"2.msh", "1 10 11 14 13", "1 10 11 14 77", "2.msh:24: element 3: node 77 is not in the file"},
+      {"2.msh", "1 10 11 14 13", "1 10 11 14 10", "element 3: node 10 is in it twice"},
+      {"2.msh", "3 3 2 9 1", "3 16 2 9 1", "element type 16 is of second order"},
+      {"2.msh", "3 3 2 9 1", "3 5 2 9 1", "element type 5 is a volume"},
+      {"2.msh", "3 3 2 9 1", "3 4711 2 9 1", "unknown element type 4711"},
+      {"2.msh", "3 3 2 9 1", "3 3 1000000 9 1", "expected a number of tags from 0 to"},
+      {"2.msh", "$Elements", "$Elephants", "has no end"},
+      {"2.msh", "$EndElements\n", "", "the file ends where $EndElements should be"},
+      {"2.msh", "$EndElements\n", "$EndElements\n$Nodes\n", "a second section $Nodes"},
+      {"2.msh", "\"left\"", "left", "expected a name in quotes"},
+      {"4.msh", "$Entities\n1 1 2 0", "$Entities\n1 1 2000000 0",
+       "4.msh:10: expected a number of entities from 0"},
+      {"4.msh", "0 1 0 1 7", "0 1 0 1000000 7", "expected a number of physical groups from 0"},
+      {"4.msh", "3 8 10 99", "3 9 10 99", "expected 9 nodes in all, got 8"},
+      {"4.msh", "2 1 0 6", "2 1 0 600000000", "expected a number of nodes from 0"},
+      {"4.msh", "2 1 0 6", "2 1 7 6", "expected 0 or 1 for parametric, got 7"},
+      {"4.msh", "2 1 0 6", "9 1 0 6", "expected a dimension from 0 to 3, got 9"},
+      {"4.msh", "4 5 1 5", "4 4 1 5", "expected 4 elements in all, got 5"},
+      {"4.msh", "2 1 3 2", "1 1 3 2", "expected elements of dimension 2, got 1"},
+      {"4.msh", "2 1 3 2", "2 1 3 20000000", "expected a number of elements from 0"},
+      {"x.obj", "v 1 0 0", "v 1 0", "x.obj:5: expected three coordinates, got ''"},
+      {"x.obj", "v 1 0 0", "v 1 0 inf", "x.obj:5: node 2: a coordinate is not finite"},
+      {"x.obj", "f 3 7 6", "f 3 7 8", "x.obj:21: vertex '8' is not above this line"},
+      {"x.obj", "f 3 7 6", "f 3 7 0", "vertex '0' is not above this line"},
+      {"x.obj", "f 3 7 6", "f 3 7 -9", "vertex '-9' is not above this line"},
+      {"x.obj", "f 3 7 6", "f 3 7", "expected a face of 3 or 4 corners, got 2"},
+      {"x.obj", "f 3 7 6", "f 1 2 3 7 6", "expected a face of 3 or 4 corners, got 5"},
+      {"x.obj", "f 3 7 6", "f 3 7 x", "expected the number of a vertex, got 'x'"},
+      {"x.obj", "f 3 7 6", "curv2 1 2", "x.obj:21: unknown statement 'curv2'"},
+      {"x.vtk", "# vtk", "% vtk", "x.vtk:1: expected a .vtk file"},
+      {"x.vtk", "3.0", "9.0", "expected version 1 to 5"},
+      {"x.vtk", "ASCII", "ASKEY", "expected ASCII or BINARY, got 'askey'"},
+      {"x.vtk", "UNSTRUCTURED_GRID", "STRUCTURED_GRID", "x.vtk:4: expected the dataset"},
+      {"x.vtk", "POINTS 4", "POINTS 400000000000", "got 400000000000 x 3"},
+      {"x.vtk", "POINTS 4", "POINTS -4", "got -4 x 3"},
+      {"x.vtk", "4 double", "4 string", "expected a type of numbers (int, float, double, ...), got 'string'"},
+      {"x.vtk", "4 0 1 2 3", "4 0 1 2 4", "cell 0: expected points from 0 to 3, got 4"},
+      {"x.vtk", "4 0 1 2 3", "5 0 1 2 3", "cell 0: expected from 0 to 4 corners, got 5"},
+      {"x.vtk", "4 0 1 2 3", "-1 0 1 2 3", "cell 0: expected from 0 to 4 corners, got -1"},
+      {"x.vtk", "4 0 1 2 3", "3 0 1 2 3", "the cells have 4 numbers, expected 5"},
+      {"x.vtk", "CELL_TYPES 1\n9", "CELL_TYPES 1\n23", "cell 0 is of second order (type 23)"},
+      {"x.vtk", "CELL_TYPES 1\n9", "CELL_TYPES 1\n12", "got type 12"},
+      {"x.vtk", "CELL_TYPES 1\n9", "CELL_TYPES 1\n5", "cell 0: expected 3 corners, got 4"},
+      {"x.vtk", "CELL_TYPES 1\n9", "CELL_TYPES 2\n9 9", "expected a type for each of 1 cells, got 2"},
+      {"x.vtk", "POINT_DATA 4", "POINT_DATA 5", "expected data of 4 points, got 5"},
+      {"x.vtk", "0 1 0 1\n", "0 1 0\n", "the file ends where a value should be"},
+      {"x.vtu", "<?xml", "<!DOCTYPE x>\n<?xml", "x.vtu:1: expected a tag of XML"},
+      {"x.vtu", "?>", "", "x.vtu:1: a comment or instruction has no end"},
+      {"x.vtu", "<VTKFile", "<File", "expected <VTKFile>, got <File>"},
+      {"x.vtu", "UnstructuredGrid\"", "PolyData\"",
+       "expected a file of type UnstructuredGrid, got 'PolyData'"},
+      {"x.vtu", "NumberOfPoints=\"4\"", "NumberOfPoints=\"400000000\"", "for each of 400000000 points"},
+      {"x.vtu", "NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\"", "x.vtu:4: <Piece>: expected NumberOfPoints"},
+      {"x.vtu", "NumberOfPoints=\"4\"", "NumberOfPoints=4", "x.vtu:4: expected name=\"value\""},
+      {"x.vtu", "NumberOfCells=\"1\"", "NumberOfCells=\"2\"", "expected 2 offsets of cells, got 1"},
+      {"x.vtu", "1 1 0 0 1 0", "1 1 0 0 1 nan", "node 3: a coordinate is not finite"},
+      {"x.vtu", "1 1 0 0 1 0", "1 1 0 0 1 zero", "x.vtu:6: expected a number, got 'zero'"},
+      {"x.vtu", "0 1 2 3<", "0 1 2 4<", "cell 0: expected points from 0 to 3, got 4"},
+      {"x.vtu", "0 1 2 3<", "0 1 2 -1<", "cell 0: expected points from 0 to 3, got -1"},
+      {"x.vtu", ">4<", ">5<", "cell 0: expected an offset from 0 to 4, got 5"},
+      {"x.vtu", ">4<", ">3<", "the cells have 3 corners in all, but the connectivity has 4"},
+      {"x.vtu", ">9<", ">28<", "cell 0 is of second order (type 28)"},
+      {"x.vtu", "</Points>", "</Piece>", "x.vtu:7: </Piece> closes nothing, expected </Points>"},
+      {"x.vtu", "\"offsets\" format=\"ascii\"", "\"offsets\" format=\"appended\" offset=\"0\"",
+       "expected an offset below 0"},
+      {"x.vtu", "\"offsets\" format=\"ascii\">4",
+       "\"offsets\" format=\"binary\">/////w==", "claims 4294967295 bytes"},
+      {"x.vtu", "Int64\" Name=\"offsets", "Float64\" Name=\"offsets",
+       "expected an array of integers, got 'Float64'"},
+      {"x.vtu", "byte_order", "compressor=\"gzip\" byte_order", "unknown compressor 'gzip'"},
+  };
+  CHECK(liars.size() > 30);
+  for (const Liar& liar : liars) {
+    INFO(liar.name << ": " << liar.from << " -> " << liar.to);
+    const std::string text = replaced(base(liar.name), liar.from, liar.to);
+    const std::string message = message_of([&] { read(liar.name, text); });
+    says(message, liar.says);
+    CHECK(message.starts_with(liar.name + ":"));
+  }
+}
+
+TEST_CASE("a compressed array that claims too much is refused before anything is made for it", "[files]") {
+  // [1 block][size][last, 0][compressed size 1], little-endian words of 4 bytes.
+  samples::Bytes header;
+  header.add<std::uint32_t>({1, 0xFFFFFFF0u, 0, 1}).words("x");
+  std::string text = replaced(xml, "byte_order", "compressor=\"vtkZLibDataCompressor\" byte_order");
+  text = replaced(text, "</UnstructuredGrid>",
+                  "</UnstructuredGrid><AppendedData encoding=\"raw\">_" + header.text);
+  text = replaced(text, "\"offsets\" format=\"ascii\"", "\"offsets\" format=\"appended\" offset=\"0\"");
+  says(message_of([&] { read_vtu("x.vtu", text); }), "claims more bytes than it can hold");
+}
+
+TEST_CASE("groups that repeat all nodes without end are refused", "[files]") {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng";
+  for (int i = 0; i < 1000; ++i) text += " " + std::to_string(i);
+  for (int i = 0; i < 1000; ++i) text += "\nf 1 2 3";
+  says(message_of([&] { read_obj("x.obj", text); }), "more members than a file of this size can name");
+}
+
+TEST_CASE("a file that ends anywhere is an error or a mesh", "[files]") {
+  for (const auto& [name, content] : samples::every()) {
+    INFO(name);
+    for (std::size_t n = 0; n < content.size(); ++n) survive(name, content.substr(0, n));
+  }
+}
+
+TEST_CASE("a file with any one byte changed is an error or a mesh", "[files]") {
+  for (const auto& [name, content] : samples::every()) {
+    INFO(name);
+    unsigned random = 1;
+    for (std::size_t i = 0; i < content.size(); ++i) {
+      random = random * 1664525u + 1013904223u;
+      std::string changed = content;
+      changed[i] = static_cast<char>(random >> 24);
+      survive(name, changed);
+      changed[i] = '9';
+      survive(name, changed);
+    }
+  }
+}
+
+TEST_CASE("no mesh at all", "[files]") {
+  const ScratchFolder folder;
+  for (const char* name : {"x.msh", "x.obj", "x.vtu", "x.vtk"}) {
+    INFO(name);
+    system::write_file(folder / name, "", system::Sync::no);
+    CHECK(message_of([&] { read_mesh(folder / name); }) == folder / name + ": the file is empty");
+    for (const std::string& junk :
+         {std::string(" \n"), std::string(5000, '\0'), std::string(5000, '\xFF'), std::string(100000, '<'),
+          std::string("\x7F"
+                      "ELF\x02\x01\x01")}) {
+      system::write_file(folder / name, junk, system::Sync::no);
+      says(message_of([&] { read_mesh(folder / name); }), folder / name + ":");
+    }
+  }
+  says(message_of([] { read_obj("x.obj", "v 0 0 0\n"); }), "no triangle or quadrilateral is in it");
+}
+
+// Address space far below what any of the claims would take; a plain std::bad_alloc would fail the test.
+TEST_CASE("huge counts allocate nothing", "[files]") {
+  const std::string huge = "999999999999";
+  for (const char* name : {"2.msh", "4.msh", "x.vtk", "x.vtu"}) {
+    const std::string& text = base(name);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] < '0' || text[i] > '9' || (i > 0 && text[i - 1] >= '0' && text[i - 1] <= '9')) continue;
+      std::string changed = text;
+      survive(name, changed.replace(i, 1, huge));
+    }
+  }
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  CHECK(used.ru_maxrss < 1 << 20);  // KiB
+}

@@ -1,0 +1,217 @@
+// The sample mesh by VTK's writers, and that every sample reads as the same mesh.
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSignedCharArray.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "format/mesh_file.hpp"
+#include "mesh/generators.hpp"
+#include "mesh_samples.hpp"
+#include "message_of.hpp"
+#include "scratch.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::format;
+
+namespace {
+
+// left as flags on the points, plate as flags on the cells, and what a reader has to pass over.
+void add_arrays(vtkDataSet* data, const mesh::Mesh& m) {
+  vtkNew<vtkSignedCharArray> left;
+  left->SetName("left");
+  vtkNew<vtkDoubleArray> heat, flow;
+  heat->SetName("heat & <cold>");
+  flow->SetName("flow");
+  flow->SetNumberOfComponents(3);
+  vtkNew<vtkIntArray> numbers, plate;
+  numbers->SetName("numbers");
+  plate->SetName("plate");
+  for (mesh::Index i = 0; i < 7; ++i) {
+    left->InsertNextValue(i == 0 || i == 3 ? 1 : 0);
+    heat->InsertNextValue(0.5);
+    flow->InsertNextTuple(m.nodes[static_cast<std::size_t>(i)].data());
+    numbers->InsertNextValue(static_cast<int>(i));
+  }
+  for (const int in : {1, 1, 0}) plate->InsertNextValue(in);
+  data->GetPointData()->AddArray(heat);
+  data->GetPointData()->AddArray(left);
+  data->GetPointData()->AddArray(numbers);
+  data->GetPointData()->SetVectors(flow);
+  data->GetCellData()->AddArray(plate);
+}
+
+vtkNew<vtkPoints> points_of(const mesh::Mesh& m) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3& x : m.nodes) points->InsertNextPoint(x.data());
+  return points;
+}
+
+template <class Insert>
+void each_cell(const mesh::Mesh& m, const Insert& insert) {
+  for (const auto& ids : m.elements) {
+    vtkIdType corners[4];
+    const int n = ids[3] < 0 ? 3 : 4;
+    for (int i = 0; i < n; ++i) corners[i] = ids[static_cast<std::size_t>(i)];
+    insert(n, corners);
+  }
+}
+
+template <class Writer>
+std::string written(Writer* writer, vtkDataSet* data) {
+  writer->SetInputData(data);
+  writer->WriteToOutputStringOn();
+  REQUIRE(writer->Write() == 1);
+  if constexpr (requires { writer->GetOutputStdString(); })
+    return writer->GetOutputStdString();
+  else
+    return writer->GetOutputString();
+}
+
+void add_xml(std::map<std::string, std::string>& all, vtkUnstructuredGrid* grid) {
+  const std::array modes{"ascii", "inline", "raw", "base64"};
+  const std::array compressors{"plain", "zlib", "lz4", "lzma"};
+  for (std::size_t mode = 0; mode < 4; ++mode)
+    for (int compressor = 0; compressor < 4; ++compressor)
+      for (const bool wide : {false, true}) {
+        vtkNew<vtkXMLUnstructuredGridWriter> writer;
+        writer->SetDataMode(mode == 0   ? vtkXMLWriter::Ascii
+                            : mode == 1 ? vtkXMLWriter::Binary
+                                        : vtkXMLWriter::Appended);
+        writer->SetEncodeAppendedData(mode == 3);
+        writer->SetCompressorType(compressor);
+        writer->SetBlockSize(64);  // several blocks to an array
+        if (wide) {
+          writer->SetHeaderTypeToUInt64();
+          writer->SetByteOrderToBigEndian();
+        }
+        const std::string name =
+            std::string(modes[mode]) + "-" + compressors[static_cast<std::size_t>(compressor)];
+        all[name + (wide ? "-wide" : "") + ".vtu"] = written(writer.GetPointer(), grid);
+      }
+}
+
+template <class Writer>
+void add_legacy(std::map<std::string, std::string>& all, const std::string& name, vtkDataSet* data) {
+  for (const bool binary : {false, true})
+    for (const bool old : {false, true}) {
+      vtkNew<Writer> writer;
+      writer->SetFileVersion(old ? 42 : 51);
+      if (binary) writer->SetFileTypeToBinary();
+      all[name + (binary ? "-binary" : "-text") + (old ? "-4" : "-5") + ".vtk"] =
+          written(writer.GetPointer(), data);
+    }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> samples::from_vtk() {
+  const auto m = plate();
+  const auto points = points_of(m);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  each_cell(
+      m, [&grid](int n, vtkIdType* ids) { grid->InsertNextCell(n == 3 ? VTK_TRIANGLE : VTK_QUAD, n, ids); });
+  add_arrays(grid, m);
+  vtkNew<vtkCellArray> polygons;
+  each_cell(m, [&polygons](int n, vtkIdType* ids) { polygons->InsertNextCell(n, ids); });
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(polygons);
+  add_arrays(surface, m);
+  std::map<std::string, std::string> all;
+  add_xml(all, grid);
+  add_legacy<vtkUnstructuredGridWriter>(all, "grid", grid);
+  add_legacy<vtkPolyDataWriter>(all, "surface", surface);
+  return all;
+}
+
+TEST_CASE("every format and form of it reads as the same mesh", "[files]") {
+  const ScratchFolder folder;
+  const auto wanted = samples::plate();
+  for (const auto& [name, content] : samples::every()) {
+    INFO(name);
+    system::write_file(folder / name, content, system::Sync::no);
+    const auto m = read_mesh(folder / name);
+    REQUIRE(m.nodes.size() == wanted.nodes.size());
+    // VTK's text has 11 digits.
+    const double off = name.find("ascii") == 0 || name.find("-text-") != std::string::npos ? 1e-10 : 0;
+    for (std::size_t i = 0; i < m.nodes.size(); ++i) CHECK((m.nodes[i] - wanted.nodes[i]).norm() <= off);
+    CHECK(m.elements == wanted.elements);
+    CHECK(m.set("left") == wanted.set("left"));
+    CHECK(m.set("plate") == wanted.set("plate"));
+    CHECK(m.set("all") == wanted.set("all"));
+    CHECK(m.set("boundary") == wanted.set("boundary"));
+    CHECK(m.sets.size() == (name == "plate.obj" ? 5u : 4u));  // and "sheet", the object
+    CHECK_FALSE(m.flat);
+    CHECK(m.origin == "file " + name);
+  }
+}
+
+TEST_CASE("a mesh that is written reads back equal", "[files]") {
+  const ScratchFolder folder;
+  const mesh::Mesh meshes[] = {samples::plate(), mesh::disk({.radius = 0.05, .cells = 3}),
+                               mesh::cylinder({.radius = 1.0 / 3, .length = 1, .around = 5, .along = 2})};
+  for (const auto& m : meshes)
+    for (const char* name : {"x.vtu", "x.msh"}) {
+      write_mesh(folder / name, m);
+      const auto back = read_mesh(folder / name);
+      CHECK(back.nodes == m.nodes);
+      CHECK(back.elements == m.elements);
+      CHECK(back.sets == m.sets);
+    }
+}
+
+TEST_CASE("names that cannot be written or read by their ending", "[files]") {
+  const ScratchFolder folder;
+  const auto m = samples::plate();
+  says(message_of([&] { write_mesh(folder / "x.stl", m); }), "expected a name that ends in .vtu or .msh");
+  says(message_of([&] { read_mesh("x.stl"); }), "expected a name that ends in .msh, .vtu, .vtk or .obj");
+  says(message_of([&] { read_mesh(folder / "none.msh"); }), "No such file or directory");
+  says(message_of([&] { read_mesh("/dev/null/x.msh"); }), "Not a directory");
+  std::filesystem::create_directory(folder / "folder.msh");
+  says(message_of([&] { read_mesh(folder / "folder.msh"); }), "it is a folder");
+  says(message_of([&] { write_mesh(folder / "x.vtu", mesh::Mesh()); }), "no element");
+  auto odd = m;
+  odd.define("a \"b\"", mesh::NodeSet{1});
+  says(message_of([&] { write_mesh(folder / "x.msh", odd); }), "does not go into a Gmsh file");
+  write_mesh(folder / "X.VTU", odd);
+  CHECK(read_mesh(folder / "X.VTU").set("a \"b\"") == mesh::NodeSet{1});
+}
+
+TEST_CASE("integers on points and cells become sets by value", "[files]") {
+  const std::string head =
+      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0\n"
+      "POLYGONS 1 5\n4 0 1 2 3\n";
+  const auto m =
+      read_legacy_vtk("x.vtk", head +
+                                   "POINT_DATA 4\nSCALARS region int 1\nLOOKUP_TABLE default\n5 7 7 5\n"
+                                   "SCALARS id int\nLOOKUP_TABLE t\n9 8 7 6\nLOOKUP_TABLE t 1\n0 0 0 1\n"
+                                   "FIELD f 1\nnone%20at%20all 1 4 int\n0 0 0 0\n");
+  CHECK(m.set("region_5") == mesh::NodeSet{0, 3});
+  CHECK(m.set("region_7") == mesh::NodeSet{1, 2});
+  CHECK(m.sets.size() == 4);  // with all and boundary
+}
+
+TEST_CASE("Gmsh: groups without a name, one name for two groups, sections of no interest", "[files]") {
+  std::string text = samples::gmsh_2;
+  text.erase(text.find("$PhysicalNames"), text.find("$Nodes") - text.find("$PhysicalNames"));
+  text.insert(text.find("$Nodes"), "$Comments\n$ any 1 2 3\n$EndComments\n");
+  const auto bare = read_gmsh("x.msh", text);
+  CHECK(bare.set("curve_7").size() == 2);
+  CHECK(bare.set("surface_9").size() == 6);
+  text = samples::gmsh_4;
+  text.replace(text.find("\"left\""), 6, "\"plate\"");
+  CHECK(read_gmsh("x.msh", text).sets.size() == 3);
+}

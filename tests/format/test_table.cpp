@@ -1,0 +1,133 @@
+#include <cmath>
+
+#include "format/table.hpp"
+#include "message_of.hpp"
+#include "scratch.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::format;
+
+namespace {
+
+void check_pull(const std::string& text, char separator, char decimal) {
+  INFO(text);
+  const Table table = parse_table("pull.csv", text);
+  REQUIRE(table.columns.size() == 2);
+  CHECK(table.form.separator == separator);
+  CHECK(table.form.decimal == decimal);
+  CHECK(table.columns[0].values == std::vector<double>{0, 0.5, 1.25});
+  CHECK(table.columns[1].values == std::vector<double>{0, -1.5, 2e-3});
+}
+
+std::string trouble(const std::string& text) {
+  return message_of([&] { parse_table("pull.csv", text); });
+}
+
+}  // namespace
+
+TEST_CASE("a table in every dialect reads the same", "[files]") {
+  check_pull("0,0\n0.5,-1.5\n1.25,2e-3\n", ',', '.');
+  check_pull("0;0\n0,5;-1,5\n1,25;2e-3\n", ';', ',');
+  check_pull("0\t0\n0,5\t-1,5\n1,25\t0,002", '\t', ',');
+  check_pull("  0   0\n 0.5  -1.5\n\n1.25  +2e-3\r\n", ' ', '.');
+  check_pull("0 0\n0,5 -1,5\n1,25 0,002\n", ' ', ',');
+  check_pull("\xEF\xBB\xBF\"u\",\"P\"\r\n\"0\",0\r\n0.5,-1.5\r\n# half way\r\n1.25,2e-3\r\n", ',', '.');
+  check_pull("0,0,\n0.5,-1.5,\n1.25,2e-3,\n", ',', '.');
+}
+
+TEST_CASE("names and units come from the heading or the line below it", "[files]") {
+  const Table one = parse_table("a", "% made by hand\nExtension (mm), Load [kN], Time / s\n1, 2, 3\n");
+  CHECK(one.header);
+  CHECK(one.columns[0].name == "Extension");
+  CHECK(one.columns[0].unit == "mm");
+  CHECK(one.columns[1].unit == "kN");
+  CHECK(one.columns[2].name == "Time");
+  CHECK(one.columns[2].unit == "s");
+  const Table two = parse_table("b", "Test;7\nOperator;A. B.\nWeg;Kraft\n(mm);N\n0,1;2\n0,2;3\n");
+  CHECK(two.columns[0].name == "Weg");
+  CHECK(two.columns[0].unit == "mm");
+  CHECK(two.columns[1].unit == "N");
+  CHECK(two.preamble.size() == 4);
+  const Table none = parse_table("c", "1 2\n3 4\n");
+  CHECK_FALSE(none.header);
+  CHECK(none.columns[1].name == "2");
+}
+
+TEST_CASE("a wrong table names file, line, column and what was expected", "[files]") {
+  CHECK(trouble("u,P\n0,0\n1,2\n2,3\n3,4\n4,x\n") ==
+        "pull.csv:6: column 'P': expected a finite number, got 'x'");
+  CHECK(trouble("u,P\n0,0\n1,2\n2,3\n3,4\n4\n") == "pull.csv:6: expected 2 cells, got 1");
+  CHECK(trouble("u,P\n0,0\n1,2\n2,3\n3,4\n4,nan\n") ==
+        "pull.csv:6: column 'P': expected a finite number, got 'nan'");
+  CHECK(trouble("0;0\n0,5;1\n1;2\n2;3\n3;4.5\n") ==
+        "pull.csv:5: column '2': expected a finite number with a decimal comma, got '4.5'");
+  CHECK(trouble("u,P\n0,0\n1,x\n2,3\n3,4\n4,5\n") ==
+        "pull.csv:3: column 'P': expected a finite number, got 'x'");
+  CHECK(trouble("u,P\n0,x\n2,3\n3,4\n4,5\n") == "pull.csv:2: column 'P': expected a finite number, got 'x'");
+  CHECK(trouble("only words\n").starts_with("pull.csv:1: expected lines of numbers"));
+  CHECK(trouble("").starts_with("pull.csv:1: expected lines of numbers"));
+  CHECK(trouble(std::string("\xFF\xFE") + "1").find("UTF-16") != std::string::npos);
+  CHECK(message_of([] { read_table("/no/such.csv"); }).find("/no/such.csv") != std::string::npos);
+}
+
+TEST_CASE("the decimal sign is settled by all rows", "[files]") {
+  const Table t = parse_table("a", "0;0\n1;1\n2;2\n3;3\n4;0,5\n5;1\n");
+  CHECK(t.form.decimal == ',');
+  CHECK(t.columns[1].values == std::vector<double>{0, 1, 2, 3, 0.5, 1});
+  CHECK(trouble("0;0\n1;1\n2;2\n3;3\n4;0.5\n5;x\n") ==
+        "pull.csv:6: column '2': expected a finite number, got 'x'");
+  CHECK(parse_table("b", "0 0\n1 1\n2 2\n3 3\n4 -0,5\n").columns[1].values[4] == -0.5);
+}
+
+TEST_CASE("columns of text and rows without a number", "[files]") {
+  const Table t = parse_table("a",
+                              "Operator;A. B.\nDate;Cycle;u;P\n12:00:01;1-Load;0;0,5\n12:00:02;1-Load;1;2\n"
+                              "12:00:03;2-Load;2;3\n12:00:04;2-Load;3;4\n");
+  REQUIRE(t.columns.size() == 4);
+  CHECK(t.columns[0].name == "Date");
+  CHECK(t.columns[0].text);
+  CHECK(t.columns[1].trouble ==
+        "a:3: column 'Cycle': expected a finite number with a decimal comma, got '1-Load'");
+  CHECK(t.columns[3].values == std::vector<double>{0.5, 2, 3, 4});
+  CHECK(trouble("u,P\nNaN,NaN\n0,0\n1,2\n2,3\n3,4\n") ==
+        "pull.csv:2: column 'u': expected a finite number, got 'NaN'");
+  const Table gap = parse_table("b", "t,u,P\n0,0,\n1,1,2\n2,2,3\n3,3,4\n4,4,5\n", {0, 0, true});
+  CHECK(gap.columns[1].values.size() == 5);
+  CHECK(std::isnan(gap.columns[2].values[0]));
+  CHECK(gap.columns[2].trouble == "b:2: column 'P': expected a finite number, got ''");
+  CHECK(gap.columns[1].trouble.empty());
+  const Table often = parse_table("c", "t,u,P\n0,0,\n1,1,2\n2,2,\n3,3,4\n4,4,\n", {0, 0, true});
+  CHECK(often.columns[2].values[3] == 4);
+  CHECK(often.columns[1].values[4] == 4);
+  // what describes a specimen is no row
+  CHECK(parse_table("d", "Length;100\nWidth;25\nSpeed;5\nArea;3\nu;P\n0;0\n1;2\n").columns[0].values.size() ==
+        2);
+}
+
+TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
+  const auto second = [](const std::string& cell, char separator) {
+    return parse_table("a", std::string("u") + separator + "P\n0.5" + separator + cell + "\n")
+        .columns[1]
+        .values[0];
+  };
+  CHECK(second("1,234.5", ';') == 1234.5);
+  CHECK(second("\"-12,345,678.25\"", ',') == -12345678.25);
+  CHECK(second("1,234,567", '\t') == 1234567);
+  CHECK(parse_table("b", "0,5;1.234,5\n").columns[1].values[0] == 1234.5);
+  CHECK(parse_table("c", "0;1,234\n").columns[1].values[0] == 1.234);
+  CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;1,234\n").ends_with("got '1,234'"));
+  for (const std::string wrong : {"1,23.5", "1234,567.5", ",234.5", "1,2345.5", "1,,234.5"})
+    CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;" + wrong + "\n").ends_with("got '" + wrong + "'"));
+}
+
+TEST_CASE("a million rows are read", "[files]") {
+  const ScratchFolder folder;
+  {
+    std::ofstream file(folder / "long.csv");
+    file << "time (s),displacement (mm),force (N)\n";
+    for (int i = 0; i < 1000000; ++i) file << i * 0.001 << ',' << i * 1.25e-5 << ',' << i * 3.1e-4 << '\n';
+  }
+  const Table table = read_table(folder / "long.csv");
+  for (const auto& column : table.columns) CHECK(column.values.size() == 1000000);
+  CHECK(table.columns[2].values.back() == Approx(999999 * 3.1e-4).epsilon(1e-5));  // six digits were written
+}

@@ -1,0 +1,150 @@
+// The term of contact: its tangent is the derivative of its forces, friction and moving bodies too; the same
+// bits for any number of threads.
+#include <omp.h>
+
+#include <random>
+
+#include "catch.hpp"
+#include "mechanics/assembly.hpp"
+#include "mechanics/terms/contact.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+using test::svk;
+
+namespace {
+
+// Two sheets, one a little above the other, over a ball.
+struct Pile {
+  std::shared_ptr<model::Model> model;
+  model::RigidPointer ball;
+  explicit Pile(double friction, const model::Displacement& moved = {}) {
+    const double t = svk().thickness;
+    const auto sheet = [&](double side, int n, const Vec3& origin) {
+      auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(side, side, n, n));
+      mesh->map([&](const Vec3& X) { return Vec3(X + origin); });
+      return mesh;
+    };
+    model::Options options;
+    options.warp = [](const Vec3&) { return model::Direction(0.0); };
+    std::vector<model::BodyGiven> bodies;
+    bodies.push_back({"low", sheet(0.03, 4, Vec3::Zero()), svk(), options, {}});
+    bodies.push_back({"high", sheet(0.02, 3, Vec3(0.004, 0.006, 0.97 * t)), svk(), options, {}});
+    model = std::make_shared<model::Model>(std::move(bodies));
+    model->fix("low.left", model::parse_freedoms("x y z rotation"));
+    ball = std::make_shared<const model::Rigid>(model::Sphere{0.02, Vec3(0.014, 0.013, -0.02 - 0.47 * t)},
+                                                std::nullopt, "", "sphere");
+    model->contact({{{"", ball}, {"all", nullptr}}, friction});
+    model->contact({{{"low", nullptr}, {"high", nullptr}}, friction, 1.0 * t, 1e9});
+    if (moved[0] || moved[1] || moved[2]) model->move({ball, moved, std::nullopt});
+  }
+};
+
+std::vector<double> directions(std::size_t n, double size) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-size, size);
+  std::vector<double> d(n);
+  for (double& x : d) x = number(random);
+  return d;
+}
+
+std::vector<double> internal_at(mechanics::Assembly& a, const std::vector<double>& direction, double scale) {
+  a.rollback();
+  a.begin_iterate();
+  a.retract(direction, scale, a.targets(0));
+  REQUIRE(a.forces({0, 1}));
+  std::vector<double> r(a.unknowns());
+  const std::vector<double> none(3 * a.reference().size(), 0);
+  a.residual(none, r);
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("contact: the term's tangent is the derivative of its forces, with friction and without") {
+  for (const double friction : {0.0, 0.3}) {
+    const Pile pile(friction);
+    mechanics::Assembly a(*pile.model);
+    CHECK(a.symmetric() == (friction == 0));
+    const auto n = static_cast<std::size_t>(a.unknowns());
+    a.aim(1);
+    const auto start = directions(n, 1e-5), direction = directions(n, 1e-2);
+    // The state that slid from the committed one by `start`.
+    const auto at = [&](double h) {
+      std::vector<double> step = start;
+      for (std::size_t i = 0; i < n; ++i) step[i] += h * direction[i];
+      return internal_at(a, step, 1);
+    };
+    at(0);
+    REQUIRE(a.contact()->touching() > 20);
+    linear::Matrix K;
+    REQUIRE(a.tangent({0, 1}, K, {}, {}));
+    std::vector<double> product(n, 0);
+    for (std::size_t c = 0; c < n; ++c)
+      for (auto k = K.pattern->column[c]; k < K.pattern->column[c + 1]; ++k)
+        product[K.pattern->row[k]] += K.value[k] * direction[c];
+    double worst = 1e300;
+    for (const double h : {1e-5, 1e-6, 1e-7}) {
+      const auto up = at(h), down = at(-h);
+      double error = 0, scale = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (a.turns(static_cast<mechanics::Index>(i))) continue;
+        error = std::max(error, std::abs(product[i] + (up[i] - down[i]) / (2 * h)));
+        scale = std::max(scale, std::abs(product[i]));
+      }
+      worst = std::min(worst, error / scale);
+    }
+    CHECK(worst < 2e-6);  // the second derivative of a closest point jumps between facets
+  }
+}
+
+TEST_CASE("contact: a moving body leads the predictor as its forces change") {
+  model::Displacement up;
+  up[2] = model::History::table({{0, 0}, {1, 1e-7}});
+  const Pile pile(0.2, up);
+  mechanics::Assembly a(*pile.model);
+  const auto n = static_cast<std::size_t>(a.unknowns());
+  a.aim(1);
+  a.rollback();
+  a.begin_iterate();
+  linear::Matrix K;
+  std::vector<double> product(n, 0), before(n), after(n);
+  const std::vector<double> none(3 * a.reference().size(), 0), still(n, 0);
+  REQUIRE(a.tangent({0, 1}, K, {}, product));
+  a.residual(none, before);
+  a.retract(still, 1, {});
+  CHECK(a.arrived());
+  REQUIRE(a.forces({0, 1}));
+  a.residual(none, after);
+  double error = 0, scale = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    error = std::max(error, std::abs(after[i] - before[i] + product[i]));
+    scale = std::max(scale, std::abs(product[i]));
+  }
+  REQUIRE(scale > 0);
+  CHECK(error < 0.02 * scale);  // friction's rise is a parabola, contact's onset too
+  // A step of the cloth onto the ball is cut, one away from it is not.
+  a.begin_iterate();
+  std::vector<double> down(n, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    if (!a.turns(static_cast<mechanics::Index>(i)) && i % 5 == 2) down[i] = -0.01;
+  const double share = a.limit(down, {});
+  CHECK(share > 0);
+  CHECK(share < 0.1);
+}
+
+TEST_CASE("contact: forces and energies have the same bits for one, two and four threads") {
+  std::vector<double> first;
+  const int most = omp_get_max_threads();
+  for (const int threads : {1, 2, 4}) {
+    omp_set_num_threads(threads);
+    const Pile pile(0.3);
+    mechanics::Assembly a(*pile.model);
+    a.aim(1);
+    std::vector<double> all = internal_at(a, directions(static_cast<std::size_t>(a.unknowns()), 1e-5), 1);
+    for (const auto& energy : a.energies()) all.push_back(energy.value);
+    if (first.empty()) first = all;
+    CHECK(all == first);
+  }
+  omp_set_num_threads(most);
+}

@@ -1,0 +1,117 @@
+// A run with all that it writes, driven without a deck.
+#include "catch.hpp"
+#include "message_of.hpp"
+#include "run/dynamic.hpp"
+#include "run/job.hpp"
+#include "run/problems.hpp"
+#include "scratch.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+using namespace fabricsh::test;
+
+namespace {
+
+std::shared_ptr<run::Run> falling(double gravity = -9.81) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, 3, 3));
+  auto m = std::make_shared<model::Model>(mesh, isotropic(1e6, 0.3, 1e-3), model::Options{});
+  m->fix("bottom", model::parse_freedoms("x y z"));
+  m->gravity(model::steady({0, 0, gravity}));
+  run::DynamicOptions options;
+  options.duration = 1e-3;
+  return run::make_dynamic(m, options, quiet());
+}
+
+struct Outputs {
+  std::string folder;
+  void of(run::Job& job) const {
+    job.record(folder + "/fall.csv", {{"z", [](const run::Run& r) { return r.node(15).u.z(); }, "m"}}, 1e-4);
+    job.vtk(folder + "/fall", 2.5e-4, {"displacement"});
+    job.checkpoint(folder + "/fall.ckpt", 2.5e-4);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a job writes its table, its series, a run.json and a checkpoint") {
+  const ScratchFolder scratch;
+  run::Job job(falling());
+  Outputs{scratch.path}.of(job);
+  job.solve();
+  const std::string table = content_of(scratch / "fall.csv");
+  CHECK(table.starts_with("time (s),z (m)\n0,0\n"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 12);
+  CHECK(scratch.listing() == std::set<std::string>{"fall.csv", "fall.pvd", "fall.ckpt", "run.json",
+                                                   "fall_00000.vtu", "fall_00001.vtu", "fall_00002.vtu",
+                                                   "fall_00003.vtu", "fall_00004.vtu"});
+  const std::string report = content_of(scratch / "run.json");
+  CHECK(report.find("\"status\": \"done\"") != std::string::npos);
+  CHECK(report.find("\"kind\": \"dynamic\"") != std::string::npos);
+}
+
+TEST_CASE("a job that another process goes on with writes what one that was never cut writes") {
+  const ScratchFolder whole, cut;
+  {
+    run::Job job(falling());
+    Outputs{whole.path}.of(job);
+    job.solve();
+  }
+  {
+    run::Job job(falling());
+    Outputs{cut.path}.of(job);
+    job.advance(5e-4);
+    CHECK(content_of(cut / "run.json").find("\"status\": \"under way\"") != std::string::npos);
+  }
+  run::Job job(falling());
+  job.restart(cut / "fall.ckpt");
+  Outputs{cut.path}.of(job);
+  job.solve();
+  CHECK(content_of(cut / "fall.csv") == content_of(whole / "fall.csv"));
+  for (int i = 0; i < 5; ++i) {
+    const std::string frame = "fall_0000" + std::to_string(i) + ".vtu";
+    CHECK(content_of(cut / frame) == content_of(whole / frame));
+  }
+}
+
+TEST_CASE("a checkpoint is refused by another problem, and by outputs that it does not have") {
+  const ScratchFolder scratch;
+  {
+    run::Job job(falling());
+    Outputs{scratch.path}.of(job);
+    job.advance(5e-4);
+  }
+  run::Job other(falling(-1.62));
+  CHECK(message_of([&] {
+          other.restart(scratch / "fall.ckpt");
+        }).find("is of another problem: it differs in ") != std::string::npos);
+  run::Job job(falling());
+  job.restart(scratch / "fall.ckpt");
+  job.record(scratch / "fall.csv", {{"z", [](const run::Run& r) { return r.node(15).u.z(); }, "m"}}, 1e-4);
+  CHECK(message_of([&] {
+          job.record(scratch / "more.csv", {}, 1e-4);
+        }).find("the run that wrote it had no table '") != std::string::npos);
+  CHECK(message_of([&] { job.solve(); }).find("which nothing of this run goes on with") != std::string::npos);
+  run::Job late(falling());
+  late.record(scratch / "late.csv", {}, 1e-4);
+  CHECK(message_of([&] { late.restart(scratch / "fall.ckpt"); }).find("expected to be called before") !=
+        std::string::npos);
+}
+
+TEST_CASE("two outputs of a job on one path are refused; a failure leaves the last state and its reason") {
+  const ScratchFolder scratch;
+  run::Job job(falling());
+  Outputs{scratch.path}.of(job);
+  CHECK(message_of([&] {
+          job.record(scratch / "fall.csv", {}, 1e-4);
+        }).find("is an output of this run already") != std::string::npos);
+  job.run().every(6e-4, [](run::Run& r) {
+    if (r.time() > 0) throw Error("the hook has had enough");
+  });
+  CHECK(message_of([&] { job.solve(); }) == "the hook has had enough");
+  CHECK(content_of(scratch / "run.json").find("the hook has had enough") != std::string::npos);
+  const std::string broken = content_of(scratch / "fall.csv");
+  CHECK(std::count(broken.begin(), broken.end(), '\n') == 8);
+  job.solve();
+  const std::string table = content_of(scratch / "fall.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 12);
+}
