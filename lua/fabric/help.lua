@@ -194,17 +194,44 @@ local function nothing(rows, word)
   return { ("nothing speaks of '%s'%s"):format(word, near and ", did you mean '" .. near .. "'?" or "; help() shows what there is") }
 end
 
+-- Fields of a run that are called so, or have a number that is.
+local function result_fields(word)
+  local lines = {}
+  for _, field in ipairs(registry.fields()) do
+    local numbers = table.concat(field.components, " ")
+    if field.name == word or (" " .. numbers .. " "):find(" " .. word .. " ", 1, true) then
+      lines[#lines + 1] = ("%s: a field of a run, %s of every %s%s%s"):format(field.name, field.shape, field.place, field.unit ~= "" and ", " .. field.unit or "",
+        field.shape ~= "number" and numbers ~= "" and ": " .. numbers or "")
+      lines[#lines + 1] = "  " .. field.sentence
+    end
+  end
+  return lines
+end
+
+-- Rows that speak of the words as they stand, else of each of them.
+local function speaking(rows, words)
+  local found = {}
+  for _, row in ipairs(rows) do
+    if speaks_of(row, words) then found[#found + 1] = row end
+  end
+  if #found > 0 or not words:find "%s" then return found end
+  for _, row in ipairs(rows) do
+    local all = true
+    for word in words:gmatch "%S+" do all = all and speaks_of(row, word) end
+    if all then found[#found + 1] = row end
+  end
+  return found
+end
+
 local function search(word)
   local rows = registry.rows()
   local row = named(rows, word)
   if row then return about_row(row) end
   local lines, found = {}, below(rows, word)
-  if #found == 0 then
-    for _, candidate in ipairs(rows) do
-      if speaks_of(candidate, word:lower()) then found[#found + 1] = candidate end
-    end
-  end
-  if #found == 0 then return nothing(rows, word) end
+  if #found == 0 then found = speaking(rows, word:lower()) end
+  local fields = result_fields(word)
+  if #found == 0 and #fields == 0 then return nothing(rows, word) end
+  table.move(fields, 1, #fields, #lines + 1, lines)
   grouped(found, lines)
   return lines
 end
@@ -234,8 +261,8 @@ end
 define {
   name = "fabric.help",
   positional = true,
-  arguments = { { name = "topic", kind = "any", optional = true, sentence = "a function, an object, a name, or a word to look for; nothing: an overview" } },
-  sentence = "Prints what a function takes, what an object holds and can do, or all that speaks of a word.",
+  arguments = { { name = "topic", kind = "any", optional = true, sentence = "a function, an object, a name, or words to look for; nothing: an overview" } },
+  sentence = "Prints what a function takes, what an object holds and can do, or all that speaks of a word, or of each of several.",
   example = "local fabric = require 'fabric'\nfabric.help(fabric.ramp)\nfabric.help 'shear'",
   run = function(...)
     local missing = select("#", ...) > 0 and (...) == nil

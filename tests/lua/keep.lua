@@ -94,7 +94,9 @@ refused(bytes:sub(1, -2), "it is cut short: ")
 refused(bytes .. "x", "it is damaged: its checksum does not fit")
 refused(bytes:sub(1, 500) .. string.char(bytes:byte(501) ~ 1) .. bytes:sub(502), "it is damaged: its checksum does not fit")
 refused("time,force\n", "it is no checkpoint of fabricsh")
-refused(bytes:gsub("checkpoint 1", "checkpoint 2", 1), "its format has version 2, this program reads version 1")
+refused(bytes:gsub("checkpoint 2", "checkpoint 3", 1), "its format has version 3, this program reads version 2")
+refused(bytes:gsub("checkpoint 2", "checkpoint 1", 1),
+  "its format has version 1, this program reads version 2: it was written by an earlier fabricsh, which can still go on from it")
 
 -- --- settings under way ---
 local s = make():advance(0.5):set { tolerance = 1e-4, step = 0.5 }:solve()

@@ -198,6 +198,51 @@ local own = lab.compare({ displacement = { 0, 0.01, 0.03 }, force = { 0, run.cur
 assert(own.columns[1] == "displacement" and own.outside == 1)
 fails("expected measured points within the test's E", lab.compare, { E = { 2, 3 }, S = { 1, 2 } }, run)
 
+-- Slack that the curve itself shows, not what would hide a softer specimen; strains and displacements.
+local soft = { E = {}, S = {} }
+for i = 1, 200 do
+  local E = -0.01 + 0.26 * i / 200
+  local S = E > 0 and 0.9 * (8e6 * E + 413e6 * E ^ 2) or 0
+  soft.E[i], soft.S[i] = ((1 + 2 * E) * (1 + slack) ^ 2 - 1) / 2, S / (1 + slack) + 2e4 * draw.normal()
+end
+c = lab.compare(soft, run, { slack = "find" })
+close(c.slack, slack, 0.1, "slack found")
+close(c.worst, 0.1 / 0.9, 0.1, "the softer specimen's residual")
+local late_pull, straight = { displacement = {}, force = {} }, { displacement = {}, force = {} }
+for i = 1, 200 do
+  local u = 1e-4 * i
+  straight.displacement[i], straight.force[i] = u, 500 * u + 5e4 * u ^ 2
+  local d = math.max(0, u - 2e-3)
+  late_pull.displacement[i], late_pull.force[i] = u, 500 * d + 5e4 * d ^ 2
+end
+c = lab.compare(late_pull, straight, { slack = "find" })
+close(c.slack, 2e-3, 1e-3, "slack of a displacement")
+assert(c.worst < 1e-3, c.text)
+-- the band of the next specimen, from each one's own contact
+local scaled = {}
+for i, scale in ipairs { 0.95, 1, 1.04, 1.01 } do
+  scaled[i] = { E = {}, S = {}, branches = { { kind = "loading", first = 1, last = 100 } } }
+  for k = 1, 100 do
+    local E = 0.25 * k / 100
+    scaled[i].E[k], scaled[i].S[k] = ((1 + 2 * E) * (1 + slack * i) ^ 2 - 1) / 2, scale * (8e6 * E + 413e6 * E ^ 2) / (1 + slack * i)
+  end
+end
+local taut = { specimens = {} }
+for i = 1, 4 do taut.specimens[i] = { slack = slack * i } end
+local seen = lab.spread { tests = scaled, fit = taut }
+close(seen.deviation[40] / seen.S[40], 0.037417, 2e-3, "deviation from contact") -- of 0.95, 1, 1.04, 1.01 over their mean
+assert(lab.spread({ tests = scaled }).deviation[40] > 2 * seen.deviation[40])
+c = lab.compare(scaled[4], run, { slack = 4 * slack, spread = seen })
+assert(c.inside > 0.9 and c.text:find "%d+ %% of the points lie in the band of the next specimen", c.text)
+for i, S in ipairs(soft.S) do soft.S[i] = 0.7 * S end
+c = lab.compare(soft, run, { slack = slack, spread = seen })
+assert(c.inside < 0.3, c.text)
+fails("expected the fit of these 4 tests, got one of 2", lab.spread, { tests = scaled, fit = { specimens = { {}, {} } } })
+fails("fit.specimens[1].slack': expected a stretch, got nil", lab.spread, { tests = scaled, fit = { specimens = { {}, {}, {}, {} } } })
+fails("field 'spread': a band of S over E, got force over displacement", lab.compare, late_pull, straight, { spread = seen })
+fails("field 'slack': expected at least 6 rising points to find it, got 3", lab.compare, { displacement = { 1, 2, 3 }, force = { 0, 2, 3 } }, straight, { slack = "find" })
+fails("field 'slack': no first contact is found in this curve", lab.compare, { displacement = { 1, 2, 3, 4, 5, 6, 7, 8 }, force = { 8, 7, 6, 5, 4, 3, 2, 1 } }, straight, { slack = "find" })
+
 -- The force of a card by the kinematics of a bias pull is the inverse of the shear from a force.
 local d = {}
 for i = 1, 100 do d[i] = 0.03 * i / 100 end
@@ -205,3 +250,27 @@ local made = lab.bias_shear { displacement = d, card = card, width = 0.1, length
 local back = lab.bias_shear { displacement = d, force = made.force, width = 0.1, length = 0.3, thickness = card.thickness, limit = 60 }
 local S12 = fabric.point(card):path({ E12 = back.E12 }, { "S12" }).S12
 for i = 10, 100 do close(back.S12[i], S12[i], 2e-3, "shear at place " .. i) end -- half angles between rows
+
+-- Four pins at the tips of a diamond, in any order: the ratio of its diagonals, and the shear of the yarns along its sides.
+local tips = { { 0, -1, 0, -1.2 }, { -1, 0, -0.9, 0 }, { 1, 0, 0.9, 0 }, { 0, 1, 0, 1.2 } }
+local orders = 0
+local function diamond(order, n)
+  if n > 1 then
+    for i = 1, n do
+      order[n], order[i] = order[i], order[n]
+      diamond(order, n - 1)
+      order[n], order[i] = order[i], order[n]
+    end
+    return
+  end
+  local grid = { rows = 2, columns = 2, x = {}, y = {} }
+  for k, tip in ipairs(order) do
+    grid.x[k], grid.y[k], grid.x[k + 4], grid.y[k + 4] = table.unpack(tips[tip])
+  end
+  close(lab.poisson({ specimens = { grid }, noise = 0 }).value, (1 - 0.81) / (1.44 - 1), 1e-12, "ratio of the diagonals")
+  local sheared = lab.shear_from_bias { markers = grid, force = { 0, 1 }, displacement = { 0, 0.01 }, gauge_length = 0.1, width = 0.02, thickness = 5e-4, plies = 1 }
+  close(sheared.E[2], (1.44 - 0.81) / 4, 1e-12, "shear of a diamond")
+  orders = orders + 1
+end
+diamond({ 1, 2, 3, 4 }, 4)
+assert(orders == 24)

@@ -5,7 +5,7 @@ local registry = require "fabric.define".registry
 
 -- Whole simulations, whose arguments are all rows: tests/lua/errors has their cases.
 local simulations = { uniaxial = true, bias = true, shear = true, biaxial = true, drape = true, poke = true, bias_extension = true, mesh_error = true,
-  identify = true, parallel = true, synthetic = true }
+  identify = true, pool = true, parallel = true, synthetic = true }
 
 local function copy(value)
   if type(value) ~= "table" then return value end

@@ -65,6 +65,12 @@ near(a.beyond.share, 1.005, 1e-9)
 times(talk_of("slightly", ([[
 local a = fabric.static { model = strip(fabric.card "denim":with { tested = { warp = %.17g } }, fabric.ramp(0.01, 1)), duration = 1 }:solve()
 assert(a.beyond)]]):format(strain(0.01) / 1.005)), "is strained to", 0)
+-- ... the place is told without what is left of rounding
+has(talk_of("centred", [[
+mesh:map(function(x, y, z) return x + 0.1 - 0.1127, y, z end)
+local m = fabric.model { mesh = mesh, card = fabric.card "denim", warp = { 0, 1, 0 } }
+m:fix("all", "x z rotation"):fix("bottom", "y"):move("top", { y = fabric.ramp(0.03, 1) })
+fabric.static { model = m, duration = 1 }:solve()]]), ", about (0, ")
 -- ... a card that does not say what it was tested to is beyond nothing
 assert(fabric.static { model = strip(fabric.svk { young = 1e7, poisson = 0.3, density = 500, thickness = 5e-4 }, there_and_back), duration = 1 }:solve().beyond == nil)
 local silent = fabric.card "denim":with { tested = { warp = 0, weft = 0, shear = 0 } }
@@ -228,6 +234,14 @@ local axis, stiffness = e.why:match 'm:spring%("all", { ([xyz])=([%d.e+-]+) }%)'
 assert(axis == "z")
 a = hung({}, function(model) model:spring("all", { [axis] = tonumber(stiffness) }) end):solve()
 assert(a.time == 1 and a:node(1).z < -0.09) -- it hangs
+-- ... also where the loads do not drive it, and the tangent is singular
+local flat = fabric.model { mesh = fabric.mesh.rectangle { width = 0.2, height = 0.2, nx = 4, ny = 4 }, card = fabric.card "blend" }
+flat:fix("left", "x y z"):force("right", { x = 2 })
+a = fabric.static { model = flat, duration = 1, step = 0.25 }
+ok, e = pcall(a.solve, a)
+assert(not ok and e.kind == "numerical")
+has(tostring(e), "(the tangent is singular: the supports leave the sheet free to turn about the line through (0, 0.1, 0) m along (")
+times(e.why, "leave the sheet free to", 1)
 -- ... a strip held well names none
 local held = sheet():fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.03, 1) })
 a = fabric.static { model = held, duration = 1, step = 1, max_cuts = 0, max_iterations = 1 }

@@ -77,10 +77,50 @@ local function from_slack(t, xname, x, y)
   return out_x, out_y
 end
 
-local function draw(t, xname, yname, x, y, tx, ty)
+-- The slack that the measured curve itself shows, by a polynomial that finds its first contact (fabric.lab.backbone): laid nearest to the
+-- test instead, a softer specimen would pass for a slack one. A displacement is taken for a strain so small that stretch and shift are one.
+local small = 1e-3
+local function found_slack(xname, x, y)
+  local ex, ey = curve.envelope(x, y)
+  if #ex < 6 or not (ex[#ex] > 0) then fail(("compare: field 'slack': expected at least 6 rising points to find it, got %d: give a number"):format(#ex)) end
+  local scale = xname == "E" and 1 or small / math.max(math.abs(ex[1]), math.abs(ex[#ex]))
+  local found = fabric.lab.backbone { curves = { { E = curve.scaled(ex, scale), S = ey } }, find_slack = true }
+  if not found.chosen then fail "compare: field 'slack': no first contact is found in this curve (no polynomial rises from zero): give a number" end
+  return math.max(0, found[found.chosen].specimens[1].slack) / scale
+end
+
+-- The band of the next specimen beside the curves: its edges for the figure, and the part of the compared points within it.
+local function band_of(t, out)
+  local band = t.spread
+  if not band then return {} end
+  local inside, n = 0, 0
+  for i, x in ipairs(out.x) do
+    local low, high = curve.interpolate(band.E, band.next_low, x), curve.interpolate(band.E, band.next_high, x)
+    if low then
+      n = n + 1
+      if low <= out.measured[i] and out.measured[i] <= high then inside = inside + 1 end
+    end
+  end
+  if n == 0 then fail "compare: field 'spread': expected a band where there are measured points" end
+  out.inside = inside / n
+  out.text = out.text .. ("; %.0f %% of the points lie in the band of the next specimen"):format(100 * out.inside)
+  return { { x = band.E, y = band.next_low, style = "dashed", label = ("%g %% of the next specimens"):format(100 * band.level) },
+    { x = band.E, y = band.next_high, style = "dashed" } }
+end
+
+local function draw(t, xname, yname, x, y, tx, ty, edges)
+  local curves = { { x = x, y = y, label = "measured", style = "points" }, { x = tx, y = ty, label = "simulated" } }
+  table.move(edges, 1, #edges, 3, curves)
   fabric.plot { file = t.file, title = t.title or "measured and simulated", xlabel = labels[xname] or xname, xunit = units[xname],
-    ylabel = labels[yname] or yname, yunit = units[yname], curves = { { x = x, y = y, label = "measured", style = "points" },
-      { x = tx, y = ty, label = "simulated" } } }
+    ylabel = labels[yname] or yname, yunit = units[yname], curves = curves }
+end
+
+local function check_spread(t, xname, yname)
+  if not t.spread then return end
+  if xname ~= "E" or yname ~= "S" then fail(("compare: field 'spread': a band of S over E, got %s over %s to compare"):format(yname, xname)) end
+  for _, name in ipairs { "E", "next_low", "next_high" } do
+    if type(t.spread[name]) ~= "table" then fail "compare: field 'spread': expected a result of fabric.lab.spread" end
+  end
 end
 
 local function compare(measured, test, options)
@@ -88,9 +128,12 @@ local function compare(measured, test, options)
   for name, value in pairs(options or {}) do t[name] = value end
   t.slack = t.slack or 0
   local xname, yname = columns_of(t)
-  local x, y = from_slack(t, xname, measured_lists(t, xname, yname))
+  check_spread(t, xname, yname)
+  local x, y = measured_lists(t, xname, yname)
   local tx, ty = test_lists(t, xname, yname)
   local ex, ey = curve.envelope(tx, ty)
+  if t.slack == "find" then t.slack = found_slack(xname, x, y) end
+  x, y = from_slack(t, xname, x, y)
   local out = { x = {}, measured = {}, simulated = {}, residual = {}, outside = 0, columns = { xname, yname }, slack = t.slack }
   local peak, squares = 0, 0
   for _, value in ipairs(y) do peak = math.max(peak, math.abs(value)) end
@@ -113,7 +156,8 @@ local function compare(measured, test, options)
   out.worst = math.abs(out.largest.residual) / peak
   out.text = ("%d points, %d outside of the test; measured less simulated: rms %.2f %%, largest %.2f %% of the peak (%s %.4g)"):format(#out.x, out.outside,
     100 * out.rms, 100 * out.worst, xname, out.largest.x)
-  if t.file then draw(t, xname, yname, x, y, tx, ty) end
+  local edges = band_of(t, out)
+  if t.file then draw(t, xname, yname, x, y, tx, ty, edges) end
   return out
 end
 
@@ -126,15 +170,18 @@ define {
     { name = "options", kind = "fields", optional = true, sentence = "what is laid over each other, and where the figure goes", rows = {
       { name = "x", kind = "text", optional = true, sentence = "column of both; default E, else displacement" },
       { name = "y", kind = "text", optional = true, sentence = "column of both; default S, else force" },
-      { name = "slack", kind = "number", optional = true,
-        sentence = "of first contact: a stretch as in fit.specimens[i].slack where x is E, else of the unit of x; default 0" },
+      { name = "slack", kind = "number|text", choices = { "find" }, optional = true,
+        sentence = "of first contact: a stretch as in fit.specimens[i].slack where x is E, else of the unit of x; default 0; find: where a "
+          .. "polynomial through the measured curve meets zero" },
+      { name = "spread", kind = "table", optional = true, sentence = "result of fabric.lab.spread: the band of the next specimen is drawn, and `inside` "
+        .. "says what part of the points lies in it" },
       { name = "all", kind = "boolean", optional = true, sentence = "unloading too; default: virgin loading up to failure" },
       { name = "file", kind = "text", optional = true, sentence = "of the figure with both curves: .svg, .png or .pdf" },
       { name = "title", kind = "text", optional = true, sentence = "of the figure" },
     } },
   },
   sentence = "A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less "
-    .. "simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), text.",
+    .. "simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text.",
   example = "local lab = require 'fabric'.lab\n"
     .. "local c = lab.compare({ displacement={0, 1, 2}, force={0, 1.1, 2} }, { displacement={0, 2}, force={0, 2} })\n"
     .. "assert(#c.x == 3 and math.abs(c.worst - 0.05) < 1e-12 and c.largest.x == 1)",

@@ -80,7 +80,8 @@ local function shear_of(card_of, EB5, thickness)
   local S = E5 / (thickness * (1 + e))
   local function stress(modulus) return fabric.point(card_of(modulus)):uniaxial(45, { e + e * e / 2 }, { "S" }).S[1] end
   local rigid = 2 * 123 / EB5 / thickness -- when yarns do not stretch
-  local low, high = rigid / 8, rigid / 2
+  local low
+  local high = rigid / 2
   repeat
     low, high = high, 4 * high
     if high > 1e3 * rigid then

@@ -59,7 +59,7 @@ end
 
 -- How specimens differ, where there are enough of them.
 local function with_spread(part)
-  if #part.tests >= 3 then part.spread = lab.spread { tests = part.tests } end
+  if #part.tests >= 3 then part.spread = lab.spread { tests = part.tests, fit = part.fit } end
   return part
 end
 

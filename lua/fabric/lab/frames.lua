@@ -1,6 +1,7 @@
 -- fabric.lab.picture_frame and bias_shear: shear per width from the two tests of the benchmark, and back [cao2008].
 local fabric = require "fabric"
 local define = require "fabric.define"
+local rows = require "fabric.lab.rows"
 
 local quarter = math.pi / 4
 
@@ -61,12 +62,6 @@ local sides = {
   { name = "frame", kind = "number", unit = "m", above = 0, sentence = "side of the frame, between hinges" },
   { name = "cloth", kind = "number", unit = "m", above = 0, sentence = "side of the cloth without its arms" },
 }
-
-local function rows(...)
-  local out = {}
-  for _, list in ipairs { ... } do table.move(list, 1, #list, #out + 1, out) end
-  return out
-end
 
 define {
   name = "fabric.lab.picture_frame",
@@ -234,3 +229,5 @@ define {
     return bias_curve(t)
   end,
 }
+
+return { bias_angle = bias_angle }

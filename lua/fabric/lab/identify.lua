@@ -51,7 +51,7 @@ local function predictions(t, point)
 end
 
 -- The predictions over their deviations from what was measured; large ones where the simulation failed, so that the search turns
--- away.
+-- away. t.whiten (of fabric.lab.pool) takes off what hangs them together.
 local function residuals(t, predicted)
   local out = {}
   for _, test in ipairs(t.tests) do
@@ -60,7 +60,7 @@ local function residuals(t, predicted)
       out[k] = predicted.trouble and 1e3 or (predicted[k] - y) / deviation_of(test, i)
     end
   end
-  return out
+  return t.whiten and not predicted.trouble and t.whiten(out) or out
 end
 
 local function cut_short(answer) return answer.died or (answer.trouble or ""):find("not enough memory", 1, true) end
@@ -286,3 +286,5 @@ define {
     .. "  tests={ {name='shear', measured=S{Gu=12e6}, predict=S} } }\nassert(math.abs(f.parameters.Gu / 12e6 - 1) < 1e-4)",
   run = identify,
 }
+
+return identify

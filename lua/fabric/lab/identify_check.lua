@@ -1,10 +1,12 @@
--- The tables that fabric.lab.identify is given, gone through before anything is simulated.
+-- The tables that fabric.lab.identify (or another that takes the same: `by`) is given, gone through before anything is simulated.
 local define = require "fabric.define"
 local registry, fail = define.registry, define.fail
 
+local call = "identify" -- whose tables they are
+
 local function refuse(path, wanted, got)
   local what = type(got) == "table" and "a table" or type(got) == "string" and "'" .. got .. "'" or registry.show(got)
-  fail(("identify: field '%s': expected %s, got %s"):format(path, wanted, what))
+  fail(("%s: field '%s': expected %s, got %s"):format(call, path, wanted, what))
 end
 
 local function only(path, t, names)
@@ -14,7 +16,7 @@ local function only(path, t, names)
     for _, n in ipairs(names) do known = known or n == name end
     if not known then
       local near = registry.nearest(tostring(name), names)
-      fail(("identify: unknown field '%s.%s'%s"):format(path, tostring(name), near and (", did you mean '" .. near .. "'?")
+      fail(("%s: unknown field '%s.%s'%s"):format(call, path, tostring(name), near and (", did you mean '" .. near .. "'?")
         or ("; expected " .. table.concat(names, ", "))))
     end
   end
@@ -58,7 +60,8 @@ local function check_parameter(path, p, seen)
   if p.start < p.low or p.start > p.high then refuse(path .. ".start", ("%g to %g"):format(p.low, p.high), p.start) end
 end
 
-return function(t)
+return function(t, by)
+  call = by or "identify"
   local seen = {}
   for i, p in ipairs(t.parameters) do check_parameter(("parameters[%d]"):format(i), p, seen) end
   if #t.parameters == 0 then refuse("parameters", "at least one", 0) end

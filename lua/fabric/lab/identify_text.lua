@@ -1,4 +1,4 @@
--- What an identification says in words: values with their deviations, bounds that were met, what hangs together, how large the
+-- What an identification says in words: first whether the data contradict it; values with their deviations, bounds that were met, what hangs together, how large the
 -- misses are, what further tests would add.
 
 local function list_parameters(lines, t, out)
@@ -37,14 +37,14 @@ local function list_misses(lines, t, out)
     lines[#lines + 1] = ("%s: largest miss %.3g %% of the largest value, %.3g deviations"):format(test.name, 100 * miss.worst, miss.deviations)
   end
   lines[#lines + 1] = ("chi^2 per degree of freedom %.4g"):format(out.chi2)
-  if out.chi2 > 4 then
-    lines[#lines + 1] = ("model and data differ by more than the noise: the error bars are widened by %.3g, and may mean little"):format(
-      math.sqrt(out.chi2))
-  end
 end
 
 return function(t, out)
   local lines = {}
+  if out.chi2 > 4 then
+    lines[1] = ("The data contradict the model: they differ by more than the noise; the error bars are widened by %.3g, and may mean little"):format(
+      math.sqrt(out.chi2))
+  end
   list_parameters(lines, t, out)
   list_pairs(lines, t, out)
   list_misses(lines, t, out)

@@ -38,32 +38,75 @@ local function loop(xs, ys, a, b, widths, what, field, other)
   return out
 end
 
+-- 0, to reach, to -reach, to 0 in n rows a quarter.
+local function cycle(reach, n)
+  local out = {}
+  for i = 0, 4 * n do out[i + 1] = reach * (i <= n and i or i <= 3 * n and 2 * n - i or i - 4 * n) / n end
+  return out
+end
+
+-- Measured rows are there, or a card in their place.
+local function card_or(t, call, names)
+  for _, name in ipairs(names) do
+    if (t[name] == nil) == (t.card == nil) then
+      define.fail(("%s: field '%s': expected measured rows, or a card in their place, got %s"):format(call, name, t.card and "both" or "neither"))
+    end
+  end
+  return t.card
+end
+
+local by_card = { name = "card", of = "card", optional = true, sentence = "in place of the measured rows: what the instrument would show of it" }
+local along = { name = "direction", kind = "text", choices = { "warp", "weft" }, default = "warp", sentence = "that the card is tested along" }
+
+-- Yarns turn and keep their lengths: E12 = sin(angle) / 2, and the force per width is that of S12.
+local function sheared(card)
+  local angle, E12 = cycle(8, 800), {}
+  for i, a in ipairs(angle) do E12[i] = math.sin(math.rad(a)) / 2 end
+  local force = fabric.point(card):path({ E12 = E12 }, { "S12" }).S12
+  for i, s in ipairs(force) do force[i] = s * card.thickness * math.cos(math.rad(angle[i])) end
+  return angle, force
+end
+
 define {
   name = "fabric.lab.kes_shear",
   arguments = {
-    { name = "angle", kind = "numbers", unit = "degrees", sentence = "of a cycle 0 to 8, to -8, to 0" },
-    { name = "force", kind = "numbers", unit = "N/m", sentence = "shear force per width" },
+    { name = "angle", kind = "numbers", unit = "degrees", optional = true, sentence = "of a cycle 0 to 8, to -8, to 0" },
+    { name = "force", kind = "numbers", unit = "N/m", optional = true, sentence = "shear force per width" },
+    by_card,
   },
-  sentence = "G (slope from 0.5 to 2.5 degrees, gf/(cm deg)), 2HG and 2HG5 (gf/cm, height of the loop at 0.5 and 5 degrees).",
+  sentence = "G (slope from 0.5 to 2.5 degrees, gf/(cm deg)), 2HG and 2HG5 (gf/cm, height of the loop at 0.5 and 5 degrees); of a card also its "
+    .. "curve, angle and force.",
   example = "local k = require 'fabric'.lab.kes_shear{ angle={0, 8, 7.9, -8, 0}, force={0, 8, 6.9, -8, 0} }\nassert(k.G > 0 and k['2HG'] > 0)",
   run = function(t)
-    local l = loop(t.angle, t.force, 0.5, 2.5, { 0.5, 5 }, "kes_shear", "angle", "force")
-    return { G = l.slope * cm / gf, ["2HG"] = l[1] * cm / gf, ["2HG5"] = l[2] * cm / gf }
+    local angle, force = t.angle, t.force
+    if card_or(t, "kes_shear", { "angle", "force" }) then angle, force = sheared(t.card) end
+    local l = loop(angle, force, 0.5, 2.5, { 0.5, 5 }, "kes_shear", "angle", "force")
+    return { G = l.slope * cm / gf, ["2HG"] = l[1] * cm / gf, ["2HG5"] = l[2] * cm / gf, angle = t.card and angle, force = t.card and force }
   end,
 }
+
+-- A piece of cloth is bent alike everywhere, by the card's own bending.
+local function bent(card, direction)
+  local k, M, point = cycle(250, 500), {}, fabric.point(card)
+  for i, x in ipairs(k) do M[i] = direction == "warp" and point:bend({ k11 = x }).M11 or direction == "weft" and point:bend({ k22 = x }).M22 end
+  return k, M
+end
 
 define {
   name = "fabric.lab.kes_bending",
   arguments = {
-    { name = "curvature", kind = "numbers", unit = "1/m", sentence = "of a cycle 0 to 250, to -250, to 0" },
-    { name = "moment", kind = "numbers", unit = "N", sentence = "per width" },
+    { name = "curvature", kind = "numbers", unit = "1/m", optional = true, sentence = "of a cycle 0 to 250, to -250, to 0" },
+    { name = "moment", kind = "numbers", unit = "N", optional = true, sentence = "per width" },
+    by_card, along,
     { name = "at", kind = "number", unit = "1/m", above = 0, default = 50, sentence = "curvature of 2HB: 50 or 100, laboratories differ" },
   },
-  sentence = "B (slope from 50 to 150 1/m, gf cm^2/cm) and 2HB (gf cm/cm, height of the loop).",
+  sentence = "B (slope from 50 to 150 1/m, gf cm^2/cm) and 2HB (gf cm/cm, height of the loop); of a card also its curve, curvature and moment.",
   example = "local k = require 'fabric'.lab.kes_bending{ curvature={0, 250, 240, -250, 0}, moment={0, 2.5e-3, 2e-3, -2.5e-3, 0} }\nassert(k.B > 0 and k['2HB'] > 0)",
   run = function(t)
-    local l = loop(t.curvature, t.moment, 50, 150, { t.at }, "kes_bending", "curvature", "moment")
-    return { B = l.slope / (gf * cm), ["2HB"] = l[1] / gf }
+    local curvature, moment = t.curvature, t.moment
+    if card_or(t, "kes_bending", { "curvature", "moment" }) then curvature, moment = bent(t.card, t.direction) end
+    local l = loop(curvature, moment, 50, 150, { t.at }, "kes_bending", "curvature", "moment")
+    return { B = l.slope / (gf * cm), ["2HB"] = l[1] / gf, curvature = t.card and curvature, moment = t.card and moment }
   end,
 }
 
@@ -73,37 +116,112 @@ local function area(xs, ys, first, last)
   return sum
 end
 
+-- A pull along a yarn, free to contract, to 500 gf/cm and back until nothing pulls.
+local function pulled(card, direction)
+  local load, rows = 500 * gf / cm, 1000
+  local function force(e) return fabric.point(card):uniaxial(direction, e + e * e / 2).S * card.thickness * (1 + e) end
+  local low, high = 0, 1e-3
+  while force(high) < load do
+    low, high = high, 2 * high
+    if high > 10 then define.fail(("kes_tensile: field 'card': the %s does not reach 500 gf/cm at any stretch"):format(direction)) end
+  end
+  for _ = 1, 60 do
+    local middle = (low + high) / 2
+    if force(middle) < load then low = middle else high = middle end
+  end
+  local stretch, E, out = {}, {}, {}
+  for i = 0, 4 * rows do -- back in finer steps: it comes back steeply
+    stretch[i + 1] = high * (i <= rows and i / rows or (4 * rows - i) / (3 * rows))
+    E[i + 1] = stretch[i + 1] + stretch[i + 1] ^ 2 / 2
+  end
+  for i, S in ipairs(fabric.point(card):uniaxial(direction, E, { "S" }).S) do out[i] = math.max(0, S) * card.thickness * (1 + stretch[i]) end
+  return stretch, out
+end
+
 define {
   name = "fabric.lab.kes_tensile",
   arguments = {
-    { name = "stretch", kind = "numbers", sentence = "elongation over length, up to the largest load and back" },
-    { name = "force", kind = "numbers", unit = "N/m", sentence = "per width; KES goes to 500 gf/cm" },
+    { name = "stretch", kind = "numbers", optional = true, sentence = "elongation over length, up to the largest load and back" },
+    { name = "force", kind = "numbers", unit = "N/m", optional = true, sentence = "per width; KES goes to 500 gf/cm" },
+    by_card, along,
   },
   sentence = "EMT (per cent at the largest load), WT (gf cm/cm^2), LT = WT over that of a straight line, RT (per cent of the work that comes back).",
   example = "local k = require 'fabric'.lab.kes_tensile{ stretch={0, 0.05, 0.04}, force={0, 490, 0} }\nassert(math.abs(k.LT - 1) < 1e-12 and math.abs(k.RT - 20) < 1e-9)",
   run = function(t)
+    if card_or(t, "kes_tensile", { "stretch", "force" }) then t.stretch, t.force = pulled(t.card, t.direction) end
     if #t.stretch ~= #t.force then
       define.fail(("kes_tensile: field 'force': expected %d numbers, one per stretch, got %d"):format(#t.stretch, #t.force))
     end
     local top = extremes(t.stretch)
     if top == 1 or t.stretch[top] <= 0 or t.force[top] <= 0 then define.fail "kes_tensile: field 'stretch': expected a pull up to a largest load and back" end
     local work, back = area(t.stretch, t.force, 1, top), -area(t.stretch, t.force, top, #t.stretch)
-    return { EMT = 100 * t.stretch[top], WT = work / (gf / cm), LT = work / (t.force[top] * t.stretch[top] / 2), RT = 100 * back / work }
+    return { EMT = 100 * t.stretch[top], WT = work / (gf / cm), LT = work / (t.force[top] * t.stretch[top] / 2), RT = 100 * back / work,
+      stretch = t.card and t.stretch, force = t.card and t.force }
   end,
 }
 
--- S = d0 E + d1 E^2/2 with the largest load F (N/m) at EMT and the work WT: force (1+e) t S, work t (d0 E^2/2 + d1 E^3/6).
+-- The curve of a toe that turns into a straight line, or (LT above 1) of a line that bends over, from 0 to 1 in both, of mean height
+-- LT/2: h(x) - h(0) with h = x - a + sqrt((x - a)^2 + b^2), b the sharpness of the bend. Its points, and its steepest slope.
+local function toe(LT, b)
+  local over = LT > 1
+  local low = over and 2 - LT or LT
+  local function h(x, a) return x - a + math.sqrt((x - a) ^ 2 + b * b) end
+  local function at(x, a) return (h(x, a) - h(0, a)) / (h(1, a) - h(0, a)) end
+  local function mean(a)
+    local sum, n = 0, 200
+    for i = 0, n do sum = sum + at(i / n, a) * (i % n == 0 and 1 or i % 2 == 1 and 4 or 2) / (3 * n) end
+    return sum
+  end
+  local left, right = -50, 1
+  if mean(right) > low / 2 then return end -- too round for so little work
+  for _ = 1, 80 do
+    local middle = (left + right) / 2
+    if mean(middle) > low / 2 then left = middle else right = middle end
+  end
+  local a, points = (left + right) / 2, {}
+  for i = 0, 40 do points[i + 1] = { i / 40, over and 1 - at(1 - i / 40, a) or at(i / 40, a) } end
+  return points, (1 + (1 - a) / math.sqrt((1 - a) ^ 2 + b * b)) / (h(1, a) - h(0, a))
+end
+
+-- A curve that ends at (E, S) with the work U below it, and comes back with the modulus Du: S = d0 E + dn E^(n+1) / (n+1) with the
+-- least n that does, else a toe and a straight line, by points. A law does not get stiffer than it comes back.
+local function loading_of(E, S, U, Du, name, LT)
+  for n = 1, 3 do
+    local dn = (S * E / 2 - U) * 2 * (n + 1) * (n + 2) / (n * E ^ (n + 2))
+    local d0 = S / E - dn * E ^ n / (n + 1)
+    local steepest = math.max(d0, d0 + dn * E ^ n)
+    if d0 > 0 and d0 + dn * E ^ n > 0 and (n == 1 or d0 > 0.02 * S / E) and steepest <= Du then
+      local loading = { d0 }
+      for k = 2, n do loading[k] = 0.0 end
+      loading[n + 1] = dn
+      return loading
+    end
+  end
+  for _, b in ipairs { 0.4, 0.2, 0.1, 0.05, 0.02 } do
+    local points, steepest = toe(2 * U / (S * E), b)
+    if points and steepest * S / E <= 0.99 * Du then
+      for _, p in ipairs(points) do p[1], p[2] = p[1] * E, p[2] * S end
+      return points
+    end
+  end
+  define.fail(("kes_card: field '%s': no curve has the work of LT %.3g and gives back RT of it: it would come back softer than it went"):format(name, LT))
+end
+
+-- A yarn with the largest load F (N/m) at EMT and the work WT, or LT of that of a straight line: force (1+e) t S, work t int S dE.
 local function yarn_of(k, thickness, poisson, name)
-  local e, F, work = k.EMT / 100, 500 * gf / cm, k.WT * gf / cm
+  local e, F = k.EMT / 100, 500 * gf / cm
+  if (k.WT == nil) == (k.LT == nil) then
+    local straight = 5 * k.EMT / 2 -- WT of LT 1
+    if k.WT == nil then define.fail(("kes_card: field '%s.WT': expected WT in gf cm/cm^2, or LT, got neither"):format(name)) end
+    if math.abs(k.WT / (k.LT * straight) - 1) > 0.03 then
+      define.fail(("kes_card: field '%s.LT': expected %.3g, as WT %.3g and EMT %.3g make it, got %.3g"):format(name, k.WT / straight, k.WT, k.EMT, k.LT))
+    end
+  end
+  local work = k.WT and k.WT * gf / cm or k.LT * F * e / 2
   local E = e + e * e / 2
   local S, U = F / (thickness * (1 + e)), work / thickness
-  local d1 = (S * E / 2 - U) * 12 / E ^ 3
-  local d0 = S / E - d1 * E / 2
-  if d0 <= 0 then
-    define.fail(("kes_card: field '%s': WT is too small for a curve with one bend (LT below 2/3): expected at least %.3g, got %.3g"):format(
-      name, S * E / 3 * thickness * cm / gf, k.WT))
-  end
-  return { loading = { d0, d1 }, unloading = S * S / (2 * U * k.RT / 100), poisson = poisson }, E
+  local Du = S * S / (2 * U * k.RT / 100)
+  return { loading = loading_of(E, S, U, Du, name, 2 * work / (F * e)), unloading = Du, poisson = poisson }, E
 end
 
 -- Height of the loop at x of a straight backbone of slope D that goes to `reach` and back to the strain r without stress: below r the
@@ -113,30 +231,35 @@ local function height(D, reach, r, x)
   return D * r / (reach - r) * (reach - x)
 end
 
--- The strain without stress whose loop misses the given heights least, in squares of their logarithms.
-local function residual_strain(D, reach, wanted)
-  local function miss(r)
-    local sum = 0
-    for _, w in ipairs(wanted) do sum = sum + math.log(height(D, reach, r, w.x) / w.height) ^ 2 end
-    return sum
+-- Elastic shear with friction that grows (or falls) with the angle: straight lines in E12 of slope D and limit Y0 + Y1 E12. The three
+-- numbers of the sheet make D, Y0 and Y1; the friction is there after a quarter of a degree.
+local function rubbing_of(k, thickness)
+  local function strain(degrees) return math.sin(math.rad(degrees)) / 2 end
+  local function stress(number, degrees) return number * gf / cm / (thickness * math.cos(math.rad(degrees))) end
+  local near, far, reach = strain(0.5), strain(5), strain(8)
+  local at_near, at_far = stress(k["2HG"] / 2, 0.5), stress(k["2HG5"] / 2, 5)
+  local growth = (at_far - at_near) / (far - near)
+  local at_rest = at_near - growth * near
+  local function limit(E) return at_rest + growth * E end
+  if limit(reach) <= 0 or at_rest <= 0 then
+    define.fail(("kes_card: field 'shear.2HG5': expected a loop that is open from 0 to 8 degrees, got 2HG %.3g and 2HG5 %.3g"):format(k["2HG"], k["2HG5"]))
   end
-  local best, n = 1, 2000
-  for i = 1, n - 1 do
-    if miss(reach * i / n) < miss(reach * best / n) then best = i end
+  -- G = (F(2.5) - F(0.5)) / 2 on the way up, F = t cos(angle) (D E + limit).
+  local E1, E2, c1, c2 = near, strain(2.5), math.cos(math.rad(0.5)), math.cos(math.rad(2.5))
+  local D = (2 * k.G * gf / cm / thickness - c2 * limit(E2) + c1 * limit(E1)) / (c2 * E2 - c1 * E1)
+  if D <= math.abs(growth) then
+    define.fail(("kes_card: field 'shear.2HG5': expected less than 2HG + 4.5 G (%.3g), beyond which cloth would pull itself back, got %.3g"):format(
+      k["2HG"] + 4.5 * k.G, k["2HG5"]))
   end
-  -- Golden section: the height at either place rises with r.
-  local golden = (math.sqrt(5) - 1) / 2
-  local low, high = reach * (best - 1) / n, reach * (best + 1) / n
-  for _ = 1, 80 do
-    local left, right = high - golden * (high - low), low + golden * (high - low)
-    if miss(left) < miss(right) then high = right else low = left end
-  end
-  return (low + high) / 2
+  local sticks = math.max(limit(near / 2) / (near / 2), 2 * limit(reach) / strain(2), 3 * math.abs(growth))
+  return { loading = { D }, unloading = D + sticks, measure = "tensor", friction = { stress = at_rest, growth = growth } }, reach,
+    ("elastic shear with friction shows 2HG %.3g, 2HG5 %.3g as given"):format(k["2HG"], k["2HG5"])
 end
 
--- A straight backbone of slope D (tensor) cycled to E12 of 8 degrees. It has one number for the loop: 2HG alone is met, 2HG and
--- 2HG5 as well as can be. Returns the part, its reach, and what it shows in words.
+-- A straight backbone of slope D (tensor) cycled to E12 of 8 degrees, where the sheet has 2HG alone: one unloading modulus makes its
+-- loop. Returns the part, its reach, and what it shows in words.
 local function shear_of(k, thickness)
+  if k["2HG5"] then return rubbing_of(k, thickness) end
   local D = 2 * k.G * gf / cm * math.deg(1) / thickness
   local function strain(degrees) return math.sin(math.rad(degrees)) / 2 end
   local function stress(number) return number * gf / cm / thickness end
@@ -146,14 +269,9 @@ local function shear_of(k, thickness)
     define.fail(("kes_card: field 'shear.2HG': expected below G times 8 degrees (%.3g), got %.3g"):format(8 * k.G, k["2HG"]))
   end
   local r = h / D
-  if k["2HG5"] then
-    r = residual_strain(D, reach, { { x = near, height = h }, { x = far, height = stress(k["2HG5"]) } })
-  elseif r < near then
-    r = reach * h / (D * (reach - near) + h)
-  end
+  if r < near then r = reach * h / (D * (reach - near) + h) end
   local function shown(x) return height(D, reach, r, x) * thickness * cm / gf end
-  local words = ("straight shear shows 2HG %.3g (given %.3g), 2HG5 %.3g (%s)"):format(shown(near), k["2HG"], shown(far),
-    k["2HG5"] and ("given %.3g"):format(k["2HG5"]) or "not given")
+  local words = ("straight shear shows 2HG %.3g (given %.3g), 2HG5 %.3g (not given)"):format(shown(near), k["2HG"], shown(far))
   return { loading = { D }, unloading = D * reach / (reach - r), measure = "tensor" }, reach, words
 end
 
@@ -167,39 +285,83 @@ local function bending_of(b)
   return out
 end
 
+local function compression_words(c)
+  return c and ("; compression LC %.3g, WC %.3g, RC %.3g is not carried"):format(c.LC, c.WC, c.RC) or ""
+end
+
 local function row(name, unit, sentence, more)
   local out = { name = name, kind = "number", unit = unit, above = 0, sentence = sentence }
   for key, value in pairs(more or {}) do out[key] = value end
   return out
 end
-local pull_rows = { row("EMT", "per cent", "stretch at 500 gf/cm"), row("WT", "gf cm/cm^2", "work"), row("RT", "per cent", "of it that comes back", { high = 100 }) }
+local pull_rows = { row("EMT", "per cent", "stretch at 500 gf/cm"), row("WT", "gf cm/cm^2", "work; or LT", { optional = true }), row("LT", "", "work over that of a straight line, in place of WT", { optional = true, high = 2 }), row("RT", "per cent", "of it that comes back", { high = 100 }) }
 local bend_rows = { row("B", "gf cm^2/cm", "rigidity"), row("2HB", "gf cm/cm", "height of the loop", { optional = true }) }
 
 define {
   name = "fabric.lab.kes_card",
   arguments = {
     { name = "name", kind = "text", sentence = "of the fabric" },
-    { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of the cloth" },
-    { name = "density", kind = "number", unit = "kg/m^3", above = 0, sentence = "mass over volume" },
+    { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "of the cloth; or T" },
+    { name = "density", kind = "number", unit = "kg/m^3", above = 0, optional = true, sentence = "mass over volume; or W" },
+    row("T", "mm", "thickness at 0.5 gf/cm^2, in place of thickness", { optional = true }),
+    row("W", "mg/cm^2", "weight, in place of density", { optional = true }),
     { name = "warp", kind = "fields", rows = pull_rows, sentence = "pull along the warp" },
     { name = "weft", kind = "fields", rows = pull_rows, sentence = "pull along the weft" },
-    { name = "shear", kind = "fields", sentence = "2HG and 2HG5 are met as well as one unloading modulus can",
+    { name = "shear", kind = "fields", sentence = "with 2HG5 elastic shear with friction that grows with the angle",
       rows = { row("G", "gf/(cm deg)", "slope"), row("2HG", "gf/cm", "height of the loop at 0.5 degrees"),
         row("2HG5", "gf/cm", "at 5 degrees", { optional = true }) } },
     { name = "bending", kind = "fields", optional = true, sentence = "without it as of the thickness",
       rows = { { name = "warp", kind = "fields", rows = bend_rows, sentence = "along the warp" }, { name = "weft", kind = "fields", rows = bend_rows, sentence = "along the weft" },
         row("twist", "N.m", "rigidity; default: half of the mean", { optional = true }), row("build_up", "1/m", "curvature over which friction builds up", { default = 10 }) } },
+    { name = "compression", kind = "fields", optional = true, sentence = "kept in the card's source: no law of a sheet carries it",
+      rows = { row("LC", "", "linearity"), row("WC", "gf cm/cm^2", "work"), row("RC", "per cent", "of it that comes back", { high = 100 }) } },
     { name = "poisson", kind = "fields", sentence = "KES does not measure them",
       rows = { { name = "warp", kind = "number", sentence = "as in fabric.woven" }, { name = "weft", kind = "number", sentence = "as in fabric.woven" } } },
   },
-  sentence = "A card that shows the given KES numbers: tensile curve with one bend, straight shear, whose source says what of 2HG and 2HG5 is left.",
+  sentence = "A card that shows the given KES numbers; its source says what it carries, and what not. fabric.lab.kes_sheet reads them back.",
   example = "local c = require 'fabric'.lab.kes_card{ name='shirt', thickness=4e-4, density=400, warp={EMT=4, WT=9, RT=55}, weft={EMT=6, WT=13, RT=50},\n"
     .. "  shear={G=0.8, ['2HG']=1.5}, poisson={warp=0.2, weft=0.2} }\nassert(c:check().ok)",
   run = function(t)
+    for _, pair in ipairs { { "thickness", "m", "T" }, { "density", "kg/m^3", "W" } } do
+      local field, unit, short = table.unpack(pair)
+      if (t[field] == nil) == (t[short] == nil) then
+        define.fail(("kes_card: field '%s': expected a positive number in %s, or field '%s', got %s"):format(field, unit, short, t[field] and "both" or "neither"))
+      end
+    end
+    t.thickness = t.thickness or t.T * 1e-3
+    t.density = t.density or t.W * 1e-2 / t.thickness
     local warp, warp_reach = yarn_of(t.warp, t.thickness, t.poisson.warp, "warp")
     local weft, weft_reach = yarn_of(t.weft, t.thickness, t.poisson.weft, "weft")
     local shear, shear_reach, loop_words = shear_of(t.shear, t.thickness)
-    return fabric.woven { name = t.name, source = "from KES numbers; Poisson ratios given; " .. loop_words, density = t.density, thickness = t.thickness, warp = warp,
+    return fabric.woven { name = t.name, source = "from KES numbers; Poisson ratios given; " .. loop_words .. compression_words(t.compression), density = t.density, thickness = t.thickness, warp = warp,
       weft = weft, shear = shear, tested = { warp = warp_reach, weft = weft_reach, shear = shear_reach }, bending = t.bending and bending_of(t.bending) }
+  end,
+}
+
+define {
+  name = "fabric.lab.kes_sheet",
+  arguments = { { name = "card", of = "card", sentence = "the fabric" } },
+  sentence = "The KES sheet of a card by virtual tests, as fabric.lab.kes_card takes it: warp and weft (EMT LT WT RT), shear (G 2HG 2HG5), bending "
+    .. "(warp and weft, B 2HB; where the card has its own), T (mm), W (mg/cm^2).",
+  example = "local lab = require 'fabric'.lab\nlocal card = lab.kes_card{ name='shirt', T=0.4, W=16, warp={EMT=4, LT=0.5, RT=55}, weft={EMT=6, WT=10, RT=50},\n"
+    .. "  shear={G=0.8, ['2HG']=1.5, ['2HG5']=3}, poisson={warp=0.2, weft=0.2} }\nlocal k = lab.kes_sheet{ card=card }\n"
+    .. "assert(math.abs(k.warp.LT / 0.5 - 1) < 0.03 and math.abs(k.shear['2HG5'] / 3 - 1) < 0.03)",
+  run = function(t)
+    local card, out = t.card, {}
+    local function numbers(r, names)
+      local row = {}
+      for _, name in ipairs(names) do row[name] = r[name] end
+      return row
+    end
+    for _, name in ipairs { "warp", "weft" } do
+      out[name] = numbers(fabric.lab.kes_tensile { card = card, direction = name }, { "EMT", "LT", "WT", "RT" })
+      if card.bending then
+        out.bending = out.bending or {}
+        out.bending[name] = numbers(fabric.lab.kes_bending { card = card, direction = name }, { "B", "2HB" })
+      end
+    end
+    out.shear = numbers(fabric.lab.kes_shear { card = card }, { "G", "2HG", "2HG5" })
+    out.T, out.W = card.thickness * 1e3, card.density * card.thickness * 1e2
+    return out
   end,
 }

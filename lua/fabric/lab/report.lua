@@ -205,6 +205,17 @@ local function content(path)
   return f:read "a"
 end
 
+-- Which part of each specimen lies in the band of the others, when it is left out.
+local function left_out(part)
+  if not part.spread then return "" end
+  local out = { "<table><tr><th>specimen left out<th>of its points in the band of the others</tr>" }
+  for i, inside in ipairs(part.spread.left_out) do
+    local file = (part.tests[i].file or ""):match "[^/]*$"
+    out[#out + 1] = ("<tr><td>%d %s<td>%.0f %%</tr>"):format(i, escaped(file), 100 * inside)
+  end
+  return table.concat(out) .. "</table>"
+end
+
 local function html(result, figures, rows, out)
   local parts = {
     "<!doctype html><meta charset=\"utf-8\"><title>" .. escaped(result.about.name) .. "</title>",
@@ -229,6 +240,7 @@ local function html(result, figures, rows, out)
     if figure then
       parts[#parts + 1] = ("<h2>%s</h2><p>Residual of the simulated curve: %.2f %% of the peak. %s</p><pre>%s</pre>"):format(name, 100 * figure.residual,
         part.spread and escaped(part.spread.text) or "", escaped(part.fit.text or ""))
+      parts[#parts + 1] = left_out(part)
       for _, file in ipairs(figure.files) do parts[#parts + 1] = (content(file):gsub("^.-<svg", "<svg")) end
     end
   end

@@ -48,20 +48,47 @@ local function left_out(values, n, level)
   return out
 end
 
+-- The virgin loading of a test, as seen from the first contact that the fit found for it.
+local function taut_loading(t, i)
+  local points = curve.loading(t.tests[i])
+  local slack = t.fit and t.fit.specimens and t.fit.specimens[i].slack or 0
+  if slack == 0 then return points end
+  local out = { E = {}, S = {} }
+  for k, E in ipairs(points.E) do
+    local e, s = curve.from_contact(E, points.S[k], 1 + slack)
+    if e >= 0 then out.E[#out.E + 1], out.S[#out.S + 1] = e, s end
+  end
+  return out
+end
+
+local function check_fit(t)
+  local specimens = t.fit and t.fit.specimens
+  if not specimens then return end
+  if type(specimens) ~= "table" or #specimens ~= #t.tests then
+    fail(("spread: field 'fit': expected the fit of these %d tests, got one of %s"):format(#t.tests, type(specimens) == "table" and #specimens or "none"))
+  end
+  for i, specimen in ipairs(specimens) do
+    local slack = type(specimen) == "table" and specimen.slack
+    if type(slack) ~= "number" or not (slack > -1 and slack < math.huge) then
+      fail(("spread: field 'fit.specimens[%d].slack': expected a stretch, got %s"):format(i, tostring(slack)))
+    end
+  end
+end
+
 local function spread(t)
   if #t.tests < 3 then fail(("spread: field 'tests': expected at least 3 specimens, got %d"):format(#t.tests)) end
-  local points, reach = {}, math.huge
+  local points, loadings, reach = {}, {}, math.huge
+  check_fit(t)
   for i = 1, #t.tests do
     local test = t.tests[i]
     check.test("spread", i, test)
-    local loading = curve.loading(test)
-    points[i] = {}
-    points[i].E, points[i].S = curve.envelope(loading.E, loading.S)
+    loadings[i], points[i] = taut_loading(t, i), {}
+    points[i].E, points[i].S = curve.envelope(loadings[i].E, loadings[i].S)
     reach = math.min(reach, points[i].E[#points[i].E] or 0)
   end
   if not (reach > 0) then fail "spread: field 'tests': expected specimens that were all stretched" end
   local values = {}
-  for i, test in ipairs(t.tests) do values[i] = binned(curve.loading(test), points[i], reach, t.points) end
+  for i, loading in ipairs(loadings) do values[i] = binned(loading, points[i], reach, t.points) end
   local out = { E = {}, S = {}, deviation = {}, low = {}, high = {}, next_low = {}, next_high = {}, level = t.level, reach = reach, specimens = #t.tests }
   for k = 1, t.points do
     local mean, s, n = moments(values, k)
@@ -88,6 +115,7 @@ define {
   name = "fabric.lab.spread",
   arguments = {
     { name = "tests", kind = "table", sentence = "three specimens and more: results of fabric.lab.tensile or shear_from_bias" },
+    { name = "fit", kind = "table", optional = true, sentence = "result of fabric.lab.fit of these tests: strains count from the first contact that it found" },
     { name = "level", kind = "number", above = 0, high = 0.999, default = 0.95, sentence = "of confidence" },
     { name = "points", kind = "integer", low = 5, high = 1000, default = 50, sentence = "bins of strain, equally wide" },
   },

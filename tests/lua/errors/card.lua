@@ -45,7 +45,7 @@ wrong("fabric.linear", "fabric.linear{ density='1' }",
 wrong("fabric.linear", "fabric.linear{ density=-1 }",
   "deck.lua:1: linear: field 'density': expected a positive number in kg/m^3, got -1")
 wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, bending=5 }",
-  "deck.lua:1: linear: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft}, got 5")
+  "deck.lua:1: linear: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft, tested}, got 5")
 wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, warp=1000000, weft=1000000, shear=1000000, poisson='1' }",
   "deck.lua:1: linear: field 'poisson': expected a number above -1 to 10 or a table of numbers above -1 to 10, got '1'")
 
@@ -61,7 +61,7 @@ wrong("fabric.svk", "fabric.svk{ density='1' }",
 wrong("fabric.svk", "fabric.svk{ density=-1 }",
   "deck.lua:1: svk: field 'density': expected a positive number in kg/m^3, got -1")
 wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, bending=5 }",
-  "deck.lua:1: svk: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft}, got 5")
+  "deck.lua:1: svk: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft, tested}, got 5")
 wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, poisson='1' }",
   "deck.lua:1: svk: field 'poisson': expected a number above -1 to 10 or a table of numbers above -1 to 10, got '1'")
 wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, poisson=0.01, transverse={1, 'two'} }",
@@ -79,7 +79,7 @@ wrong("fabric.woven", "fabric.woven{ density='1' }",
 wrong("fabric.woven", "fabric.woven{ density=-1 }",
   "deck.lua:1: woven: field 'density': expected a positive number in kg/m^3, got -1")
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, bending=5 }",
-  "deck.lua:1: woven: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft}, got 5")
+  "deck.lua:1: woven: field 'bending': expected a table {warp, weft, twist, friction_warp, friction_weft, tested}, got 5")
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading=5 } }",
   "deck.lua:1: woven: field 'warp.loading': expected a table, got 5")
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading={}, unloading=1000000, poisson=0.01 }, weft={ loading={}, unloading=1000000, poisson=0.01 }, shear={ loading={}, unloading=1000000, measure='tensro' } }",
@@ -90,6 +90,12 @@ wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, warp={ loading
   "deck.lua:1: woven: field 'bands.warp.low': expected a table of numbers, got 'two' at place 2")
 
 -- what a card cannot be
+wrong("fabric.card", "fabric.card('blend', 5)",
+  "deck.lua:1: card: argument 'options': expected a table {bending}, got 5")
+wrong("fabric.card", "fabric.card('blend', { bendign='estimated' })",
+  "deck.lua:1: card: unknown field 'options.bendign', did you mean 'options.bending'?")
+wrong("fabric.card", "fabric.card('blend', { bending='estimate' })",
+  "deck.lua:1: card: field 'options.bending': expected 'estimated' or 'thickness', got 'estimate', did you mean 'estimated'?")
 wrong("fabric.card", "fabric.card 'denm'",
   "deck.lua:1: card: unknown fabric 'denm', did you mean 'denim'?")
 wrong("fabric.card", "fabric.card './no-such-card.lua'",
@@ -146,3 +152,21 @@ wrong("card:with", "card:with{ provenance={ ['warp.loadign']='typed' } }",
   "deck.lua:1: with: field 'provenance': unknown field 'warp.loadign', did you mean 'warp.loading'?")
 wrong("card:with", "card:with{ provenance={ ['warp.loading']='guessed' } }",
   "deck.lua:1: with: field 'provenance': expected words that begin with fitted, measured, copied, typed or assumed for 'warp.loading', got 'guessed'")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, through_thickness='yes' }",
+  "deck.lua:1: woven: field 'through_thickness': expected true or false, got 'yes'")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, bending={ warp='1' } }",
+  "deck.lua:1: woven: field 'bending.warp': expected a number of at least 0 in N.m or a table, got '1'")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, bending={ warp=1e-5, weft=1e-5, twist=1e-5, friction_warp={ moment=1e-4, curvature=5, memory='fade' } } }",
+  "deck.lua:1: woven: field 'bending.friction_warp.memory': expected 'slip' or 'fading', got 'fade'")
+wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, through_thickness='yes' }",
+  "deck.lua:1: svk: field 'through_thickness': expected true or false, got 'yes'")
+wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, bending={ warp='1' } }",
+  "deck.lua:1: svk: field 'bending.warp': expected a number of at least 0 in N.m or a table, got '1'")
+wrong("fabric.svk", "fabric.svk{ density=500, thickness=0.01, bending={ warp=1e-5, weft=1e-5, twist=1e-5, friction_warp={ moment=1e-4, curvature=5, memory='fade' } } }",
+  "deck.lua:1: svk: field 'bending.friction_warp.memory': expected 'slip' or 'fading', got 'fade'")
+wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, through_thickness='yes' }",
+  "deck.lua:1: linear: field 'through_thickness': expected true or false, got 'yes'")
+wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, bending={ warp='1' } }",
+  "deck.lua:1: linear: field 'bending.warp': expected a number of at least 0 in N.m or a table, got '1'")
+wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, bending={ warp=1e-5, weft=1e-5, twist=1e-5, friction_warp={ moment=1e-4, curvature=5, memory='fade' } } }",
+  "deck.lua:1: linear: field 'bending.friction_warp.memory': expected 'slip' or 'fading', got 'fade'")

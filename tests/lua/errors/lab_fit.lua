@@ -217,3 +217,53 @@ wrong("fabric.lab.student", "fabric.lab.student('x', 4)",
   "deck.lua:1: student: argument 'probability': expected a number above 0 to below 1, got 'x'")
 wrong("fabric.lab.student", "fabric.lab.student(1, 4)",
   "deck.lua:1: student: argument 'probability': expected a number above 0 to below 1, got 1")
+
+-- fabric.lab.bias_sizes
+wrong("fabric.lab.bias_sizes", "fabric.lab.bias_sizes{ specimens={}, thickness=1, specimensx=1 }",
+  "deck.lua:1: bias_sizes: unknown field 'specimensx', did you mean 'specimens'?")
+wrong("fabric.lab.bias_sizes", "fabric.lab.bias_sizes{ thickness=1 }",
+  "deck.lua:1: bias_sizes: field 'specimens': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.bias_sizes", "fabric.lab.bias_sizes{ thickness=1, specimens=5 }",
+  "deck.lua:1: bias_sizes: field 'specimens': expected a table, got 5")
+wrong("fabric.lab.bias_sizes", "fabric.lab.bias_sizes{ specimens={}, thickness='1' }",
+  "deck.lua:1: bias_sizes: field 'thickness': expected a positive number in m, got '1'")
+wrong("fabric.lab.bias_sizes", "fabric.lab.bias_sizes{ specimens={}, thickness=-1.0 }",
+  "deck.lua:1: bias_sizes: field 'thickness': expected a positive number in m, got -1")
+wrong("fabric.lab.bias_sizes", "fabric.lab.bias_sizes{ specimens={}, thickness=1, knots=2.5 }",
+  "deck.lua:1: bias_sizes: field 'knots': expected an integer from 3 to 40, got 2.5")
+wrong("fabric.lab.bias_sizes", "fabric.lab.bias_sizes{ specimens={}, thickness=1, edges='yes' }",
+  "deck.lua:1: bias_sizes: field 'edges': expected true or false, got 'yes'")
+
+-- fabric.lab.ensemble
+wrong("fabric.lab.ensemble", "fabric.lab.ensemble{ parameters={}, parametersx=1 }",
+  "deck.lua:1: ensemble: unknown field 'parametersx', did you mean 'parameters'?")
+wrong("fabric.lab.ensemble", "fabric.lab.ensemble{  }",
+  "deck.lua:1: ensemble: field 'parameters': expected a table { {name=, start=, low=, high=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.ensemble", "fabric.lab.ensemble{ parameters=5 }",
+  "deck.lua:1: ensemble: field 'parameters': expected a table { {name=, start=, low=, high=}, ... }, got 5")
+wrong("fabric.lab.ensemble", "fabric.lab.ensemble{ parameters={}, log=5 }",
+  "deck.lua:1: ensemble: field 'log': expected a function, got 5")
+wrong("fabric.lab.ensemble", "fabric.lab.ensemble{ parameters={}, walkers=2.5 }",
+  "deck.lua:1: ensemble: field 'walkers': expected an integer of at least 4, got 2.5")
+wrong("fabric.lab.ensemble", "fabric.lab.ensemble{ parameters={}, walkers=3 }",
+  "deck.lua:1: ensemble: field 'walkers': expected an integer of at least 4, got 3")
+wrong("fabric.lab.ensemble", "fabric.lab.ensemble{ parameters={}, level='1' }",
+  "deck.lua:1: ensemble: field 'level': expected a number above 0 to 0.999, got '1'")
+
+-- fabric.lab.pool
+wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, parametersx=1 }",
+  "deck.lua:1: pool: unknown field 'parametersx', did you mean 'parameters'?")
+wrong("fabric.lab.pool", "fabric.lab.pool{ tests={} }",
+  "deck.lua:1: pool: field 'parameters': expected a table { {name=, start=, low=, high=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.pool", "fabric.lab.pool{ tests={}, parameters=5 }",
+  "deck.lua:1: pool: field 'parameters': expected a table { {name=, start=, low=, high=}, ... }, got 5")
+wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, rate=5 }",
+  "deck.lua:1: pool: field 'rate': expected a table {reference, most}, got 5")
+wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, rate={ reference='1' } }",
+  "deck.lua:1: pool: field 'rate.reference': expected a positive number, got '1'")
+wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, rate={ reference=-1.0 } }",
+  "deck.lua:1: pool: field 'rate.reference': expected a positive number, got -1")
+wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, processes=2.5 }",
+  "deck.lua:1: pool: field 'processes': expected an integer of at least 1, got 2.5")
+wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, progress='yes' }",
+  "deck.lua:1: pool: field 'progress': expected true or false, got 'yes'")

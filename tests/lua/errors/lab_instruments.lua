@@ -73,7 +73,7 @@ wrong("fabric.lab.fast_card", "fabric.lab.fast_card{ name='x', thickness=4e-4, d
 wrong("fabric.lab.kes_bending", "fabric.lab.kes_bending{ curvatuer={0.01, 0.01} }",
   "deck.lua:1: kes_bending: unknown field 'curvatuer', did you mean 'curvature'?")
 wrong("fabric.lab.kes_bending", "fabric.lab.kes_bending{ curvature=curvature_ }",
-  "deck.lua:1: kes_bending: field 'curvature': expected a table of numbers in 1/m, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: kes_bending: field 'curvature': expected measured rows, or a card in their place, got neither")
 wrong("fabric.lab.kes_bending", "fabric.lab.kes_bending{ curvature={1, 'two'} }",
   "deck.lua:1: kes_bending: field 'curvature': expected a table of numbers in 1/m, got 'two' at place 2")
 wrong("fabric.lab.kes_bending", "fabric.lab.kes_bending{ curvature={0.01, 0.01}, moment={0.01, 0.01}, at='1' }",
@@ -95,7 +95,7 @@ wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', thickness='1' }",
 wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', thickness=-1 }",
   "deck.lua:1: kes_card: field 'thickness': expected a positive number in m, got -1")
 wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', thickness=0.01, density=500, warp=5 }",
-  "deck.lua:1: kes_card: field 'warp': expected a table {EMT, WT, RT}, got 5")
+  "deck.lua:1: kes_card: field 'warp': expected a table {EMT, WT, LT, RT}, got 5")
 wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', thickness=4e-4, density=400, warp={WT=9, RT=55}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8}, poisson={warp=0.2, weft=0.2} }",
   "deck.lua:1: kes_card: field 'warp.EMT': expected a positive number in per cent, got nil (missing, or a misspelt variable)")
 wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', thickness=4e-4, density=400, warp={EMT=4, WT=9}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8}, poisson={warp=0.2, weft=0.2} }",
@@ -107,11 +107,39 @@ wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', thickness=4e-4, den
 wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', thickness=4e-4, density=400, warp={EMT=4, WT=9, RT=155}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8}, poisson={warp=0.2, weft=0.2} }",
   "deck.lua:1: kes_card: field 'warp.RT': expected a number above 0 to 100 in per cent, got 155")
 
+wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', density=400, warp={EMT=4, WT=9, RT=55}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8, ['2HG']=1}, poisson={warp=0.2, weft=0.2} }",
+  "deck.lua:1: kes_card: field 'thickness': expected a positive number in m, or field 'T', got neither")
+wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', T=0.4, W=16, warp={EMT=4, RT=55}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8, ['2HG']=1}, poisson={warp=0.2, weft=0.2} }",
+  "deck.lua:1: kes_card: field 'warp.WT': expected WT in gf cm/cm^2, or LT, got neither")
+wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', T=0.4, W=16, warp={EMT=4, WT=9, LT=0.5, RT=55}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8, ['2HG']=1}, poisson={warp=0.2, weft=0.2} }",
+  "deck.lua:1: kes_card: field 'warp.LT': expected 0.9, as WT 9 and EMT 4 make it, got 0.5")
+wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', T=0.4, W=16, warp={EMT=4, LT=1.5, RT=90}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8, ['2HG']=1}, poisson={warp=0.2, weft=0.2} }",
+  "deck.lua:1: kes_card: field 'warp': no curve has the work of LT 1.5 and gives back RT of it: it would come back softer than it went")
+
+wrong("fabric.lab.kes_bending", "fabric.lab.kes_bending{ card='blend' }",
+  "deck.lua:1: kes_bending: field 'card': expected a card, got 'blend'")
+wrong("fabric.lab.kes_bending", "fabric.lab.kes_bending{ card=card, direction='wapr' }",
+  "deck.lua:1: kes_bending: field 'direction': expected 'warp' or 'weft', got 'wapr', did you mean 'warp'?")
+wrong("fabric.lab.kes_shear", "fabric.lab.kes_shear{ card='blend' }",
+  "deck.lua:1: kes_shear: field 'card': expected a card, got 'blend'")
+wrong("fabric.lab.kes_tensile", "fabric.lab.kes_tensile{ card='blend' }",
+  "deck.lua:1: kes_tensile: field 'card': expected a card, got 'blend'")
+wrong("fabric.lab.kes_tensile", "fabric.lab.kes_tensile{ card=card, direction='wapr' }",
+  "deck.lua:1: kes_tensile: field 'direction': expected 'warp' or 'weft', got 'wapr', did you mean 'warp'?")
+wrong("fabric.lab.kes_sheet", "fabric.lab.kes_sheet{ card=card_ }",
+  "deck.lua:1: kes_sheet: field 'card': expected a card, got nil (missing, or a misspelt variable)")
+
+-- fabric.lab.kes_sheet
+wrong("fabric.lab.kes_sheet", "fabric.lab.kes_sheet{ crad=5 }",
+  "deck.lua:1: kes_sheet: unknown field 'crad', did you mean 'card'?")
+wrong("fabric.lab.kes_sheet", "fabric.lab.kes_sheet{ card=5 }",
+  "deck.lua:1: kes_sheet: field 'card': expected a card, got 5")
+
 -- fabric.lab.kes_shear
 wrong("fabric.lab.kes_shear", "fabric.lab.kes_shear{ angel={0.01, 0.01} }",
   "deck.lua:1: kes_shear: unknown field 'angel', did you mean 'angle'?")
 wrong("fabric.lab.kes_shear", "fabric.lab.kes_shear{ angle=angle_ }",
-  "deck.lua:1: kes_shear: field 'angle': expected a table of numbers in degrees, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: kes_shear: field 'angle': expected measured rows, or a card in their place, got neither")
 wrong("fabric.lab.kes_shear", "fabric.lab.kes_shear{ angle={1, 'two'} }",
   "deck.lua:1: kes_shear: field 'angle': expected a table of numbers in degrees, got 'two' at place 2")
 wrong("fabric.lab.kes_shear", "fabric.lab.kes_shear{ angle={0, 4, -4, 0}, force={0, 1, -1, 0} }",
@@ -123,7 +151,7 @@ wrong("fabric.lab.kes_shear", "fabric.lab.kes_shear{ angle={0, 8, -8}, force={0,
 wrong("fabric.lab.kes_tensile", "fabric.lab.kes_tensile{ strethc={0.01, 0.01} }",
   "deck.lua:1: kes_tensile: unknown field 'strethc', did you mean 'stretch'?")
 wrong("fabric.lab.kes_tensile", "fabric.lab.kes_tensile{ stretch=stretch_ }",
-  "deck.lua:1: kes_tensile: field 'stretch': expected a table of numbers, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: kes_tensile: field 'stretch': expected measured rows, or a card in their place, got neither")
 wrong("fabric.lab.kes_tensile", "fabric.lab.kes_tensile{ stretch={1, 'two'} }",
   "deck.lua:1: kes_tensile: field 'stretch': expected a table of numbers, got 'two' at place 2")
 wrong("fabric.lab.kes_tensile", "fabric.lab.kes_tensile{ stretch={0, 0.1}, force={0} }",

@@ -31,9 +31,9 @@ wrong("fabric.lab.compare", "fabric.lab.compare{ E={0, 1}, S={0, 1} }",
 wrong("fabric.lab.compare", "fabric.lab.compare({}, 5)",
   "deck.lua:1: compare: argument 'test': expected a table, got 5")
 wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, 5)",
-  "deck.lua:1: compare: argument 'options': expected a table {x, y, slack, all, file, title}, got 5")
+  "deck.lua:1: compare: argument 'options': expected a table {x, y, slack, spread, all, file, ...}, got 5")
 wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { slack='much' })",
-  "deck.lua:1: compare: field 'options.slack': expected a number, got 'much'")
+  "deck.lua:1: compare: field 'options.slack': expected a number or 'find', got 'much'")
 wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { all=1 })",
   "deck.lua:1: compare: field 'options.all': expected true or false, got 1")
 wrong("fabric.lab.compare", "fabric.lab.compare({}, {}, { title=1 })",

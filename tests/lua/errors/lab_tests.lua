@@ -57,6 +57,24 @@ wrong("fabric.lab.biaxial", "fabric.lab.biaxial{ card=card, cells=2.5 }",
 wrong("fabric.lab.biaxial", "fabric.lab.biaxial{ card=card, out=7 }",
   "deck.lua:1: biaxial: field 'out': expected a string, got 7")
 
+-- fabric.lab.cantilever
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ cadr=card }",
+  "deck.lua:1: cantilever: unknown field 'cadr', did you mean 'card'?")
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ card=card_ }",
+  "deck.lua:1: cantilever: field 'card': expected a card, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ card='blend' }",
+  "deck.lua:1: cantilever: field 'card': expected a card, got 'blend'")
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ card=card, direction='wapr' }",
+  "deck.lua:1: cantilever: field 'direction': expected a number in degrees or 'warp' or 'weft', got 'wapr', did you mean 'warp'?")
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ card=card, cells=2.5 }",
+  "deck.lua:1: cantilever: field 'cells': expected an integer of at least 4, got 2.5")
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ card=card, cells=3 }",
+  "deck.lua:1: cantilever: field 'cells': expected an integer of at least 4, got 3")
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ card=card, width='1' }",
+  "deck.lua:1: cantilever: field 'width': expected a positive number in m, got '1'")
+wrong("fabric.lab.cantilever", "fabric.lab.cantilever{ card=card, width=-1 }",
+  "deck.lua:1: cantilever: field 'width': expected a positive number in m, got -1")
+
 -- fabric.lab.drape
 wrong("fabric.lab.drape", "fabric.lab.drape{ cadr=card }",
   "deck.lua:1: drape: unknown field 'cadr', did you mean 'card'?")
@@ -140,6 +158,38 @@ wrong("fabric.lab.shear", "fabric.lab.shear{ card=card, cells=2.5 }",
   "deck.lua:1: shear: field 'cells': expected an integer of at least 1, got 2.5")
 wrong("fabric.lab.shear", "fabric.lab.shear{ card=card, out=7 }",
   "deck.lua:1: shear: field 'out': expected a string, got 7")
+
+-- fabric.lab.heart_loop
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ cadr=card }",
+  "deck.lua:1: heart_loop: unknown field 'cadr', did you mean 'card'?")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card_ }",
+  "deck.lua:1: heart_loop: field 'card': expected a card, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card='blend' }",
+  "deck.lua:1: heart_loop: field 'card': expected a card, got 'blend'")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card, direction='wapr' }",
+  "deck.lua:1: heart_loop: field 'direction': expected a number in degrees or 'warp' or 'weft', got 'wapr', did you mean 'warp'?")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card, cells=2.5 }",
+  "deck.lua:1: heart_loop: field 'cells': expected an integer of at least 4, got 2.5")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card, cells=3 }",
+  "deck.lua:1: heart_loop: field 'cells': expected an integer of at least 4, got 3")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card, width='1' }",
+  "deck.lua:1: heart_loop: field 'width': expected a positive number in m, got '1'")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card, width=-1 }",
+  "deck.lua:1: heart_loop: field 'width': expected a positive number in m, got -1")
+wrong("fabric.lab.heart_loop", "fabric.lab.heart_loop{ card=card, direction=45 }",
+  "deck.lua:1: heart_loop: field 'direction': expected warp or weft (0 or 90 degrees): off the yarns a loop twists out of its plane")
+
+-- fabric.lab.twist
+wrong("fabric.lab.twist", "fabric.lab.twist{ wrap=1e-5 }",
+  "deck.lua:1: twist: unknown field 'wrap', did you mean 'warp'?")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp=warp_, weft=1e-5, bias=1e-5 }",
+  "deck.lua:1: twist: field 'warp': expected a positive number in N.m, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp='1', weft=1e-5, bias=1e-5 }",
+  "deck.lua:1: twist: field 'warp': expected a positive number in N.m, got '1'")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp=-1, weft=1e-5, bias=1e-5 }",
+  "deck.lua:1: twist: field 'warp': expected a positive number in N.m, got -1")
+wrong("fabric.lab.twist", "fabric.lab.twist{ warp=1e-5, weft=1e-5, bias=1e-5, simulate='yes' }",
+  "deck.lua:1: twist: field 'simulate': expected true or false, got 'yes'")
 
 -- fabric.lab.uniaxial
 wrong("fabric.lab.uniaxial", "fabric.lab.uniaxial{ cadr=card }",

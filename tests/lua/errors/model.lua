@@ -61,11 +61,11 @@ wrong("model:moment", "model:moment('top', {  }, { frame=5 })",
 
 -- model:move
 wrong("model:move", "model:move()",
-  "deck.lua:1: move: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: move: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("model:move", "model:move(7)",
-  "deck.lua:1: move: argument 'set': expected a string, got 7")
+  "deck.lua:1: move: argument 'set': expected a string or a body, got 7")
 wrong("model:move", "model:move('top', 5)",
-  "deck.lua:1: move: argument 'components': expected a table {x, y, z}, got 5")
+  "deck.lua:1: move: argument 'components': expected a table {x, y, z, turn}, got 5")
 wrong("model:move", "model:move('top', { x='1' })",
   "deck.lua:1: move: field 'components.x': expected a number in m or a function or a history, got '1'")
 wrong("model:move", "model:move('top', {  }, { frame=5 })",
@@ -129,9 +129,9 @@ wrong("model:turn", "model:turn('top', { axis={0.01, 0.01}, angle='1' })",
 
 -- model:velocity
 wrong("model:velocity", "model:velocity()",
-  "deck.lua:1: velocity: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: velocity: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("model:velocity", "model:velocity(7)",
-  "deck.lua:1: velocity: argument 'set': expected a string, got 7")
+  "deck.lua:1: velocity: argument 'set': expected a string or a body, got 7")
 wrong("model:velocity", "model:velocity('top', 5)",
   "deck.lua:1: velocity: argument 'velocity': expected a table {x, y, z, spin, centre} or a function, got 5")
 wrong("model:velocity", "model:velocity('top', { x='1' })",
@@ -186,3 +186,11 @@ wrong("object", "return model.thicknes",
   "deck.lua:1: model: unknown field 'thicknes', did you mean 'thickness'?")
 wrong("model:fix", "local _ = run; model:fix('top', 'y')",
   "deck.lua:1: fix: the model is in use by an analysis and can't be changed any more")
+
+-- model:remove
+wrong("model:remove", "model:remove()",
+  "deck.lua:1: remove: argument 'row': expected an integer or a table {kind, set, what}, got nil (missing, or a misspelt variable)")
+wrong("model:remove", "model:remove('x')",
+  "deck.lua:1: remove: argument 'row': expected an integer or a table {kind, set, what}, got 'x'")
+wrong("model:remove", "model:remove{ kind=5, set='top' }",
+  "deck.lua:1: remove: field 'row.kind': expected a string, got 5")

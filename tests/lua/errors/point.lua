@@ -25,6 +25,14 @@ wrong("history:value", "history:value()",
 wrong("history:value", "history:value('1')",
   "deck.lua:1: value: argument 'time': expected a number in s, got '1'")
 
+-- point:bend
+wrong("point:bend", "point:bend{ k1=5 }",
+  "deck.lua:1: bend: unknown field 'k1', did you mean 'k11'?")
+wrong("point:bend", "point:bend{ k11='1' }",
+  "deck.lua:1: bend: field 'k11': expected a number in 1/m, got '1'")
+wrong("point:bend", "point:bend{ k11=5 }",
+  "deck.lua:1: bend: card 'blend': field 'bending': expected the card's own bending, {warp=, weft=, twist=} in N.m, got nil")
+
 -- point:biaxial
 wrong("point:biaxial", "point:biaxial()",
   "deck.lua:1: biaxial: argument 'ratio': expected a number, got nil (missing, or a misspelt variable)")
@@ -96,3 +104,11 @@ wrong("point:path", "point:path{ E11={0.1, 0.2}, E22={0.1} }",
   "deck.lua:1: path: field 'strains.E22': expected as many strains as in the other components (2), got 1")
 wrong("point:path", "point:path{ E13={0.1} }",
   "deck.lua:1: path: unknown field 'strains.E13', did you mean 'strains.E11'?")
+wrong("point:strain", "point:strain{ E12=0.1, over=-1 }",
+  "deck.lua:1: strain: field 'over': expected a number of at least 0 in s, got -1")
+wrong("point:uniaxial", "point:uniaxial('warp', 0.1, nil, -1)",
+  "deck.lua:1: uniaxial: argument 'over': expected a number of at least 0 in s, got -1")
+wrong("point:path", "point:path{ {0, 0, 0.1, -1} }",
+  "deck.lua:1: path: argument 'strains.1.4': expected 0 s or more for an increment, got -1")
+wrong("point:path", "point:path{ E12={0.1}, over={-1} }",
+  "deck.lua:1: path: argument 'strains.over.1': expected 0 s or more for an increment, got -1")

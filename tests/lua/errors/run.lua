@@ -39,15 +39,15 @@ wrong("analysis:every", "run:every(1, 'f')",
 
 -- analysis:field
 wrong("analysis:field", "run:field()",
-  "deck.lua:1: field: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got nil (missing, or a misspelt variable)")
+  "deck.lua:1: field: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region' or 'ux' or 'uy' or 'uz' or 'vx' or 'vy' or 'vz' or 'nx' or 'ny' or 'nz' or 'x' or 'y' or 'z' or 'X' or 'Y' or 'Z' or 'gap' or 'contact_pressure' or 'displacement' or 'velocity' or 'director' or 'position' or 'reference' or 'E' or 'S' or 'residual' or 'slack' or 'energy' or 'warp' or 'weft', got nil (missing, or a misspelt variable)")
 wrong("analysis:field", "run:field('storde')",
-  "deck.lua:1: field: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'storde', did you mean 'stored'?")
+  "deck.lua:1: field: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region' or 'ux' or 'uy' or 'uz' or 'vx' or 'vy' or 'vz' or 'nx' or 'ny' or 'nz' or 'x' or 'y' or 'z' or 'X' or 'Y' or 'Z' or 'gap' or 'contact_pressure' or 'displacement' or 'velocity' or 'director' or 'position' or 'reference' or 'E' or 'S' or 'residual' or 'slack' or 'energy' or 'warp' or 'weft', got 'storde', did you mean 'stored'?")
 
 -- analysis:mean
 wrong("analysis:mean", "run:mean()",
-  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got nil (missing, or a misspelt variable)")
+  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region', got nil (missing, or a misspelt variable)")
 wrong("analysis:mean", "run:mean('storde')",
-  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'storde', did you mean 'stored'?")
+  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region', got 'storde', did you mean 'stored'?")
 wrong("analysis:mean", "run:mean('E11', 7)",
   "deck.lua:1: mean: argument 'set': expected a string, got 7")
 
@@ -61,9 +61,9 @@ wrong("analysis:node", "run:node(0)",
 
 -- analysis:reaction
 wrong("analysis:reaction", "run:reaction()",
-  "deck.lua:1: reaction: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
+  "deck.lua:1: reaction: argument 'set': expected a string or a body, got nil (missing, or a misspelt variable)")
 wrong("analysis:reaction", "run:reaction(7)",
-  "deck.lua:1: reaction: argument 'set': expected a string, got 7")
+  "deck.lua:1: reaction: argument 'set': expected a string or a body, got 7")
 
 -- analysis:record
 wrong("analysis:record", "run:record()",
@@ -185,7 +185,7 @@ wrong("analysis:event", "run:event{ value=function() return 'x' end } run:solve(
 wrong("analysis:advance", "run:advance(0.5):advance(0.25)",
   "deck.lua:1: advance: expected a time from 0.5 s, where the run is, got 0.25 s (restore(snapshot) goes back)")
 wrong("analysis:mean", "run:mean 'S1'",
-  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'stored' or 'dissipated' or 'residual1' or 'residual2' or 'slack1' or 'slack2', got 'S1', did you mean 'S11'?")
+  "deck.lua:1: mean: argument 'name': expected 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region', got 'S1', did you mean 'S11'?")
 wrong("analysis:mean", "run:mean('S11', 'bottom')",
   "deck.lua:1: mean: set 'bottom' holds no whole element")
 wrong("analysis:node", "run:node(99)",
@@ -199,7 +199,7 @@ wrong("analysis:restore", "run:restore(fabric.static{ model=model, duration=1 }:
 wrong("analysis:record", "run:record('x.csv', { columns={} })",
   "deck.lua:1: record: field 'options.columns': expected at least one column")
 wrong("analysis:record", "run:record('x.csv', { columns={ t=1 } })",
-  "deck.lua:1: record: field 'options.columns': expected name = function(a), got 1")
+  "deck.lua:1: record: field 'options.columns': expected name = function(a) or the name of a field, got 1")
 wrong("analysis:record", "run:record('x.csv', { columns={ t=print }, order={'u'} })",
   "deck.lua:1: record: field 'options.order': no column 'u'")
 wrong("analysis:record", "run:record('x.csv', { columns={ t=print }, units={ T='s' } })",
@@ -213,6 +213,20 @@ wrong("analysis:record", "run:record('/dev/null/x.csv', { columns={ t=function(a
 wrong("analysis:vtk", "run:vtk '/dev/null/x'",
   "deck.lua:1: vtk: cannot make the folder '/dev/null': Not a directory")
 wrong("analysis:vtk", "run:vtk('out/x', { fields={'S1'} })",
-  "deck.lua:1: vtk: field 'fields': unknown field 'S1', expected some of displacement velocity director E S residual slack energy warp weft")
+  "deck.lua:1: vtk: field 'fields': unknown field 'S1', did you mean 'S11'?")
 wrong("analysis.stable_step", "return run.stable_step",
   "deck.lua:1: stable_step: a static analysis has no stable step")
+
+-- analysis:reach
+wrong("analysis:reach", "run:reach()",
+  "deck.lua:1: reach: argument 'value': expected a string or a function, got nil (missing, or a misspelt variable)")
+wrong("analysis:reach", "run:reach(5, 1)",
+  "deck.lua:1: reach: argument 'value': expected a string or a function, got 5")
+wrong("analysis:reach", "run:reach('E11')",
+  "deck.lua:1: reach: argument 'target': expected a number, got nil (missing, or a misspelt variable)")
+wrong("analysis:reach", "run:reach('E11', 'x')",
+  "deck.lua:1: reach: argument 'target': expected a number, got 'x'")
+wrong("analysis:reach", "run:reach('E11', 1, 7)",
+  "deck.lua:1: reach: argument 'set': expected a string, got 7")
+wrong("analysis:reach", "run:reach('E11', 1, 'all', -1)",
+  "deck.lua:1: reach: argument 'tolerance': expected a positive number, got -1")

@@ -1,0 +1,79 @@
+-- A whole model as an Abaqus deck; with an *ELASTIC material CalculiX runs it too.
+local function names(numbers, out)
+  for i = 1, #numbers, 12 do out[#out + 1] = table.concat(numbers, ", ", i, math.min(i + 11, #numbers)) end
+end
+
+local function amplitude(out, name, corners, ft, scale)
+  out[#out + 1] = "*AMPLITUDE, NAME=" .. name
+  for _, c in ipairs(corners) do out[#out + 1] = ("%.10g, %.10g"):format(c[1] * ft, c[2] * scale) end
+end
+
+return function(m, material, target, u)
+  local membrane = target.name == "FABRIC"
+  local out = { "*NODE" }
+  for i, p in ipairs(m.nodes) do out[#out + 1] = ("%d, %.10g, %.10g, %.10g"):format(i, p[1] * u.length, p[2] * u.length, p[3] * u.length) end
+  for _, corners in ipairs { 4, 3 } do
+    local head
+    for i, e in ipairs(m.elements) do
+      if #e == corners then
+        head = head or table.insert(out, ("*ELEMENT, TYPE=%s%d%s, ELSET=cloth"):format(membrane and "M3D" or "S", corners, membrane and corners == 4 and "R" or "")) or true
+        out[#out + 1] = i .. ", " .. table.concat(e, ", ")
+      end
+    end
+  end
+  for _, set in ipairs(m.sets) do
+    out[#out + 1] = "*NSET, NSET=" .. set.name
+    names(set.nodes, out)
+  end
+  local w = m.warp
+  local across = math.abs(w[3]) < 0.9 and { -w[2], w[1], 0.0 } or { 0.0, w[3], -w[2] }
+  out[#out + 1] = "*ORIENTATION, NAME=warp"
+  out[#out + 1] = ("%.10g, %.10g, %.10g, %.10g, %.10g, %.10g"):format(w[1], w[2], w[3], across[1], across[2], across[3])
+  out[#out + 1] = material
+  out[#out + 1] = ("*%s SECTION, ELSET=cloth, MATERIAL=%s, ORIENTATION=warp"):format(membrane and "MEMBRANE" or "SHELL", m.name)
+  out[#out + 1] = ("%.10g"):format(m.thickness * u.length)
+  for i, one in ipairs(m.moved) do
+    if type(one.value) == "table" then amplitude(out, "motion_" .. i, one.value, u.time, u.length) end
+  end
+  for i, one in ipairs(m.forces) do
+    if type(one.value) == "table" then amplitude(out, "force_" .. i, one.value, u.time, u.force) end
+  end
+  if #m.fixed > 0 then out[#out + 1] = "*BOUNDARY" end
+  for _, f in ipairs(m.fixed) do
+    for _, k in ipairs(f.freedoms) do
+      if not (membrane and k > 3) then out[#out + 1] = ("%s, %d, %d"):format(f.set, k, k) end
+    end
+  end
+  local T = m.duration * u.time
+  out[#out + 1] = "*STEP, NLGEOM" .. (membrane and "" or ", INC=1000")
+  out[#out + 1] = membrane and "*DYNAMIC, EXPLICIT" or "*STATIC"
+  out[#out + 1] = membrane and (", %.10g"):format(T) or ("%.10g, %.10g, %.10g, %.10g"):format(T / 10, T, T * 1e-6, T / 10)
+  for i, one in ipairs(m.moved) do
+    local varies = type(one.value) == "table"
+    out[#out + 1] = "*BOUNDARY" .. (varies and ", AMPLITUDE=motion_" .. i or "")
+    out[#out + 1] = ("%s, %d, %d, %.10g"):format(one.set, one.axis, one.axis, varies and 1 or one.value * u.length)
+  end
+  for i, one in ipairs(m.forces) do
+    local varies = type(one.value) == "table"
+    out[#out + 1] = "*CLOAD" .. (varies and ", AMPLITUDE=force_" .. i or "")
+    for _, n in ipairs(m.mesh:set(one.set)) do
+      out[#out + 1] = ("%d, %d, %.10g"):format(n, one.axis, one.share[n] * (varies and 1 or one.value * u.force))
+    end
+  end
+  local g = m.gravity
+  local size = math.sqrt(g[1] ^ 2 + g[2] ^ 2 + g[3] ^ 2)
+  if size > 0 then
+    out[#out + 1] = "*DLOAD"
+    out[#out + 1] = ("cloth, GRAV, %.10g, %.10g, %.10g, %.10g"):format(size * u.acceleration, g[1] / size, g[2] / size, g[3] / size)
+  end
+  local told = {}
+  for _, one in ipairs(m.moved) do
+    if not told[one.set] and not membrane then
+      told[one.set] = true
+      out[#out + 1] = ("*NODE PRINT, NSET=%s, TOTALS=YES"):format(one.set)
+      out[#out + 1] = "RF"
+    end
+  end
+  out[#out + 1] = "*END STEP"
+  return table.concat(out, "\n") .. "\n"
+end

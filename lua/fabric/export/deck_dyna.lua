@@ -1,0 +1,63 @@
+-- A whole model as an LS-DYNA keyword deck.
+local units = require "fabric.export.units"
+
+return function(m, material, target, u)
+  local out = { "*KEYWORD", "*TITLE", m.name, "*CONTROL_TERMINATION", units.line(10, { m.duration * u.time }) }
+  local function add(keyword, ...)
+    out[#out + 1] = keyword
+    for _, l in ipairs { ... } do out[#out + 1] = l end
+  end
+  add "*NODE"
+  for i, p in ipairs(m.nodes) do
+    out[#out + 1] = ("%8d"):format(i) .. units.fixed(p[1] * u.length, 16) .. units.fixed(p[2] * u.length, 16) .. units.fixed(p[3] * u.length, 16)
+  end
+  add "*ELEMENT_SHELL"
+  for i, e in ipairs(m.elements) do
+    out[#out + 1] = ("%8d%8d%8d%8d%8d%8d"):format(i, 1, e[1], e[2], e[3], e[4] or e[3])
+  end
+  local ids = {}
+  for k, set in ipairs(m.sets) do
+    ids[set.name] = k
+    add("*SET_NODE_LIST_TITLE", set.name, units.line(10, { k }))
+    for i = 1, #set.nodes, 8 do
+      out[#out + 1] = units.line(10, table.move(set.nodes, i, math.min(i + 7, #set.nodes), 1, {}))
+    end
+  end
+  local t = m.thickness * u.length
+  -- ELFORM 5, Belytschko-Tsay membrane, is what *MAT_034 asks for; 2 with three points else
+  add("*SECTION_SHELL", units.line(10, { 1, target.name == "MAT_034" and 5 or 2, 0.833333, target.name == "MAT_034" and 1 or 3, 1.0 }),
+    units.line(10, { t, t, t, t }))
+  add("*PART", m.name, units.line(10, { 1, 1, 1 }))
+  out[#out + 1] = material
+  for _, f in ipairs(m.fixed) do
+    local held = { ids[f.set], 0, 0, 0, 0, 0, 0, 0 }
+    for _, k in ipairs(f.freedoms) do held[2 + k] = 1 end
+    add("*BOUNDARY_SPC_SET", units.line(10, held))
+  end
+  local curve = 100
+  local function history(value, scale)
+    curve = curve + 1
+    add("*DEFINE_CURVE", units.line(10, { curve }))
+    for _, c in ipairs(type(value) == "table" and value or { { 0, value }, { m.duration, value } }) do
+      out[#out + 1] = units.fixed(c[1] * u.time, 20) .. units.fixed(c[2] * scale, 20)
+    end
+    return curve
+  end
+  for _, one in ipairs(m.moved) do
+    local id = history(one.value, u.length)
+    add("*BOUNDARY_PRESCRIBED_MOTION_SET", units.line(10, { ids[one.set], one.axis, 2, id, 1.0 }))
+  end
+  for _, one in ipairs(m.forces) do
+    local id = history(one.value, u.force)
+    add "*LOAD_NODE_POINT"
+    for _, n in ipairs(m.mesh:set(one.set)) do out[#out + 1] = units.line(10, { n, one.axis, id, one.share[n] }) end
+  end
+  for axis, letter in ipairs { "X", "Y", "Z" } do -- a base that accelerates up pulls the cloth down
+    if m.gravity[axis] ~= 0 then
+      local id = history(-m.gravity[axis], u.acceleration)
+      add("*LOAD_BODY_" .. letter, units.line(10, { id, 1.0 }))
+    end
+  end
+  out[#out + 1] = "*END"
+  return table.concat(out, "\n") .. "\n"
+end

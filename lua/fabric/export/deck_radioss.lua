@@ -1,0 +1,83 @@
+-- A whole model as an OpenRadioss starter deck (NAME_0000.rad); the engine's file, with the run's end and outputs, is the user's.
+local units = require "fabric.export.units"
+
+local names = { ["SI"] = { "kg", "m", "s" }, ["mm-t-s"] = { "Mg", "mm", "s" }, ["mm-kg-ms"] = { "kg", "mm", "ms" } }
+
+return function(m, material, target, u)
+  local function reals(...)
+    local out = {}
+    for i, v in ipairs { ... } do out[i] = units.fixed(v, 20) end
+    return table.concat(out)
+  end
+  local function ints(...) return units.line(10, { ... }) end
+  local words = names[u.name]
+  local unit = ("%20s%20s%20s"):format(words[1], words[2], words[3])
+  local out = { "#RADIOSS STARTER", "/BEGIN", m.name, ints(2022, 0), unit, unit }
+  local function add(keyword, ...)
+    out[#out + 1] = keyword
+    for _, l in ipairs { ... } do out[#out + 1] = l end
+  end
+  out[#out + 1] = material
+  local t, w = m.thickness * u.length, m.warp
+  local fabric = target.name == "LAW58"
+  add(fabric and "/PROP/TYPE16/1" or "/PROP/TYPE9/1", m.name, "#   ISHELL    ISMSTR     ISH3N", ints(12, fabric and 4 or 11, 2), "#  HM HF HR DM DN", reals(0.0, 0.0, 0.0, 0.0, 0.0),
+    "#        N   ISTRAIN               THICK              ASHEAR", ints(1, 1) .. reals(t, 0.0) .. ints("", 0, 0))
+  if fabric then -- the yarns: warp along V, weft 90 degrees from it
+    add("#                 VX                  VY                  VZ   SKEW_ID", reals(w[1], w[2], w[3]) .. ints(0, "", 0),
+      "#                PHI               ALPHA                  TI                  ZI    MAT_ID", reals(0.0, 90.0, t, 0.0) .. ints(1))
+  else
+    add("#                 VX                  VY                  VZ                 PHI", reals(w[1], w[2], w[3], 0.0))
+  end
+  add("/PART/1", m.name, ints(1, 1, 0))
+  add "/NODE"
+  for i, p in ipairs(m.nodes) do out[#out + 1] = ints(i) .. reals(p[1] * u.length, p[2] * u.length, p[3] * u.length) end
+  for _, kind in ipairs { { 4, "/SHELL/1" }, { 3, "/SH3N/1" } } do
+    local head
+    for i, e in ipairs(m.elements) do
+      if #e == kind[1] then
+        if not head then add(kind[2]) end
+        head = true
+        out[#out + 1] = ints(i, table.unpack(e))
+      end
+    end
+  end
+  local ids = {}
+  for k, set in ipairs(m.sets) do
+    ids[set.name] = k
+    add(("/GRNOD/NODE/%d"):format(k), set.name)
+    for i = 1, #set.nodes, 10 do out[#out + 1] = ints(table.unpack(set.nodes, i, math.min(i + 9, #set.nodes))) end
+  end
+  for k, f in ipairs(m.fixed) do
+    local bits = { "0", "0", "0", "0", "0", "0" }
+    for _, i in ipairs(f.freedoms) do bits[i] = "1" end
+    add(("/BCS/%d"):format(k), f.set, "   " .. table.concat(bits, "", 1, 3) .. " " .. table.concat(bits, "", 4, 6) .. ints(0, ids[f.set]))
+  end
+  local letters, curve = { "X", "Y", "Z" }, 100
+  local function history(value, scale)
+    curve = curve + 1
+    add(("/FUNCT/%d"):format(curve), "history")
+    for _, c in ipairs(type(value) == "table" and value or { { 0, value }, { m.duration, value } }) do out[#out + 1] = reals(c[1] * u.time, c[2] * scale) end
+    return curve
+  end
+  for k, one in ipairs(m.moved) do
+    local id = history(one.value, u.length)
+    add(("/IMPDISP/%d"):format(k), one.set, ints(id) .. ("%10s"):format(letters[one.axis]) .. ints(0, 0, ids[one.set], 0, 0), reals(1.0, 1.0, 0.0, 1e30))
+  end
+  local loads = 0
+  for _, one in ipairs(m.forces) do
+    local id = history(one.value, u.force)
+    for _, n in ipairs(m.mesh:set(one.set)) do
+      loads = loads + 1
+      add(("/GRNOD/NODE/%d"):format(1000 + loads), ("node %d"):format(n), ints(n))
+      add(("/CLOAD/%d"):format(loads), one.set, ints(id) .. ("%10s"):format(letters[one.axis]) .. ints(0, 0, 1000 + loads), reals(1.0, one.share[n]))
+    end
+  end
+  for axis = 1, 3 do
+    if m.gravity[axis] ~= 0 then
+      local id = history(m.gravity[axis], u.acceleration)
+      add(("/GRAV/%d"):format(axis), "gravity", ints(id) .. ("%10s"):format(letters[axis]) .. ints(0, 0, ids.all), reals(1.0, 1.0))
+    end
+  end
+  out[#out + 1] = "/END"
+  return table.concat(out, "\n") .. "\n"
+end

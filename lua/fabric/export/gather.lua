@@ -1,0 +1,125 @@
+-- A model taken apart for another solver's deck: nodes, elements, sets, supports, motions and loads, all in SI.
+local define = require "fabric.define"
+local fail = define.fail
+local gather = {}
+
+local axes = { x = 1, y = 2, z = 3 }
+
+-- Numbers of translations (1 to 3) and rotations (4 to 6) that words like "x y z rotation" hold.
+local function freedoms(words)
+  local held = {}
+  for word in words:gmatch "%S+" do
+    if axes[word] then held[axes[word]] = true
+    elseif word == "rotation" then held[4], held[5], held[6] = true, true, true
+    else held[3 + axes[word:sub(2)]] = true end
+  end
+  local out = {}
+  for i = 1, 6 do
+    if held[i] then out[#out + 1] = i end
+  end
+  return out
+end
+
+-- Corners {t, v} of each axis in words like "x 0 to 0.1 m at 1 s, y 0.2 m" (numbers, or a ramp as m:list() tells it).
+local function components(row, unit, histories, notes)
+  local out = {}
+  local words = row.what
+  if words:find " along {" then fail(("model: the %s of '%s' is along axes of its own, which no deck is written for"):format(row.kind, row.set)) end
+  for axis, rest in (words .. ", "):gmatch "([xyz]) (.-), " do
+    local given = histories and histories[row.set .. "." .. axis]
+    local a, b, t = rest:match "^(%S+) to (%S+) .- at (%S+) s$"
+    if given then
+      out[axes[axis]] = given
+    elseif a then
+      out[axes[axis]] = { { 0, tonumber(a) }, { tonumber(t), tonumber(b) } }
+      notes[#notes + 1] = ("%s of %s along %s: written straight from %s at 0 s to %s %s at %s s; histories={ ['%s.%s']={{t, v}, ...} } says corners between")
+        :format(row.kind, row.set, axis, a, b, unit, t, row.set, axis)
+    elseif rest:find "function of time" then
+      fail(("model: the %s of '%s' along %s is a function; expected histories={ ['%s.%s']={{t, v}, ...} } with its corners"):format(row.kind, row.set, axis,
+        row.set, axis))
+    else
+      out[axes[axis]] = tonumber(rest:match "^%S+")
+    end
+  end
+  return out
+end
+
+-- Shares of a total force by tributary length, of nodes that are no row of edges by number.
+local function shares(mesh, nodes)
+  local inside, length, total = {}, {}, 0
+  for _, n in ipairs(nodes) do inside[n], length[n] = true, 0 end
+  local seen = {}
+  for e = 1, #mesh.elements do
+    local element = mesh.elements[e]
+    for k = 1, #element do
+      local a, b = element[k], element[k % #element + 1]
+      local key = a < b and a .. " " .. b or b .. " " .. a
+      if inside[a] and inside[b] and not seen[key] then
+        seen[key] = true
+        local p, q = mesh.nodes[a], mesh.nodes[b]
+        local l = math.sqrt((p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 + (p[3] - q[3]) ^ 2)
+        length[a], length[b], total = length[a] + l / 2, length[b] + l / 2, total + l
+      end
+    end
+  end
+  local out = {}
+  for _, n in ipairs(nodes) do out[n] = total > 0 and length[n] / total or 1 / #nodes end
+  return out
+end
+
+-- Direction of the warp from a number of degrees from x, or {x, y, z}.
+local function direction(warp)
+  if type(warp) == "number" then
+    local angle = math.rad(warp)
+    local function round(v) return math.abs(v) < 1e-15 and 0.0 or v end
+    return { round(math.cos(angle)), round(math.sin(angle)), 0.0 }
+  end
+  local l = math.sqrt(warp[1] ^ 2 + warp[2] ^ 2 + (warp[3] or 0) ^ 2)
+  return { warp[1] / l, warp[2] / l, (warp[3] or 0) / l }
+end
+
+-- t: fields of fabric.export.model. Returns nodes, elements, sets {name, nodes}, fixed {set, freedoms}, moved and forces {set, axis, value or
+-- corners, share}, gravity {x, y, z}, pressures, warp, thickness, notes.
+function gather.model(t)
+  local model, mesh = t.model, t.model.mesh
+  local out = { mesh = mesh, card = model.card, thickness = model.thickness, warp = direction(t.warp), nodes = {}, elements = {}, sets = {}, fixed = {},
+    moved = {}, forces = {}, gravity = { 0, 0, 0 }, pressures = {}, notes = {}, duration = t.duration }
+  for i = 1, #mesh.nodes do out.nodes[i] = mesh.nodes[i] end
+  for i = 1, #mesh.elements do out.elements[i] = mesh.elements[i] end
+  for _, name in ipairs(mesh.sets) do out.sets[#out.sets + 1] = { name = name, nodes = mesh:set(name) } end
+  for _, row in ipairs(model:list()) do
+    if row.kind == "fix" then
+      if row.what:find " along {" then fail(("model: the fix of '%s' is along axes of its own, which no deck is written for"):format(row.set)) end
+      out.fixed[#out.fixed + 1] = { set = row.set, freedoms = freedoms(row.what) }
+    elseif row.kind == "move" then
+      for axis, value in pairs(components(row, "m", t.histories, out.notes)) do
+        out.moved[#out.moved + 1] = { set = row.set, axis = axis, value = value }
+      end
+    elseif row.kind == "force" then
+      for axis, value in pairs(components(row, "N", t.histories, out.notes)) do
+        out.forces[#out.forces + 1] = { set = row.set, axis = axis, value = value, share = shares(mesh, mesh:set(row.set)) }
+      end
+    elseif row.kind == "gravity" then
+      for axis, value in pairs(components(row, "m/s^2", t.histories, out.notes)) do
+        if type(value) ~= "number" then fail "model: gravity that changes with time: no deck is written for it" end
+        out.gravity[axis] = value
+      end
+    else
+      fail(("model: field 'model': a %s ('%s') is among what no deck is written for; expected fix, move, force and gravity of one sheet"):format(row.kind, row.set))
+    end
+  end
+  local function by(a, b) return a.set .. a.axis < b.set .. b.axis end
+  table.sort(out.moved, by)
+  table.sort(out.forces, by)
+  if not out.duration then
+    out.duration = 1
+    for _, list in ipairs { out.moved, out.forces } do
+      for _, one in ipairs(list) do
+        if type(one.value) == "table" then out.duration = math.max(out.duration, one.value[#one.value][1]) end
+      end
+    end
+  end
+  return out
+end
+
+return gather

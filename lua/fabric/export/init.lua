@@ -1,0 +1,5 @@
+-- fabric.export: cards, meshes and whole models for other programs; fabric.import: what comes back.
+require "fabric.export.card"
+require "fabric.export.model"
+require "fabric.export.import"
+require "fabric.export.mesh"

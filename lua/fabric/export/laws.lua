@@ -1,0 +1,279 @@
+-- Small models of the laws that cards are exported to, written from their manuals' (OpenRadioss: its source's) equations, to be laid
+-- beside the card's own law. All take Green-Lagrange strain (tensor components, material axes) and give Piola-Kirchhoff's second
+-- stress, Pa: law:stress(E11, E22, E12) -> S11, S22, S12 for a trial state, law:commit() keeps the last one. The sheet's thickness
+-- is held, as by all of these laws' elements in their usual setting, so that J = lambda1 lambda2 cos(shear angle).
+local laws = {}
+
+-- The value of a piecewise linear curve {x, y}, its end segments continued as the solvers do.
+local function value(curve, x)
+  local xs, ys = curve.x, curve.y
+  local low, high = 1, #xs
+  while high - low > 1 do
+    local middle = (low + high) // 2
+    if xs[middle] <= x then low = middle else high = middle end
+  end
+  return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
+end
+laws.value = value
+
+-- --- one yarn direction, or shear, with a curve for loading and one for unloading ---
+
+-- The unloading curve, which meets the loading curve at {x, y} = `meet`, is scaled along both axes to the point of turning.
+--   reload = "curve": back up on the unloading curve           (*MAT_034 with RL = 0)
+--   reload = "scaled": on the loading curve, scaled in between (LAW58: sigeps58c, branches LOAD, RELOAD, UNLOAD)
+local function scaled(loading, unloading, meet, reload, odd)
+  local s = { x = 0, most = 0, most_y = 0, turn = 0, turn_y = 0, low = 0, low_y = 0, virgin = true, sign = 1 }
+  local trial
+  local function evaluate(x)
+    local t = {}
+    for k, v in pairs(s) do t[k] = v end
+    local sign = 1
+    if odd then
+      sign = x < 0 and -1 or 1
+      if sign ~= s.sign and x ~= 0 then -- the other sense of shear begins anew
+        t = { x = 0, most = 0, most_y = 0, turn = 0, turn_y = 0, low = 0, low_y = 0, virgin = true, sign = sign }
+      end
+      x = math.abs(x)
+    end
+    local y
+    local previous = t.x
+    t.x = x
+    if x <= 0 and not odd then
+      y = value(loading, x)
+      if reload == "scaled" then t.most, t.turn, t.low, t.virgin = 0, 0, 0, true end
+    elseif x >= t.most then
+      y = value(loading, x)
+      t.most, t.most_y, t.turn, t.turn_y, t.low, t.low_y, t.virgin = x, y, x, y, x, y, true
+    elseif reload == "curve" or x < previous then
+      y = value(unloading, x * meet[1] / t.turn) * t.turn_y / meet[2]
+      t.low, t.low_y, t.virgin = x, y, false
+    elseif t.virgin then
+      y = value(loading, x)
+    else
+      local part = t.most * (x - t.low) / (t.most - t.low)
+      y = t.low_y + (t.most_y - t.low_y) / t.most_y * value(loading, part)
+      t.turn, t.turn_y = x, y
+    end
+    trial = t
+    return sign * y
+  end
+  return { at = evaluate, commit = function() s = trial or s end }
+end
+
+-- The unloading curve {x, y}, which rises from {0, 0}, is shifted to the point of turning; where it comes to zero the yarn is slack.
+-- (*FABRIC: TYPE=PERMANENT DEFORMATION, DEFINITION=SHIFTED CURVE)
+local function shifted(loading, unloading, odd)
+  local s, trial = { most = 0, sign = 1 }, nil
+  local inverse = { x = unloading.y, y = unloading.x }
+  local function evaluate(x)
+    local most, sign = s.most, 1
+    if odd then
+      sign = x < 0 and -1 or 1
+      if sign ~= s.sign and x ~= 0 then most = 0 end
+      x = math.abs(x)
+    end
+    local y
+    if x >= most then
+      y, most = value(loading, x), math.max(most, x)
+    else
+      local offset = most - value(inverse, value(loading, most))
+      y = x > offset and value(unloading, x - offset) or 0
+    end
+    trial = { most = most, sign = sign }
+    return sign * y
+  end
+  return { at = evaluate, commit = function() s = trial or s end }
+end
+
+-- Stretches along the yarns, and the sine and cosine of the shear angle.
+local function kinematics(E11, E22, E12)
+  local l1, l2 = math.sqrt(math.max(1 + 2 * E11, 1e-6)), math.sqrt(math.max(1 + 2 * E22, 1e-6))
+  local sine = math.max(-0.999, math.min(0.999, 2 * E12 / (l1 * l2)))
+  return l1, l2, sine, math.sqrt(1 - sine * sine)
+end
+
+-- *MAT_FABRIC (*MAT_034), FORM = 14: second Piola-Kirchhoff stress over Green's strain along each yarn, and over the engineering
+-- shear 2 E12; nothing couples them; CSE = 1 takes compressive stress away.
+function laws.mat_034(p)
+  local a = scaled(p.warp.loading, p.warp.unloading, p.warp.meet, "curve")
+  local b = scaled(p.weft.loading, p.weft.unloading, p.weft.meet, "curve")
+  local ab = scaled(p.shear.loading, p.shear.unloading, p.shear.meet, "curve", true)
+  local law = {}
+  function law:stress(E11, E22, E12)
+    local S1, S2, S3 = a.at(E11), b.at(E22), ab.at(2 * E12)
+    return math.max(S1, 0), math.max(S2, 0), S3
+  end
+  function law:commit() a.commit() b.commit() ab.commit() end
+  return law
+end
+
+-- *MAT_235 with straight yarns (BFI = BWI = 0): half of each family per area, linear along and across a yarn in Cauchy stress over
+-- logarithmic strain; the shear modulus is DSCF G12 up to the locking angle, then G12.
+function laws.mat_235(p)
+  local law = { commit = function() end }
+  local k = (p.E1 + p.E2) / 2
+  local lock = math.rad(90 - 2 * p.THL)
+  function law:stress(E11, E22, E12)
+    local l1, l2, sine, cosine = kinematics(E11, E22, E12)
+    local J = l1 * l2 * cosine
+    local angle = math.asin(sine)
+    local free = math.min(math.abs(angle), lock)
+    local tau = p.DSCF * p.G12 * free + p.G12 * (math.abs(angle) - free)
+    return k * math.log(l1) * J / l1 ^ 2, k * math.log(l2) * J / l2 ^ 2, (angle < 0 and -tau or tau) * J / (l1 * l2)
+  end
+  return law
+end
+
+-- LAW58 with loading and unloading functions (OpenRadioss, engine/source/materials/mat/mat058/sigeps58c.F, branch UNLOAD = 1): yarns of
+-- elongation d - d0 over a crimp height h that the two directions exchange; their force per width of the unstrained sheet is the
+-- function of that elongation; the shear stress is a function of the shear angle in degrees, decoupled. Without damping and friction.
+function laws.law58(p)
+  local warp = scaled(p.warp.loading, p.warp.unloading, p.warp.meet, "scaled")
+  local weft = scaled(p.weft.loading, p.weft.unloading, p.weft.meet, "scaled")
+  local shear = scaled(p.shear.loading, p.shear.unloading, p.shear.meet, "scaled", true)
+  local d1, d2 = 1 + p.S1, 1 + p.S2
+  local h1, h2 = math.sqrt(d1 ^ 2 - 1), math.sqrt(d2 ^ 2 - 1)
+  local flex = p.FLEX * (p.E1 * h1 / d1 + p.E2 * h2 / d2)
+  local law = {}
+  local function yarn(part, length, height, rest)
+    local d = math.sqrt(length * length + height * height)
+    return part.at(d - rest), height / d, length / d
+  end
+  function law:stress(E11, E22, E12)
+    local l1, l2, sine = kinematics(E11, E22, E12)
+    local low, high = -h1, h2 -- what the warp's height has gained and the weft's has lost
+    for _ = 1, 50 do
+      local y = (low + high) / 2
+      local F1, sine1 = yarn(warp, l1, h1 + y, d1)
+      local F2, sine2 = yarn(weft, l2, h2 - y, d2)
+      if flex * y + F1 * sine1 - F2 * sine2 > 0 then high = y else low = y end
+    end
+    local y = (low + high) / 2
+    local F1, _, c1 = yarn(warp, l1, h1 + y, d1)
+    local F2, _, c2 = yarn(weft, l2, h2 - y, d2)
+    return F1 * c1 / l1, F2 * c2 / l2, shear.at(math.deg(math.asin(sine)))
+  end
+  function law:commit() warp.commit() weft.commit() shear.commit() end
+  return law
+end
+
+-- LAW19 (OpenRadioss, engine/source/materials/mat/mat019/sigeps19c.F): linear orthotropic, Cauchy stress over logarithmic strain; principal
+-- stresses in compression are reduced by RE.
+function laws.law19(p)
+  local nu21 = p.NU12 * p.E22 / p.E11
+  local q = 1 - p.NU12 * nu21
+  local A11, A22, A12 = p.E11 / q, p.E22 / q, nu21 * p.E11 / q
+  local law = { commit = function() end }
+  function law:stress(E11, E22, E12)
+    local l1, l2, sine, cosine = kinematics(E11, E22, E12)
+    local J = l1 * l2 * cosine
+    local e1, e2 = math.log(l1), math.log(l2)
+    local s1, s2, s3 = A11 * e1 + A12 * e2, A12 * e1 + A22 * e2, p.G12 * math.asin(sine)
+    local mean, half = (s1 + s2) / 2, (s1 - s2) / 2
+    local r = math.sqrt(s3 * s3 + half * half)
+    if mean - r < 0 then
+      local largest = mean + r
+      if largest > 0 then
+        local beta = ((1 - p.RE) * mean / r + 1 + p.RE) / 2
+        s1, s2, s3 = beta * (s1 - largest) + largest, beta * (s2 - largest) + largest, beta * s3
+      else
+        s1, s2, s3 = p.RE * s1, p.RE * s2, p.RE * s3
+      end
+    end
+    return s1 * J / l1 ^ 2, s2 * J / l2 ^ 2, s3 * J / (l1 * l2)
+  end
+  return law
+end
+
+-- *FABRIC with test data (Abaqus/Explicit): nominal stress over nominal strain lambda - 1 along each yarn, and over the change of the angle
+-- between them, independent of each other. The three stresses are conjugate to the three strains, from which S follows:
+-- T11 = lambda1 S11 + lambda2 sin(g) S12, T12 = lambda1 lambda2 cos(g) S12.
+function laws.fabric(p)
+  local warp = shifted(p.warp.loading, p.warp.unloading)
+  local weft = shifted(p.weft.loading, p.weft.unloading)
+  local shear = shifted(p.shear.loading, p.shear.unloading, true)
+  local law = {}
+  function law:stress(E11, E22, E12)
+    local l1, l2, sine, cosine = kinematics(E11, E22, E12)
+    local S12 = shear.at(math.asin(sine)) / (l1 * l2 * cosine)
+    return (warp.at(l1 - 1) - l2 * sine * S12) / l1, (weft.at(l2 - 1) - l1 * sine * S12) / l2, S12
+  end
+  function law:commit() warp.commit() weft.commit() shear.commit() end
+  return law
+end
+
+-- St. Venant-Kirchhoff: *ELASTIC, TYPE=ENGINEERING CONSTANTS in CalculiX with NLGEOM (Green's strain, second Piola-Kirchhoff stress).
+function laws.svk(p)
+  local q = 1 - p.NU12 * p.NU21
+  local c = p.NU21 * p.E11 / q
+  local law = { commit = function() end }
+  function law:stress(E11, E22, E12)
+    return p.E11 / q * E11 + c * E22, c * E11 + p.E22 / q * E22, 2 * p.G12 * E12
+  end
+  return law
+end
+
+-- --- the paths ---
+
+-- Uniaxial tension at an angle from the warp: E along the pull is given, the stresses across and in shear of the pull's axes vanish.
+local function turned(law, angle, Ex, Ey, Exy)
+  local c, s = math.cos(math.rad(angle)), math.sin(math.rad(angle))
+  local S11, S22, S12 = law:stress(Ex * c * c + Ey * s * s - 2 * Exy * s * c, Ex * s * s + Ey * c * c + 2 * Exy * s * c,
+    -- the pull's axes are turned by +angle from the warp
+    (Ex - Ey) * s * c + Exy * (c * c - s * s))
+  return S11 * c * c + S22 * s * s + 2 * S12 * s * c, S11 * s * s + S22 * c * c - 2 * S12 * s * c,
+    (S22 - S11) * s * c + S12 * (c * c - s * s)
+end
+
+-- Newton's method with differences on (Ey, Exy), steps halved until the residual falls. guess: changed in place.
+local function solve_uniaxial(law, angle, Ex, guess)
+  local function at(y, z)
+    local S, Sy, Sz = turned(law, angle, Ex, y, z)
+    return S, Sy, Sz, Sy * Sy + Sz * Sz
+  end
+  local y, z = guess[1], guess[2]
+  local S, a, b, size = at(y, z)
+  for _ = 1, 60 do
+    if size <= (1e-7 * math.max(math.abs(S), 1)) ^ 2 then break end
+    local h = 1e-7
+    local _, ay, by = at(y + h, z)
+    local _, az, bz = at(y, z + h)
+    local m11, m21, m12, m22 = (ay - a) / h, (by - b) / h, (az - a) / h, (bz - b) / h
+    m11, m22 = m11 + 1, m22 + 1 -- a slack yarn has no stiffness: one pascal keeps the system regular
+    local det = m11 * m22 - m12 * m21
+    if det == 0 then break end
+    local dy, dz = -(a * m22 - b * m12) / det, -(b * m11 - a * m21) / det
+    local most = math.max(math.abs(dy), math.abs(dz))
+    local t, better = most > 0.05 and 0.05 / most or 1, false
+    for _ = 1, 30 do
+      local S2, a2, b2, size2 = at(y + t * dy, z + t * dz)
+      if size2 < size then
+        y, z, S, a, b, size, better = y + t * dy, z + t * dz, S2, a2, b2, size2, true
+        break
+      end
+      t = t / 2
+    end
+    if not better then break end
+  end
+  guess[1], guess[2] = y, z
+  S = at(y, z)
+  return S
+end
+
+-- The stresses of a law along a path (see ours.paths): a list, for the biaxial path two.
+function laws.along(law, path)
+  local first, second, guess = {}, path.drive == "biaxial" and {} or nil, { 0, 0 }
+  for i, x in ipairs(path.values) do
+    if path.drive == "uniaxial" then
+      first[i] = solve_uniaxial(law, path.angle, x, guess)
+    elseif path.drive == "shear" then
+      first[i] = select(3, law:stress(0, 0, x))
+    else
+      first[i], second[i] = law:stress(x, x, 0)
+    end
+    law:commit()
+  end
+  return first, second
+end
+
+return laws

@@ -1,0 +1,82 @@
+-- What an export loses: the target's law beside the card's own, path by path.
+local ours = require "fabric.export.ours"
+local laws = require "fabric.export.laws"
+local loss = {}
+
+local function largest(list)
+  local m = 0
+  for _, v in ipairs(list or {}) do m = math.max(m, math.abs(v)) end
+  return m
+end
+
+-- Work per volume along a path, J/m3 (trapezoids); conjugate strain of shear is 2 E12.
+local function work(path, first, second)
+  local w, x0, s0, r0 = 0, 0, 0, 0
+  for i, x in ipairs(path.values) do
+    w = w + (x - x0) * ((first[i] + s0) / 2 + (second and (second[i] + r0) / 2 or 0))
+    x0, s0, r0 = x, first[i], second and second[i] or 0
+  end
+  return path.drive == "shear" and 2 * w or w
+end
+
+local function compare(path, a1, a2, b1, b2)
+  local peak = math.max(largest(a1), largest(a2))
+  local worst, where, sum, n = 0, 0, 0, 0
+  local function lay(a, b)
+    for i = 1, #a do
+      local d = math.abs(b[i] - a[i])
+      if not (d <= worst) then worst, where = d, path.values[i] end
+      sum, n = sum + d * d, n + 1
+    end
+  end
+  lay(a1, b1)
+  if a2 then lay(a2, b2) end
+  local w, v = work(path, a1, a2), work(path, b1, b2)
+  return { path = path.name, words = path.words, worst = 100 * worst / peak, rms = 100 * math.sqrt(sum / n) / peak, where = where,
+    work = 100 * (v - w) / math.abs(w), peak = peak, strain = path.values, ours = { a1, a2 }, theirs = { b1, b2 } }
+end
+
+-- Rows {path, words, worst, rms, work (per cent), where (strain), peak (Pa), strain, ours, theirs} for the law that make() gives.
+function loss.rows(card, make)
+  local rows = {}
+  for i, path in ipairs(ours.paths(card)) do
+    local a1, a2 = ours.along(card, path)
+    local b1, b2 = laws.along(make(), path)
+    rows[i] = compare(path, a1, a2, b1, b2)
+  end
+  return rows
+end
+
+-- The rows as lines of text.
+function loss.lines(rows)
+  local out = { ("%-14s %9s %9s %9s   %s"):format("path", "worst", "rms", "work", "per cent of the card's own peak stress, of its work") }
+  for _, r in ipairs(rows) do
+    out[#out + 1] = ("%-14s %9.2f %9.2f %+9.2f   %s, worst at E = %.4g"):format(r.path, r.worst, r.rms, r.work, r.words, r.where)
+  end
+  return out
+end
+
+-- What no row can show, as sentences.
+function loss.sentences(card, target)
+  local out = {}
+  local function add(text) out[#out + 1] = text end
+  if card.kind == "woven" then
+    if target.coupling then add(target.coupling)
+    elseif card.warp.poisson > 0 then add "coupling: nothing ties warp to weft there, so the sheet does not contract across a pull and two axes do not stiffen each other" end
+    add("hysteresis: " .. target.hysteresis)
+    add("shear flips: " .. target.flips)
+    if card.biaxial then add "biaxial stiffening: the card's fourth spring is lost" end
+    if card.law ~= "potential" then add(("law: the card's '%s' law was sampled; its path dependence beyond one axis at a time is lost"):format(card.law)) end
+  end
+  local bending = card.bending
+  if bending then
+    add("bending: " .. target.bending .. (" (the card's rigidity: warp %.3g, weft %.3g, twist %.3g N.m)"):format(bending.warp, bending.weft, bending.twist))
+    if bending.friction_warp or bending.friction_weft then add "bending friction: lost" end
+  else
+    add("bending: " .. target.bending)
+  end
+  if card.kind == "woven" and card.bands then add "bands: the values alone are written" end
+  return out
+end
+
+return loss

@@ -1,0 +1,103 @@
+-- What a card's law answers, sampled with fabric.point: the curves that a target is given, and the paths it is judged by.
+local fabric = require "fabric"
+local ours = {}
+
+ours.axes = { "warp", "weft" }
+
+-- Largest tested strain of an axis or of shear (E12); what is taken where the card says none.
+local untested = { warp = 0.10, weft = 0.10, shear = 0.20 }
+function ours.tested(card)
+  local out = {}
+  for name, default in pairs(untested) do
+    local known = card.kind == "woven" and card.tested[name] or 0
+    out[name] = known > 0 and known or default
+  end
+  return out
+end
+
+-- {E, S} of virgin uniaxial loading along an axis, the other stresses zero, from zero to `reach`; S is Piola-Kirchhoff's second, Pa.
+function ours.uniaxial(card, axis, reach, n)
+  local p, E, S = fabric.point(card), { 0 }, { 0 }
+  for i = 1, n do
+    E[i + 1] = reach * i / n
+    S[i + 1] = p:uniaxial(axis, E[i + 1]).S
+  end
+  return E, S
+end
+
+-- {E12, S12} of virgin shear with E11 = E22 = 0.
+function ours.shear(card, reach, n)
+  local p, E, S = fabric.point(card), { 0 }, { 0 }
+  for i = 1, n do
+    E[i + 1] = reach * i / n
+    S[i + 1] = p:strain({ E12 = E[i + 1] }).S12
+  end
+  return E, S
+end
+
+-- {E, S} of unloading from a virgin strain `from` to no stress, downwards in strain: ends at the residual strain.
+function ours.unloading(card, part, from, n)
+  local modulus, value
+  local function drive(p, E) return part == "shear" and p:strain({ E12 = E }).S12 or p:uniaxial(part, E).S end
+  local p = fabric.point(card)
+  drive(p, from)
+  value = drive(p, from)
+  local probe = 1e-4 * from
+  modulus = (value - drive(p, from - probe)) / probe
+  local residual = from - value / modulus
+  local again, E, S = fabric.point(card), {}, {}
+  drive(again, from)
+  for i = 0, n do
+    E[i + 1] = from + (residual - from) * i / n
+    S[i + 1] = i == n and 0 or drive(again, E[i + 1])
+  end
+  return E, S, residual
+end
+
+-- Paths: name, words, what is driven, list of values visited. Strains are Green-Lagrange's, tensor components.
+local steps = 60
+local function visit(corners)
+  local out, last = {}, 0
+  local length = 0
+  for _, c in ipairs(corners) do length, last = length + math.abs(c - last), c end
+  last = 0
+  for _, c in ipairs(corners) do
+    local n = math.max(4, math.ceil(steps * math.abs(c - last) / length * (#corners > 1 and 3 or 1)))
+    for i = 1, n do out[#out + 1] = last + (c - last) * i / n end
+    last = c
+  end
+  return out
+end
+
+function ours.paths(card)
+  local t = ours.tested(card)
+  local both = math.min(t.warp, t.weft)
+  local function cycle(x) return visit { 0.6 * x, 0.3 * x, x, 0.6 * x } end
+  return {
+    { name = "warp", words = "tension along the warp", drive = "uniaxial", direction = "warp", angle = 0, values = visit { t.warp } },
+    { name = "weft", words = "tension along the weft", drive = "uniaxial", direction = "weft", angle = 90, values = visit { t.weft } },
+    { name = "biaxial", words = "1:1 biaxial, E11 = E22", drive = "biaxial", values = visit { both } },
+    { name = "bias", words = "tension at 45 degrees", drive = "uniaxial", direction = 45, angle = 45, values = visit { t.shear } },
+    { name = "cyclic warp", words = "warp, pulled and let go twice", drive = "uniaxial", direction = "warp", angle = 0, values = cycle(t.warp) },
+    { name = "cyclic weft", words = "weft, pulled and let go twice", drive = "uniaxial", direction = "weft", angle = 90, values = cycle(t.weft) },
+    { name = "cyclic shear", words = "shear to and fro, E11 = E22 = 0", drive = "shear", values = visit { t.shear, -t.shear, t.shear } },
+  }
+end
+
+-- The stresses of the card along a path: a list, or for the biaxial path two.
+function ours.along(card, path)
+  local p, first, second = fabric.point(card), {}, path.drive == "biaxial" and {} or nil
+  for i, x in ipairs(path.values) do
+    if path.drive == "uniaxial" then
+      first[i] = p:uniaxial(path.direction, x).S
+    elseif path.drive == "shear" then
+      first[i] = p:strain({ E12 = x }).S12
+    else
+      local s = p:strain { E11 = x, E22 = x }
+      first[i], second[i] = s.S11, s.S22
+    end
+  end
+  return first, second
+end
+
+return ours

@@ -1,0 +1,74 @@
+-- Text of OpenRadioss starter decks: LAW58 and LAW19. Ten fields of 10 columns to a line; a real takes two.
+local units = require "fabric.export.units"
+local radioss = {}
+
+radioss.comment = require "fabric.export.comment" "#"
+
+local function reals(...)
+  local out = {}
+  for i, v in ipairs { ... } do out[i] = v == "" and (" "):rep(20) or units.fixed(v, 20) end
+  return table.concat(out)
+end
+
+-- Names of the fields of 20 columns above their numbers.
+local function head(...)
+  local out = {}
+  for i, v in ipairs { ... } do out[i] = ("%20s"):format(v) end
+  return "#" .. table.concat(out):sub(2)
+end
+
+local function funct(id, title, c, fx, fy)
+  local out = { ("/FUNCT/%d"):format(id), title, head("X", "Y") }
+  for i = 1, #c.x do out[#out + 1] = reals(c.x[i] * fx, c.y[i] * fy) end
+  return table.concat(out, "\n")
+end
+
+-- The curve of shear for both signs.
+local function odd(c)
+  local out = { x = {}, y = {} }
+  for i = #c.x, 1, -1 do out.x[#out.x + 1], out.y[#out.y + 1] = -c.x[i], -c.y[i] end
+  for i = 2, #c.x do out.x[#out.x + 1], out.y[#out.y + 1] = c.x[i], c.y[i] end
+  return out
+end
+
+-- /MAT/LAW58 [OpenRadioss, starter hm_read_mat58.F and law58_upd.F; Altair Radioss Reference Guide, /MAT/LAW58 (FABR_A)].
+function radioss.law58(card, name, p, u, id)
+  local s, base = u.stress, 10 * id
+  local function ids(...) return units.line(10, { ... }) end
+  local out = {
+    ("/MAT/LAW58/%d"):format(id), name,
+    head "RHO_I", reals(card.density * u.density),
+    head("E1", "B1", "E2", "B2", "FLEX"), reals(p.E1 * s, 0.0, p.E2 * s, 0.0, p.FLEX),
+    head("G0", "GT", "ALPHA_T", "GSH", "SENS_ID"), reals(p.shear.slope * math.deg(1) * s, p.shear.slope * math.deg(1) * s, 0.0, 0.0) .. (" "):rep(10) .. ids(0),
+    head("DF", "DS", "GFROT", "", "ZEROSTRESS"), reals(0.0, 0.0, 0.0, "", 0.0),
+    "#       N1        N2                  S1                  S2               FLEX1               FLEX2",
+    ids(1, 1) .. reals(p.S1, p.S2, p.FLEX, p.FLEX),
+    "#  FCT_ID1                       FSCALE1", ids(base + 1, "") .. reals(1.0),
+    "#  FCT_ID2                       FSCALE2", ids(base + 2, "") .. reals(1.0),
+    "#  FCT_ID3                       FSCALE3", ids(base + 3, "") .. reals(1.0),
+    "#  FCT_ID4   FCT_ID5             FSCALE4             FSCALE5   FCT_ID6             FSCALE6",
+    ids(base + 4, base + 5) .. reals(1.0, 1.0) .. ids(base + 6) .. reals(1.0),
+  }
+  local order = { "warp", "weft", "shear" }
+  for k, part in ipairs(order) do
+    for j, what in ipairs { "loading", "unloading" } do
+      local c = p[part][what]
+      out[#out + 1] = funct(base + k + 3 * (j - 1), part .. ", " .. what, part == "shear" and odd(c) or c, 1, s)
+    end
+  end
+  return table.concat(out, "\n")
+end
+
+-- /MAT/LAW19 [OpenRadioss, engine sigeps19c.F; Altair Radioss Reference Guide, /MAT/LAW19 (FABRI)].
+function radioss.law19(card, name, p, u, id)
+  local s = u.stress
+  return table.concat({
+    ("/MAT/LAW19/%d"):format(id), name,
+    head "RHO_I", reals(card.density * u.density),
+    head("E11", "E22", "NU12"), reals(p.E11 * s, p.E22 * s, p.NU12),
+    head("G12", "G23", "G31"), reals(p.G12 * s, p.G12 * s, p.G12 * s),
+    head("RE", "ZEROSTRESS", "FSCALE_POR", "SENS_ID"), reals(p.RE, 0.0, 0.0) .. units.line(10, { 0 }),
+  }, "\n")
+end
+
+return radioss

@@ -1,0 +1,202 @@
+-- Materials out of other solvers' decks: the numbers of LAW58 and of *FABRIC as they stand there, curves scaled to SI.
+local define = require "fabric.define"
+local fail = define.fail
+local read = {}
+
+local function lines_of(path)
+  local file, why = io.open(path, "r")
+  if not file then fail("card: cannot read '" .. path .. "': " .. why:gsub("^.-: ", "")) end
+  local out = {}
+  for l in file:lines() do out[#out + 1] = (l:gsub("\r$", "")) end
+  file:close()
+  return out
+end
+read.lines_of = lines_of
+
+local function trouble(path, line, what) fail(("card: %s:%d: %s"):format(path, line, what)) end
+
+-- --- Radioss ---
+
+-- Blocks {key, line, {text, line}...} of a starter deck.
+function read.blocks(path)
+  local out, block = {}, nil
+  for i, l in ipairs(lines_of(path)) do
+    if l:sub(1, 1) == "/" then
+      block = { key = l:match "^(%S+)", line = i }
+      out[#out + 1] = block
+    elseif l:sub(1, 1) ~= "#" and l:sub(1, 1) ~= "$" and block then
+      block[#block + 1] = { l, i }
+    end
+  end
+  return out
+end
+
+-- The numbers of a line of fields of the given widths; empty ones are 0.
+local function columns(path, entry, widths)
+  local out, at = {}, 1
+  for k, width in ipairs(widths) do
+    local text = entry[1]:sub(at, at + width - 1):match "^%s*(.-)%s*$"
+    at = at + width
+    out[k] = text == "" and 0 or tonumber(text)
+    if not out[k] then trouble(path, entry[2], ("expected a number in columns %d to %d, got '%s'"):format(at - width, at - 1, text)) end
+  end
+  return out
+end
+
+local function funct(path, blocks, id, scale, stress)
+  for _, b in ipairs(blocks) do
+    if b.key == "/FUNCT/" .. id then
+      local c = { x = {}, y = {} }
+      for i = 2, #b do
+        local f = columns(path, b[i], { 20, 20 })
+        local n = #c.x
+        if n > 0 and f[1] <= c.x[n] then trouble(path, b[i][2], ("expected an abscissa above %g, got %g"):format(c.x[n], f[1])) end
+        c.x[n + 1], c.y[n + 1] = f[1], f[2] * scale / stress
+      end
+      if #c.x < 2 then trouble(path, b.line, "expected a function of at least two points") end
+      return c
+    end
+  end
+  fail(("card: %s: there is no /FUNCT/%d, which LAW58 names"):format(path, id))
+end
+
+-- The half of a curve from {0, 0} on.
+local function positive(path, c)
+  local out = { x = { 0 }, y = { 0 } }
+  for i = 1, #c.x do
+    if c.x[i] > 0 then out.x[#out.x + 1], out.y[#out.y + 1] = c.x[i], c.y[i] end
+  end
+  if #out.x < 2 then fail(("card: %s: a curve has no points above 0"):format(path)) end
+  return out
+end
+
+-- Where two curves cross beyond 0, {x, y}; the end of the first where they do not.
+local function crossing(a, b, value)
+  for i = 2, #a.x do
+    local d0, d1 = a.y[i - 1] - value(b, a.x[i - 1]), a.y[i] - value(b, a.x[i])
+    if i > 2 and d0 > 0 and d1 <= 0 then
+      local x = a.x[i - 1] + (a.x[i] - a.x[i - 1]) * d0 / (d0 - d1)
+      return { x, value(a, x) }
+    end
+  end
+  return { a.x[#a.x], a.y[#a.y] }
+end
+
+-- Without functions: E1 x - B1 x^2 / 2 until it is level, and shear in two straight parts in tan(angle).
+local function analytic(E, B)
+  local c = { x = {}, y = {} }
+  local last = B > 0 and math.min(0.2, 0.99 * E / B) or 0.2
+  for i = 0, 40 do
+    local x = last * i / 40
+    c.x[i + 1], c.y[i + 1] = x, (E - B * x / 2) * x
+  end
+  return c
+end
+
+local function analytic_shear(G0, GT, angle)
+  local lock = math.tan(math.rad(angle))
+  local G = GT / (1 + lock * lock)
+  if G0 == 0 then G0 = G end
+  local c = { x = {}, y = {} }
+  for i = 0, 40 do
+    local degrees = i
+    local t = math.tan(math.rad(degrees))
+    c.x[i + 1], c.y[i + 1] = degrees, t <= lock and G0 * t or G * t + lock * (G0 - G)
+  end
+  return c
+end
+
+-- {density, name, warp, weft, shear: {loading, unloading, meet, slope, elastic}, E1, E2, S1, S2, FLEX, thickness?}
+function read.law58(path, u, value)
+  local blocks, mat, thickness = read.blocks(path), nil, nil
+  for _, b in ipairs(blocks) do
+    if b.key:find "^/MAT/LAW58/" or b.key:find "^/MAT/FABR_A/" then mat = mat or b end
+    if (b.key:find "^/PROP/TYPE16/" or b.key:find "^/PROP/SH_FABR/") and b[4] then thickness = columns(path, b[4], { 10, 10, 20 })[3] / u.length end
+  end
+  if not mat then fail(("card: %s: there is no /MAT/LAW58 (or /MAT/FABR_A)"):format(path)) end
+  if #mat < 6 then trouble(path, mat.line, "expected a title and at least five lines of LAW58") end
+  local young = columns(path, mat[3], { 20, 20, 20, 20, 20 })
+  local shear = columns(path, mat[4], { 20, 20, 20, 20 })
+  local crimp = columns(path, mat[6], { 10, 10, 20, 20, 20, 20 })
+  local ids, scales = {}, {}
+  for k = 1, 3 do
+    local f = mat[6 + k] and columns(path, mat[6 + k], { 10, 10, 20 }) or { 0, 0, 0 }
+    ids[k], scales[k] = f[1], f[3] ~= 0 and f[3] or 1
+  end
+  local f = mat[10] and columns(path, mat[10], { 10, 10, 20, 20, 10, 20 }) or { 0, 0, 0, 0, 0, 0 }
+  ids[4], ids[5], ids[6], scales[4], scales[5], scales[6] = f[1], f[2], f[5], f[3] ~= 0 and f[3] or 1, f[4] ~= 0 and f[4] or 1, f[6] ~= 0 and f[6] or 1
+  local out = { name = mat[1][1], density = columns(path, mat[2], { 20 })[1] / u.density, thickness = thickness,
+    E1 = young[1] / u.stress, E2 = young[3] / u.stress, FLEX = young[5] ~= 0 and young[5] or 1e-3,
+    S1 = crimp[3] ~= 0 and crimp[3] or 0.1, S2 = crimp[4] ~= 0 and crimp[4] or 0.1 }
+  local plain = { function() return analytic(young[1] / u.stress, young[2] / u.stress) end, function() return analytic(young[3] / u.stress, young[4] / u.stress) end,
+    function() return analytic_shear(shear[1] / u.stress, shear[2] / u.stress, shear[3]) end }
+  for k, part in ipairs { "warp", "weft", "shear" } do
+    local loading = ids[k] ~= 0 and positive(path, funct(path, blocks, ids[k], scales[k], u.stress)) or plain[k]()
+    local elastic = ids[3 + k] == 0
+    local unloading = elastic and loading or positive(path, funct(path, blocks, ids[3 + k], scales[3 + k], u.stress))
+    out[part] = { loading = loading, unloading = unloading, elastic = elastic, slope = loading.y[2] / loading.x[2],
+      meet = elastic and { loading.x[#loading.x], loading.y[#loading.y] } or crossing(loading, unloading, value) }
+  end
+  return out
+end
+
+-- --- Abaqus ---
+
+local components = { ["1"] = "warp", ["2"] = "weft", SHEAR = "shear" }
+
+function read.fabric(path, u)
+  local out, here, part, direction, wants = {}, nil, nil, nil, nil
+  local function parameter(line, name) return line:upper():gsub("%s*=%s*", "="):match("," .. "%s*" .. name .. "=([^,]+)") end
+  for i, l in ipairs(lines_of(path)) do
+    local keyword = l:upper():match "^%*([^*,][^,]*)"
+    if keyword then
+      keyword = keyword:match "^%s*(.-)%s*$"
+      wants = nil
+      if keyword == "MATERIAL" then
+        if out.warp then here = nil else here, out.name = true, l:match "[Nn][Aa][Mm][Ee]%s*=%s*([^,%s]+)" end
+      elseif keyword == "DENSITY" and here then wants = "density"
+      elseif keyword == "FABRIC" and here then out.fabric = true
+      elseif keyword == "UNIAXIAL" and here then
+        part = components[(parameter(l, "COMPONENT") or ""):match "%S*"]
+        if not part then trouble(path, i, "expected COMPONENT=1, 2 or SHEAR") end
+      elseif keyword == "LOADING DATA" and part then
+        direction = (parameter(l, "DIRECTION") or "TENSION"):match "%S+"
+        if direction == "TENSION" then
+          out[part] = { loading = { x = {}, y = {} }, elastic = true }
+          wants = out[part].loading
+        end
+      elseif keyword == "UNLOADING DATA" and part then
+        local definition = parameter(l, "DEFINITION") or ""
+        if not definition:find "^SHIFTED CURVE" then trouble(path, i, ("expected DEFINITION=SHIFTED CURVE, got '%s'"):format(definition)) end
+        if direction == "TENSION" then
+          out[part].unloading, out[part].elastic = { x = {}, y = {} }, false
+          wants = out[part].unloading
+        end
+      elseif keyword:find "SECTION$" then wants = "thickness"
+      end
+    elseif wants and l:sub(1, 2) ~= "**" and l:find "%S" then
+      local a, b = l:match "^%s*([^,]+),?%s*([^,]*)"
+      local y, x = tonumber(a), tonumber(b)
+      if wants == "density" or wants == "thickness" then
+        if not y then trouble(path, i, "expected a number, got '" .. l .. "'") end
+        out[wants], wants = y / (wants == "density" and u.density or u.length), nil
+      else
+        if not (x and y) then trouble(path, i, "expected a stress and a strain, got '" .. l .. "'") end
+        local n = #wants.x
+        if n > 0 and x <= wants.x[n] then trouble(path, i, ("expected a strain above %g, got %g"):format(wants.x[n], x)) end
+        wants.x[n + 1], wants.y[n + 1] = x, y / u.stress
+      end
+    end
+  end
+  if not out.fabric then fail(("card: %s: there is no *FABRIC"):format(path)) end
+  for _, name in ipairs { "warp", "weft", "shear" } do
+    local p = out[name]
+    if not p or #p.loading.x < 2 then fail(("card: %s: *FABRIC has no *LOADING DATA in tension for the %s"):format(path, name)) end
+    p.loading = positive(path, p.loading)
+    p.unloading = p.unloading and positive(path, p.unloading) or p.loading
+    p.meet, p.slope = { p.loading.x[#p.loading.x], p.loading.y[#p.loading.y] }, p.loading.y[2] / p.loading.x[2]
+  end
+  return out
+end
+
+return read

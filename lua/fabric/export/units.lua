@@ -1,0 +1,39 @@
+-- Systems of units that a solver's deck is written in. The solvers know no units: all that counts is that the numbers fit together.
+local units = {}
+
+-- What one SI unit is in the system: a value in SI times its factor is the value written.
+local systems = {
+  ["SI"] = { length = 1, mass = 1, time = 1, words = "m, kg, s, N, Pa" },
+  ["mm-t-s"] = { length = 1e3, mass = 1e-3, time = 1, words = "mm, t, s, N, MPa" },
+  ["mm-kg-ms"] = { length = 1e3, mass = 1, time = 1e3, words = "mm, kg, ms, kN, GPa" },
+}
+units.names = { "mm-t-s", "mm-kg-ms", "SI" }
+
+-- The system of that name: factors length, mass, time, stress, density, force, rigidity (N.m), acceleration, velocity; name, words.
+function units.of(name)
+  local s = systems[name]
+  return {
+    name = name, words = s.words, length = s.length, mass = s.mass, time = s.time,
+    stress = s.mass / (s.length * s.time ^ 2), density = s.mass / s.length ^ 3, force = s.mass * s.length / s.time ^ 2,
+    moment = s.mass * s.length ^ 2 / s.time ^ 2, acceleration = s.length / s.time ^ 2, velocity = s.length / s.time,
+  }
+end
+
+-- A number in at most `width` characters, with as many digits as fit; never wider.
+function units.fixed(x, width)
+  if math.type(x) == "integer" then return ("%" .. width .. "d"):format(x) end
+  for digits = math.min(12, width), 1, -1 do
+    local text = ("%." .. digits .. "g"):format(x)
+    if #text < width then return (" "):rep(width - #text) .. text end
+  end
+  error(("a number that %d columns can't hold: %s"):format(width, x))
+end
+
+-- A line of fields of one width.
+function units.line(width, values)
+  local out = {}
+  for i, v in ipairs(values) do out[i] = v == "" and (" "):rep(width) or units.fixed(v, width) end
+  return table.concat(out)
+end
+
+return units

@@ -1,0 +1,302 @@
+-- fabric.lab.bias_sizes: one shear curve from bias pulls of several sizes, with what the free edges do as a length of its own.
+--
+--      |  fixed  |      The yarns of the middle zone (sheared by gamma) and of the mixed ones (gamma/2) end at the free edges, the middle
+--      |\ mixed /|<-- w over h - 2w of each side, the mixed ones over w above and below. There they slip past each other and pull out, so
+--      | \     / |      that a strip of width e carries nothing. The work of the grips is then shared between areas that lack the strip,
+--      | middle  |
+--      | /     \ |      F (h/w - 1)(cos g/2 - sin g/2) = ((2h - 3w) - 4e (h - 2w)/w) cos g N(g) + (w - 4e) cos g/2 N(g/2),
+--
+-- which for e = 0 is the rule of [cao2008] in fabric.lab.bias_shear. Long specimens have more edge beside their middle zone than short ones
+-- (one of h = 2w has none), so that two sizes tell e. A negative one says that the edges hold more than their share.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local linear = require "fabric.lab.linear"
+local origin = require "fabric.lab.origin"
+local angle_of = require("fabric.lab.frames").bias_angle
+local fail = define.fail
+
+local believed = 2     -- deviations of the edge from which on it is one
+local most_edge = 0.2  -- of the smallest width: the mixed zones carry something still
+local stiff = 1e-3     -- of the diagonal, on second differences of the curve: gamma and gamma/2 together let neighbours swing
+
+-- What multiplies N at gamma and at gamma/2 in the grips' force, for an edge e.
+local function shares(size, gamma, e)
+  local w, h = size.width, size.length
+  local arm = (h / w - 1) * (math.cos(gamma / 2) - math.sin(gamma / 2))
+  return ((2 * h - 3 * w) - 4 * e * (h - 2 * w) / w) * math.cos(gamma) / arm, (w - 4 * e) * math.cos(gamma / 2) / arm
+end
+
+-- Adds `factor` times the curve's value at gamma to a row of the knots' coefficients. The first knot stands at no shear and need not be zero:
+-- friction holds from the start.
+local function add(row, spacing, gamma, factor)
+  local place = gamma / spacing
+  local k = math.min(math.floor(place), #row - 2)
+  row[k + 1] = row[k + 1] + factor * (k + 1 - place)
+  row[k + 2] = row[k + 2] + factor * (place - k)
+end
+
+local function row_of(size, gamma, e, spacing, knots)
+  local row = {}
+  for k = 1, knots + 1 do row[k] = 0.0 end
+  local whole, half = shares(size, gamma, e)
+  add(row, spacing, gamma, whole)
+  add(row, spacing, gamma / 2, half)
+  return row
+end
+
+local function dot(a, b)
+  local sum = 0
+  for k, x in ipairs(a) do sum = sum + x * b[k] end
+  return sum
+end
+
+-- The curve's knots for a given edge by least squares, every size by its own peak; and the sum of squares.
+local function curve_for(state, e)
+  local n = state.knots + 1
+  local A, b, sum = linear.zeros(n), {}, 0
+  for k = 1, n do b[k] = 0.0 end
+  for _, size in ipairs(state.sizes) do
+    local weight = 1 / (size.peak ^ 2 * #size.gamma)
+    for i, gamma in ipairs(size.gamma) do
+      local row, F = row_of(size, gamma, e, state.spacing, state.knots), size.scale * size.force[i]
+      for j = 1, n do
+        b[j] = b[j] + weight * row[j] * F
+        if row[j] ~= 0 then
+          for k = 1, n do A[j][k] = A[j][k] + weight * row[j] * row[k] end
+        end
+      end
+    end
+  end
+  local diagonal = 0
+  for k = 1, n do diagonal = diagonal + A[k][k] / n end
+  for k = 2, n - 1 do
+    local second = { [k - 1] = 1, [k] = -2, [k + 1] = 1 }
+    for i, x in pairs(second) do
+      for j, y in pairs(second) do A[i][j] = A[i][j] + stiff * diagonal * x * y end
+    end
+  end
+  local N = linear.solve(A, b)
+  for _, size in ipairs(state.sizes) do
+    for i, gamma in ipairs(size.gamma) do
+      sum = sum + (dot(row_of(size, gamma, e, state.spacing, state.knots), N) - size.scale * size.force[i]) ^ 2 / (size.peak ^ 2 * #size.gamma)
+    end
+  end
+  return N, sum
+end
+
+-- The edge with the least sum of squares: the best of forty, then the golden section around it.
+local tries, golden = 40, (math.sqrt(5) - 1) / 2
+local function edge_of(state, most)
+  local best, least = 0, math.huge
+  for i = -tries // 2, tries // 2 do
+    local _, sum = curve_for(state, 2 * most * i / tries)
+    if sum < least then best, least = 2 * most * i / tries, sum end
+  end
+  local low, high = math.max(-most, best - 2 * most / tries), math.min(most, best + 2 * most / tries)
+  for _ = 1, 25 do
+    local a, b = high - golden * (high - low), low + golden * (high - low)
+    local _, at_a = curve_for(state, a)
+    local _, at_b = curve_for(state, b)
+    if at_a <= at_b then high = b else low = a end
+  end
+  return (low + high) / 2
+end
+
+-- The edge and curves, and those that would be found if one of the sizes had shown more by the scatter of specimens, one after the other.
+local function solve(state, most, scatter, edges)
+  local function once()
+    local e = edges and edge_of(state, most) or 0
+    return { edge = e, N = curve_for(state, e) }
+  end
+  local found, moved = once(), {}
+  for i, size in ipairs(state.sizes) do
+    size.scale = 1 + scatter
+    moved[i] = once()
+    size.scale = 1
+  end
+  return found, moved
+end
+
+-- Force of a size, its deviation (of one specimen), and the angle, at some displacements.
+local function force_of(state, answer, size, displacement)
+  local out = { displacement = displacement, force = {}, deviation = {}, angle = {}, low = {}, high = {} }
+  for i, d in ipairs(displacement) do
+    local gamma = angle_of(size, d)
+    local function at(a) return dot(row_of(size, gamma, a.edge, state.spacing, state.knots), a.N) end
+    local F = at(answer.found)
+    local variance = (state.scatter * F) ^ 2
+    for _, moved in ipairs(answer.moved) do variance = variance + (at(moved) - F) ^ 2 end
+    out.force[i], out.deviation[i], out.angle[i] = F, math.sqrt(variance), math.deg(gamma)
+    out.low[i], out.high[i] = F - 1.96 * out.deviation[i], F + 1.96 * out.deviation[i]
+  end
+  return out
+end
+
+-- Rows of a specimen within the limit: angle and force.
+local function prepared(t, i, s)
+  for _, name in ipairs { "displacement", "force" } do
+    if type(s[name]) ~= "table" then fail(("bias_sizes: field 'specimens[%d].%s': expected a table of numbers, got %s"):format(i, name, tostring(s[name]))) end
+  end
+  for _, name in ipairs { "width", "length" } do
+    if type(s[name]) ~= "number" then fail(("bias_sizes: field 'specimens[%d].%s': expected a length in m, got %s"):format(i, name, tostring(s[name]))) end
+  end
+  local shear = fabric.lab.bias_shear { displacement = s.displacement, force = s.force, width = s.width, length = s.length, thickness = t.thickness,
+    limit = t.limit, cut = true }
+  local out = { width = s.width, length = s.length, name = s.name or ("%g x %g mm"):format(s.width * 1e3, s.length * 1e3), gamma = {}, force = {},
+    displacement = {}, peak = 0, scale = 1 }
+  for k, row in ipairs(shear.rows) do
+    out.gamma[k], out.force[k], out.displacement[k] = math.rad(shear.angle[k]), s.force[row], s.displacement[row]
+    out.peak = math.max(out.peak, s.force[row])
+  end
+  if #out.gamma < 3 then fail(("bias_sizes: field 'specimens[%d]': expected at least 3 rows within %g degrees, got %d"):format(i, t.limit, #out.gamma)) end
+  if not (out.gamma[#out.gamma] > 1e-6) then
+    fail(("bias_sizes: field 'specimens[%d].length': expected a specimen that its displacement shears, got %g m"):format(i, s.length))
+  end
+  return out
+end
+
+-- reach: the largest angle that is asked about.
+local function misfit(state, answer, size, reach)
+  local n = 0
+  while n < #size.gamma and size.gamma[n + 1] <= (reach or math.huge) do n = n + 1 end
+  local predicted, sum = force_of(state, answer, size, table.move(size.displacement, 1, n, 1, {})), 0
+  for i, F in ipairs(predicted.force) do sum = sum + (F - size.force[i]) ^ 2 end
+  return { rms = math.sqrt(sum / n) / size.peak, at_end = predicted.force[n] / size.force[n] - 1, predicted = predicted }
+end
+
+-- Lengths over widths that differ by less tell nothing of the edges: what they lose goes with h - 2w over 2h - 3w.
+local function tells_edges(sizes)
+  local low, high = math.huge, -math.huge
+  for _, s in ipairs(sizes) do
+    local loss = (4 * (s.length - 2 * s.width) / s.width + 4) / (2 * s.length - 2 * s.width) -- of all that carries, per length of e
+    low, high = math.min(low, loss), math.max(high, loss)
+  end
+  return high > 1.05 * low
+end
+
+local function curve_out(state, answer, thickness)
+  local out = { angle = {}, normal_force = {}, deviation = {}, E12 = {}, S12 = {} }
+  for k, N in ipairs(answer.found.N) do
+    local variance = 0
+    for _, moved in ipairs(answer.moved) do variance = variance + (moved.N[k] - N) ^ 2 end
+    local gamma = (k - 1) * state.spacing
+    out.angle[k], out.normal_force[k], out.deviation[k] = math.deg(gamma), N, math.sqrt(variance)
+    out.E12[k], out.S12[k] = math.sin(gamma) / 2, N / thickness
+  end
+  return out
+end
+
+-- The curve as the shear of a card, rising.
+local function card_part(t, state, out)
+  local points = fabric.lab.monotone { curves = { { E = table.move(out.curve.E12, 2, #out.curve.E12, 1, {}), S = table.move(out.curve.S12, 2, #out.curve.S12, 1, {}) } },
+    bins = math.max(2, state.knots) }
+  local part = { loading = points, tested = points[#points][1] }
+  origin.remember(part, { loading = ("fitted to %d bias pulls of %s together, monotone curve up to %g degrees%s"):format(#t.specimens, out.names, t.limit,
+    out.edges and (", edges of %.3g mm that carry nothing"):format(out.edge * 1e3) or "") })
+  return part
+end
+
+local function text_of(out)
+  local lines = {}
+  if out.edge_deviation then
+    lines[1] = ("edges (slip of edge yarns, pull-out): %+.3g mm on either side carry nothing, deviation %.2g"):format(out.edge * 1e3, out.edge_deviation * 1e3)
+      .. (out.edges and "" or out.edge_on_bound and ": the bound; no edge of a fifth of the width explains how these sizes differ; taken as none" or ": these sizes do not tell them from how specimens and laboratories differ; taken as none")
+  else
+    lines[1] = "edges: not told apart from the curve by specimens so alike in shape; taken as none"
+  end
+  for i, s in ipairs(out.specimens) do
+    lines[#lines + 1] = ("%s: rms %.2f %% of the peak with edges, %.2f %% without; at the end %+.1f %%, %+.1f %%%s"):format(s.name, 100 * s.rms,
+      100 * s.without.rms, 100 * s.at_end, 100 * s.without.at_end, out.left_out[i]
+      and ("; left out: rms %.2f %%, at the end %+.1f %%"):format(100 * out.left_out[i].rms, 100 * out.left_out[i].at_end) or "")
+  end
+  return table.concat(lines, "\n")
+end
+
+-- Each size predicted from the others, as far as these were sheared; with edges where all of them together told of them.
+local function leave_out(state, t, most, edges)
+  local out = {}
+  for i, held in ipairs(state.sizes) do
+    local others, reach = {}, 0
+    for k, s in ipairs(state.sizes) do
+      if k ~= i then others[#others + 1], reach = s, math.max(reach, s.gamma[#s.gamma]) end
+    end
+    if #others > 0 then
+      local part = { sizes = others, knots = state.knots, spacing = reach / state.knots, scatter = t.scatter }
+      local found, moved = solve(part, most, t.scatter, edges and tells_edges(others))
+      out[i] = misfit(part, { found = found, moved = moved }, held, reach)
+    end
+  end
+  return out
+end
+
+local function bias_sizes(t)
+  local state, largest, narrow, names, seen = { sizes = {}, knots = t.knots, scatter = t.scatter }, 0, math.huge, {}, {}
+  if #t.specimens == 0 then fail "bias_sizes: field 'specimens': expected at least one, got none" end
+  for i = 1, #t.specimens do
+    if type(t.specimens[i]) ~= "table" then
+      fail(("bias_sizes: field 'specimens[%d]': expected {displacement=, force=, width=, length=}, got %s"):format(i, tostring(t.specimens[i])))
+    end
+    local size = prepared(t, i, t.specimens[i])
+    state.sizes[i] = size
+    largest, narrow = math.max(largest, size.gamma[#size.gamma]), math.min(narrow, size.width)
+    if not seen[size.name] then names[#names + 1], seen[size.name] = size.name, true end
+  end
+  state.spacing = largest / t.knots
+  local most, told = most_edge * narrow, t.edges and tells_edges(state.sizes)
+  local answer, plain = {}, {}
+  answer.found, answer.moved = solve(state, most, t.scatter, told)
+  plain.found, plain.moved = solve(state, most, t.scatter, false)
+  local out = { edge = answer.found.edge, edges = false, specimens = {}, names = table.concat(names, ", ") }
+  if told then
+    local variance = 0
+    for _, moved in ipairs(answer.moved) do variance = variance + (moved.edge - out.edge) ^ 2 end
+    out.edge_deviation = math.sqrt(variance)
+    out.edge_on_bound = math.abs(out.edge) > 0.99 * most
+    out.edges = not out.edge_on_bound and math.abs(out.edge) > believed * out.edge_deviation
+  end
+  if not out.edges then answer = plain end
+  out.left_out, out.curve = leave_out(state, t, most, out.edges), curve_out(state, answer, t.thickness)
+  for i, size in ipairs(state.sizes) do
+    out.specimens[i] = misfit(state, answer, size)
+    out.specimens[i].name, out.specimens[i].without = size.name, misfit(state, plain, size)
+  end
+  out.shear = card_part(t, state, out)
+  out.predict = function(_, size)
+    if type(size) ~= "table" or type(size.displacement) ~= "table" or type(size.width) ~= "number" or type(size.length) ~= "number" then
+      fail "bias_sizes: predict: expected { displacement={...}, width=, length= } in m"
+    end
+    local reach = largest * (1 + 1e-9)
+    for i, d in ipairs(size.displacement) do
+      local gamma = type(d) == "number" and angle_of(size, d)
+      if not gamma or not (gamma >= 0 and gamma <= reach) then
+        fail(("bias_sizes: predict: expected displacements up to %.4g m, the angle of %.3g degrees that was measured, got %s at place %d"):format(
+          (math.sqrt(2) * math.cos(math.pi / 4 - largest / 2) - 1) * (size.length - size.width), math.deg(largest), tostring(d), i))
+      end
+    end
+    return force_of(state, size.edges == false and plain or answer, size, size.displacement)
+  end
+  out.text = text_of(out)
+  return out
+end
+
+define {
+  name = "fabric.lab.bias_sizes",
+  arguments = {
+    { name = "specimens", kind = "table", sentence = "bias pulls: { {displacement=, force=, width=, length=, name=}, ... }, m and N, of one size or several" },
+    { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of the cloth" },
+    { name = "limit", kind = "number", unit = "degrees", above = 0, high = 60, default = 30, sentence = "angle up to which rows count" },
+    { name = "knots", kind = "integer", low = 3, high = 40, default = 10, sentence = "of the curve, at equal angles, straight between them" },
+    { name = "edges", kind = "boolean", default = true, sentence = "the free edges play a part, if the sizes tell it" },
+    { name = "scatter", kind = "number", low = 0, high = 0.5, default = 0.04, sentence = "relative deviation of one specimen, for the bands" },
+  },
+  sentence = "One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), "
+    .. "edge_deviation, edges (whether that is more than two of its deviations and not its bound, a fifth of the width; else the rest does without), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = "
+    .. "{rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high "
+    .. "(95 % of specimens), angle}, text.",
+  example = "local lab, d = require 'fabric'.lab, {}\nfor i = 1, 20 do d[i] = 1e-3 * i end\nlocal sizes = { {0.1, 0.3}, {0.08, 0.16} }\n"
+    .. "local specimens, card = {}, require 'fabric'.card 'blend'\nfor i, s in ipairs(sizes) do\n"
+    .. "  specimens[i] = { displacement=d, width=s[1], length=s[2], force=lab.bias_shear{ displacement=d, card=card, width=s[1], length=s[2], limit=60 }.force }\n"
+    .. "end\nlocal b = lab.bias_sizes{ specimens=specimens, thickness=card.thickness, limit=15 }\n"
+    .. "assert(not b.edges and b.specimens[2].rms < 0.01)",
+  run = bias_sizes,
+}

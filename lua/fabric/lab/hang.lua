@@ -1,0 +1,216 @@
+-- fabric.lab.cantilever, heart_loop and twist: cloth that bends under its own weight, as a laboratory hangs it [astm_d1388].
+local fabric = require "fabric"
+local define = require "fabric.define"
+local rows = require "fabric.lab.rows"
+
+-- B at rest along a direction (degrees from the warp), N.m: the card's own, or that of its thickness; off the yarns that of a sheet
+-- bent to a cylinder.
+local function rigidity(card, direction)
+  local function along(name)
+    local own = card.bending and card.bending[name]
+    if type(own) == "table" then return type(own[1]) == "table" and own[2][2] / own[2][1] or own[1] end
+    if own then return own end
+    local e = 1e-6
+    return fabric.point(card):uniaxial(name, e).S / e * card.thickness ^ 3 / 12
+  end
+  local warp, weft = along "warp", along "weft"
+  local twist = card.bending and card.bending.twist or math.sqrt(warp * weft) / 2
+  local c, s = math.cos(math.rad(direction)) ^ 2, math.sin(math.rad(direction)) ^ 2
+  return c * c * warp + s * s * weft + 4 * c * s * twist
+end
+
+local names = { warp = 0, weft = 90 }
+local function degrees(direction) return names[direction] or direction end
+
+-- A strip from x = 0 to its length, its yarns turned so that x is the test's direction.
+local function strip(t, length)
+  local direction = degrees(t.direction)
+  local along = math.abs(math.sin(math.rad(2 * direction))) < 1e-9
+  local across = along and 1 or math.max(2, math.ceil(t.cells * t.width / length))
+  local mesh = fabric.mesh.rectangle { width = length, height = t.width, nx = t.cells, ny = across }
+  local options = { mesh = mesh, card = t.card, warp = -direction }
+  return mesh, fabric.model(options)
+end
+
+-- The middle line of a strip: { x, z } from the held end on.
+local function line(a, t, mesh)
+  local out, across = {}, #mesh.nodes // (t.cells + 1)
+  for i = 1, t.cells + 1 do
+    local x, z = 0, 0
+    for j = 0, across - 1 do
+      local p = a:node(i + j * (t.cells + 1))
+      x, z = x + p.x, z + p.z
+    end
+    out[i] = { x / across, z / across }
+  end
+  return out
+end
+
+local function areal(t) return t.card.density * t.card.thickness end
+
+-- How far the tip of an overhang hangs below the edge, as the angle of its chord, degrees.
+local function hang(t, overhang)
+  local mesh, model = strip(t, overhang)
+  model:fix("left", "x y z rotation"):gravity { 0, 0, fabric.ramp(-t.gravity, 1) }
+  local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, tolerance = t.tolerance, max_cuts = 12 }:solve()
+  local shape = line(a, t, mesh)
+  local tip = shape[#shape]
+  return math.deg(math.atan(-tip[2], tip[1])), shape, a
+end
+
+local shared = {
+  { name = "card", of = "card", sentence = "the fabric" },
+  { name = "direction", kind = "text|number", unit = "degrees", choices = { "warp", "weft" }, default = "warp",
+    sentence = "of the strip: warp, weft or an angle from the warp" },
+}
+local rest = {
+  { name = "cells", kind = "integer", low = 4, optional = true, sentence = "along the strip; default: 40, of a loop 80" },
+  { name = "steps", kind = "integer", low = 1, default = 5, sentence = "in which the weight comes, at least" },
+  { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.80665, sentence = "of the place" },
+  { name = "tolerance", kind = "number", above = 0, default = 1e-9, sentence = "as for fabric.static" },
+}
+
+define {
+  name = "fabric.lab.cantilever",
+  arguments = rows(shared, {
+    { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strip" },
+    { name = "angle", kind = "number", unit = "degrees", above = 0, high = 80, default = 41.5, sentence = "of the plane that the tip is to touch" },
+    { name = "overhang", kind = "number", unit = "m", above = 0, optional = true, sentence = "one overhang, in place of the one whose tip touches the plane" },
+  }, rest),
+  sentence = "Cantilever test [astm_d1388]: a strip is pushed over an edge until its tip touches a plane below. Returns overhang and bending_length "
+    .. "(half of it), m, rigidity (weight times its cube, N.m), angle (of the chord, degrees), shape (the middle line, {x, z}), analysis.",
+  example = "local fabric = require 'fabric'\nlocal card = fabric.card 'blend':with{ bending={ warp=15e-6, weft=12e-6, twist=7e-6 } }\n"
+    .. "local r = fabric.lab.cantilever{ card=card, cells=10 }\nassert(math.abs(r.rigidity / 15e-6 - 1) < 0.02 and math.abs(r.angle - 41.5) < 0.01)",
+  run = function(t)
+    t.cells = t.cells or 40
+    local weight = areal(t) * t.gravity
+    local function result(overhang, angle, shape, a)
+      return { overhang = overhang, bending_length = overhang / 2, rigidity = weight * (overhang / 2) ^ 3, angle = angle, shape = shape, analysis = a }
+    end
+    if t.overhang then return result(t.overhang, hang(t, t.overhang)) end
+    -- The angle over the logarithm of the overhang is nearly straight: secants, from the elastica's answer on.
+    local wanted = t.angle
+    local function off(log)
+      local angle, shape, a = hang(t, math.exp(log))
+      return angle - wanted, shape, a
+    end
+    local x0 = math.log((rigidity(t.card, degrees(t.direction)) / weight) ^ (1 / 3) * 2 * (wanted / 41.5) ^ (1 / 3))
+    local y0, shape, a = off(x0)
+    local slope = 75 -- degrees per unit of the logarithm, about 41.5
+    for _ = 1, 12 do
+      if math.abs(y0) < 1e-3 then return result(math.exp(x0), y0 + wanted, shape, a) end
+      local x1 = x0 - math.max(-0.4, math.min(0.4, y0 / slope))
+      local y1
+      y1, shape, a = off(x1)
+      if math.abs(x1 - x0) > 1e-9 then slope = math.max(10, (y1 - y0) / (x1 - x0)) end
+      x0, y0 = x1, y1
+    end
+    define.fail(("cantilever: no overhang found whose tip touches the plane at %g degrees: the last one, %.4g m, hangs at %.4g"):format(wanted,
+      math.exp(x0), y0 + wanted))
+  end,
+}
+
+-- Half of a loop. For the first second it is rolled to an arc, its root upright, its end face down, which takes no force; in the
+-- next one the end is brought under the root and the weight comes.
+--
+--        __            root at x = 0, upright; end at x = 0, horizontal: the other half is its mirror image
+--       /  \
+--      |    |          height: from the grip down to the end; without weight 0.1337 of the whole strip
+--   ---'   /
+--      \__/
+local function loop(t)
+  local half = t.length / 2
+  local mesh, model = strip(t, half)
+  -- In its plane, as the two grips hold it: by itself it would turn aside.
+  mesh:set("inside", function(x) return x > 0 and x < half * (1 - 1e-9) end)
+  model:fix("left", "x y z"):fix("all", "y"):fix("inside", "rx")
+  local function turned(set, angle) model:turn(set, { axis = { 0, 1, 0 }, angle = fabric.ramp(angle, 1) }) end
+  turned("left", -90)
+  turned("right", 180)
+  local function place(time) -- of the end, over half
+    if time == 0 then return 1 end
+    local turn = 1.5 * math.pi * math.min(time, 1)
+    local arc = (math.sin(turn / 3) + math.sin(turn * 2 / 3)) / turn
+    return time <= 1 and arc or arc * math.max(0, 2 - time)
+  end
+  model:move("right", { x = function(time) return half * (place(time) - 1) end })
+  model:gravity { 0, 0, fabric.history { { 0, 0 }, { 1, 0 }, { 2, -t.gravity } } }
+  local a = fabric.static { model = model, duration = 2, step = 1 / math.max(t.steps, 10), tolerance = t.tolerance, max_cuts = 16 }
+  local shape = line(a:solve(), t, mesh)
+  return -shape[#shape][2], shape, a
+end
+
+define {
+  name = "fabric.lab.heart_loop",
+  arguments = rows(shared, {
+    { name = "length", kind = "number", unit = "m", above = 0, default = 0.15, sentence = "of the strip, between the grips" },
+    { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strip" },
+  }, rest),
+  sentence = "Heart loop test [astm_d1388]: a strip's ends are held together, upright, and it hangs down as a heart. Returns height (from the grip to "
+    .. "the lowest point, m), bending_length (of the standard's formula, m), rigidity (N.m), shape (one half, {x, z}), "
+    .. "analysis.",
+  example = "local fabric = require 'fabric'\nlocal card = fabric.card 'blend':with{ bending={ warp=15e-6, weft=12e-6, twist=7e-6 } }\n"
+    .. "local r = fabric.lab.heart_loop{ card=card, cells=16, length=0.1 }\nassert(r.height > 0.1337 * 0.1 and r.height < 0.5 * 0.1)",
+  run = function(t)
+    if math.abs(math.sin(math.rad(2 * degrees(t.direction)))) > 1e-9 then
+      define.fail "heart_loop: field 'direction': expected warp or weft (0 or 90 degrees): off the yarns a loop twists out of its plane"
+    end
+    t.cells = t.cells or 80
+    local height, shape, a = loop(t)
+    -- c = l0 f(theta), theta = 32.85 degrees d / l0, d the height less l0 = 0.1337 L.
+    local l0 = 0.1337 * t.length
+    local angle = math.rad(32.85 * (height - l0) / l0)
+    local c = angle > 0 and l0 * (math.cos(angle) / math.tan(angle)) ^ (1 / 3) or math.huge
+    return { height = height, bending_length = c, rigidity = areal(t) * t.gravity * c ^ 3, shape = shape, analysis = a }
+  end,
+}
+
+-- The strip at 45 degrees of cloth with these rigidities as a cantilever shows it, N.m.
+local function shown_at_45(t, twist)
+  local thickness, mass = 0.4e-3, t.areal_mass or 0.2
+  local card = fabric.svk { name = "strip", warp = 50e6, weft = 50e6, shear = 1e6, poisson = 0, density = mass / thickness, thickness = thickness,
+    bending = { warp = t.warp, weft = t.weft, twist = twist } }
+  return fabric.lab.cantilever { card = card, direction = 45, width = t.width, cells = 20 }.rigidity
+end
+
+define {
+  name = "fabric.lab.twist",
+  arguments = {
+    { name = "warp", kind = "number", unit = "N.m", above = 0, sentence = "rigidity of the strip along the warp; with areal_mass its bending length, m" },
+    { name = "weft", kind = "number", unit = "N.m", above = 0, sentence = "likewise" },
+    { name = "bias", kind = "number", unit = "N.m", above = 0, sentence = "likewise, of the strip at 45 degrees" },
+    { name = "areal_mass", kind = "number", unit = "kg/m^2", above = 0, optional = true, sentence = "then the three are bending lengths c, B = 9.80665 areal_mass c^3" },
+    { name = "simulate", kind = "boolean", default = false, sentence = "until a simulated cantilever of that width shows the bias, some seconds" },
+    { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strips" },
+  },
+  sentence = "The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. "
+    .. "Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where only a twist of nothing or "
+    .. "less would do) and words.",
+  example = "local r = require 'fabric'.lab.twist{ warp=16e-6, weft=8e-6, bias=10e-6 }\nassert(r.reached and math.abs(r.bending.twist - 4e-6) < 1e-15)",
+  run = function(t)
+    if t.areal_mass then
+      for _, name in ipairs { "warp", "weft", "bias" } do t[name] = 9.80665 * t.areal_mass * t[name] ^ 3 end
+    end
+    local least = 0.02 * math.sqrt(t.warp * t.weft) -- of a sheet that hardly resists a twist
+    local without = (t.warp + t.weft) / 4
+    local twist, reached = t.bias - without, true
+    if twist <= least and not t.simulate then twist, reached = least, false end
+    local bias = without + twist
+    if t.simulate then
+      twist = math.max(twist, least)
+      bias = shown_at_45(t, twist)
+      for _ = 1, 8 do -- what the strip shows rises by a little less than the twist does
+        if math.abs(bias / t.bias - 1) < 1e-3 or not reached then break end
+        reached = twist > least or bias < t.bias
+        twist = math.max(least, twist + t.bias - bias)
+        bias = shown_at_45(t, twist)
+      end
+      if not reached then without = bias - twist end
+    end
+    local words = ("twist %.4g uN.m, so that a strip at 45 degrees shows %.4g (given %.4g)"):format(twist * 1e6, bias * 1e6, t.bias * 1e6)
+    if not reached then
+      words = words .. (": the yarns alone, with no resistance to twisting, would show %.4g; a positive twist cannot bring it below that"):format(without * 1e6)
+    end
+    return { bending = { warp = t.warp, weft = t.weft, twist = twist }, bias = bias, reached = reached, words = words }
+  end,
+}

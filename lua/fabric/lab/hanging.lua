@@ -1,0 +1,38 @@
+-- A card of a cloth of which only bending and mass were measured: its in-plane part is that of the card 'worsted' in force per width,
+-- the one apparel cloth of the library that was pulled and sheared under the small loads of hanging cloth. The card says so.
+local fabric = require "fabric"
+
+local density = 400 -- kg/m^3, where the thickness was not measured; the thesis' four have 350 to 590
+local words = "assumed: force per width as of the card 'worsted', since nothing was pulled or sheared"
+
+local function scaled(list, factor)
+  local out = {}
+  for i, v in ipairs(list) do out[i] = v * factor end
+  return out
+end
+
+-- Rigidities from cantilevers along warp, weft and at 45 degrees, N.m. A narrow strip at 45 degrees has 4/B45 = 1/B1 + 1/B2 + 1/twist.
+local function of_cantilevers(B)
+  return { warp = B[1], weft = B[2], twist = 1 / (4 / B[3] - 1 / B[1] - 1 / B[2]) },
+    "measured: cantilevers in three directions, initial rigidity; twist from 45 degrees"
+end
+
+-- t: name, source, mass (kg/m^2); thickness (m) where it was measured; cantilevers (three rigidities, nN.m), or bending as in
+-- fabric.woven with bending_told, where it comes from.
+return function(t)
+  local bending, told = t.bending, t.bending_told
+  if t.cantilevers then bending, told = of_cantilevers(scaled(t.cantilevers, 1e-9)) end
+  local thickness = t.thickness or t.mass / density
+  local provenance = { bending = told, thickness = t.thickness and "measured" or "assumed: the measured areal mass over 400 kg/m3",
+    density = t.thickness and "measured: areal mass over the thickness" or "assumed: 400 kg/m3" }
+  local worsted, parts = fabric.card "worsted", {}
+  local factor = worsted.thickness / thickness
+  for _, name in ipairs { "warp", "weft", "shear" } do
+    local part = worsted[name]
+    parts[name] = { loading = scaled(part.loading, factor), unloading = part.unloading * factor, poisson = part.poisson, measure = part.measure }
+    provenance[name .. ".loading"], provenance[name .. ".unloading"] = words, words
+    if part.poisson then provenance[name .. ".poisson"] = words end
+  end
+  return fabric.woven { name = t.name, source = t.source, density = t.mass / thickness, thickness = thickness, warp = parts.warp, weft = parts.weft,
+    shear = parts.shear, tested = worsted.tested, bending = bending, provenance = provenance }
+end

@@ -1,0 +1,394 @@
+-- fabric.lab.pool: parameters from several specimens, sizes, laboratories and speeds at once.
+--
+-- Specimen i shows (1 + b_i) times what the model says, with b_i of deviation `between` and the noise of its points on top; all tests share
+-- what the mesh does to their simulations. So the covariance of what was measured is
+--
+--     C = N + between^2 sum_i f_i f_i^T + mesh^2 f f^T
+--
+-- (N: noise, diagonal; f_i: what the model says of the points of one specimen, f: of all that were simulated on a mesh), and parameters are
+-- those of least squares with it. `between` is what makes the specimens' own factors scatter as they do [paule1982]; the mesh's part is what two meshes leave open
+-- once they are extrapolated. Taken for noise alone, a hundred points of a specimen would count as a hundred specimens.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local check = require "fabric.lab.identify_check"
+local identify = require "fabric.lab.identify"
+local linear = require "fabric.lab.linear"
+local fail = define.fail
+
+local rounds, settled = 6, 0.02 -- of fitting and looking how specimens differ; change of `between` that ends them
+
+local function largest_of(list)
+  local largest = 0
+  for _, y in ipairs(list) do largest = math.max(largest, math.abs(y)) end
+  return largest
+end
+
+local function noise_of(test, k) return type(test.noise) == "table" and test.noise[k] or test.noise or 0.01 * test.peak end
+
+local function dot(a, b)
+  local sum = 0
+  for k, x in ipairs(a) do sum = sum + x * b[k] end
+  return sum
+end
+
+-- A list without its correlation along a direction: covariance 1 + variance * u u^T, whose root is taken off.
+local function whitened(list, u, variance)
+  local square = dot(u, u)
+  if variance == 0 or square == 0 then return list end
+  local part, out = (1 - 1 / math.sqrt(1 + variance * square)) * dot(u, list) / square, {}
+  for k, x in ipairs(list) do out[k] = x - part * u[k] end
+  return out
+end
+
+-- Of each test, what the model said (the round before) over the noise. Measured values in its place would make a low specimen seem the more
+-- certain one, and all that is fitted too low.
+local function directions(t, predicted)
+  local out = {}
+  for i, test in ipairs(t.tests) do
+    out[i] = {}
+    for k, y in ipairs(predicted and predicted[i] or test.measured) do out[i][k] = y / noise_of(test, k) end
+  end
+  return out
+end
+
+-- What makes residuals (over their noise, all tests one behind the other) independent of deviation 1.
+local function whitener(t, predicted, between, mesh)
+  local own, along = directions(t, predicted), {}
+  for i, test in ipairs(t.tests) do
+    local u = whitened(own[i], own[i], between ^ 2)
+    for k = 1, #u do along[#along + 1] = test.finer and u[k] or 0 end
+  end
+  return function(residuals)
+    local out, at = {}, 0
+    for i in ipairs(t.tests) do
+      local part = whitened(table.move(residuals, at + 1, at + #own[i], 1, {}), own[i], between ^ 2)
+      table.move(part, 1, #part, at + 1, out)
+      at = at + #part
+    end
+    return whitened(out, along, mesh ^ 2)
+  end
+end
+
+-- The tests as fabric.lab.identify takes them: the speed's part on the prediction, and what the mesh is known to do.
+local function for_identify(t, factors)
+  local out = {}
+  for i, test in ipairs(t.tests) do
+    out[i] = { name = test.name, measured = test.measured, noise = test.noise, predict = function(p)
+      local values = t.predicted(i, p)
+      if not factors[i] then return values end
+      local corrected = {}
+      for k, y in ipairs(values) do corrected[k] = y * (factors[i][k] or 1) end
+      return corrected
+    end }
+  end
+  return out
+end
+
+-- Prediction of a test with the speed's part: force * (1 + p.rate ln(rate / reference)).
+local function with_rate(t, i, p, predict)
+  local test, out = t.tests[i], {}
+  local factor = t.rate and 1 + p.rate * math.log(test.rate / t.rate.reference) or 1
+  local values = (predict or test.predict)(p)
+  if type(values) ~= "table" or #values ~= #test.measured then
+    error(("test '%s': expected %d predicted numbers, got %s"):format(test.name, #test.measured, type(values) == "table" and #values or tostring(values)), 0)
+  end
+  for k, y in ipairs(values) do out[k] = y * factor end
+  return out
+end
+
+-- What the finer mesh says: limit over coarse for every point, and the part of the limit that stays open.
+local function mesh_of(t, p)
+  local factors, open, whole = {}, 0, 0
+  for i, test in ipairs(t.tests) do
+    if test.finer then
+      local coarse, fine = t.predicted(i, p), with_rate(t, i, p, test.finer)
+      local peak = largest_of(coarse)
+      factors[i] = {}
+      for k, f in ipairs(fine) do
+        local limit = f + (f - coarse[k]) / (2 ^ t.order - 1)
+        factors[i][k] = math.abs(coarse[k]) > 1e-6 * peak and limit / coarse[k] or 1
+        open, whole = open + (limit - f) ^ 2, whole + limit ^ 2
+      end
+    end
+  end
+  return factors, whole > 0 and math.sqrt(open / whole) or 0
+end
+
+-- The scatter of specimens' factors that is more than their noise: factors b with variances v, of which `spent` went into the fit.
+local function scatter_of(b, v, spent)
+  local freedom = #b - spent
+  if freedom < 1 then return 0 end
+  local function excess(tau2)
+    local weight, mean, sum = 0, 0, 0
+    for i, x in ipairs(b) do weight, mean = weight + 1 / (v[i] + tau2), mean + x / (v[i] + tau2) end
+    for i, x in ipairs(b) do sum = sum + (x - mean / weight) ^ 2 / (v[i] + tau2) end
+    return sum - freedom
+  end
+  if excess(0) <= 0 then return 0 end
+  local low, high = 0, 1e-8
+  while excess(high) > 0 do high = 4 * high end
+  for _ = 1, 60 do
+    local middle = (low + high) / 2
+    if excess(middle) > 0 then low = middle else high = middle end
+  end
+  return math.sqrt(high)
+end
+
+-- Each specimen's own factor on the model and its variance from noise.
+local function own_factors(t, predicted)
+  local b, v = {}, {}
+  for i, test in ipairs(t.tests) do
+    local square, along = 0, 0
+    for k, y in ipairs(test.measured) do
+      local s = noise_of(test, k)
+      square, along = square + (predicted[i][k] / s) ^ 2, along + (y - predicted[i][k]) * predicted[i][k] / s ^ 2
+    end
+    b[i], v[i] = along / square, 1 / square
+  end
+  return b, v
+end
+
+local function without(list, place)
+  local out = {}
+  for i, x in ipairs(list) do
+    if i ~= place then out[#out + 1] = x end
+  end
+  return out
+end
+
+-- Derivatives of every prediction by the parameters, over a tenth of a deviation to both sides.
+local function derivatives(t, tests, found)
+  local out = {}
+  for i in ipairs(tests) do out[i] = {} end
+  for j, p in ipairs(t.parameters) do
+    local width = p.high - p.low
+    local d = found.deviation[j]
+    local step = math.min(1e-2 * width, math.max(1e-6 * width, 0.1 * (d == d and d or 0)))
+    local low, high = {}, {}
+    for name, x in pairs(found.parameters) do low[name], high[name] = x, x end
+    low[p.name], high[p.name] = math.max(p.low, low[p.name] - step), math.min(p.high, high[p.name] + step)
+    for i, test in ipairs(tests) do
+      local a, b = test.predict(low), test.predict(high)
+      for k = 1, #a do
+        out[i][k] = out[i][k] or {}
+        out[i][k][j] = (b[k] - a[k]) / (high[p.name] - low[p.name])
+      end
+    end
+  end
+  return out
+end
+
+-- Normal equations of some specimens: the matrix (with no more ignorance than the bounds) and the right side.
+local function normal_equations(t, state, between, leave)
+  local slopes, rest = state.slopes, state.rest
+  local n, own = #t.parameters, directions(t, state.predicted)
+  local A, b = linear.zeros(n), {}
+  for j, p in ipairs(t.parameters) do A[j][j], b[j] = 1 / (p.high - p.low) ^ 2, 0 end
+  for i, test in ipairs(t.tests) do
+    if i ~= leave then
+      local columns = {}
+      for j = 1, n do
+        columns[j] = {}
+        for k = 1, #test.measured do columns[j][k] = slopes[i][k][j] / noise_of(test, k) end
+        columns[j] = whitened(columns[j], own[i], between ^ 2)
+      end
+      local r = {}
+      for k = 1, #test.measured do r[k] = rest[i][k] / noise_of(test, k) end
+      r = whitened(r, own[i], between ^ 2)
+      for j = 1, n do
+        b[j] = b[j] + dot(columns[j], r)
+        for l = 1, n do A[j][l] = A[j][l] + dot(columns[j], columns[l]) end
+      end
+    end
+  end
+  return A, b
+end
+
+-- Deviations of a test's predictions: of the mean, and of the next specimen.
+local function deviations(test, slopes, predicted, covariance, between, widening, mesh)
+  local mean, next_one = {}, {}
+  for k, f in ipairs(predicted) do
+    local variance = widening * linear.quadratic(covariance, slopes[k]) + (test.finer and (mesh * f) ^ 2 or 0)
+    mean[k] = math.sqrt(variance)
+    next_one[k] = math.sqrt(variance + (between * f) ^ 2 + widening * noise_of(test, k) ^ 2)
+  end
+  return mean, next_one
+end
+
+local function edges(values, half, quantile)
+  local low, high = {}, {}
+  for k, y in ipairs(values) do low[k], high[k] = y - quantile * half[k], y + quantile * half[k] end
+  return low, high
+end
+
+-- A specimen left out, predicted from the others: one step of Gauss and Newton from the fit of all, then the simulation itself.
+local function left_out(t, tests, state, i)
+  local between = scatter_of(without(state.factors, i), without(state.variances, i), t.spent)
+  local A, b = normal_equations(t, state, between, i)
+  local step, p = linear.solve(A, b), {}
+  for j, parameter in ipairs(t.parameters) do
+    p[parameter.name] = math.max(parameter.low, math.min(parameter.high, state.found.parameters[parameter.name] + step[j]))
+  end
+  local test, predicted = t.tests[i], tests[i].predict(p)
+  local _, half = deviations(test, state.slopes[i], predicted, linear.inverse(A), between, state.widening, state.mesh)
+  local low, high = edges(predicted, half, fabric.lab.student(0.5 + t.level / 2, math.max(1, #tests - 1 - t.spent)))
+  local inside, squares = 0, 0
+  for k, y in ipairs(test.measured) do
+    if low[k] <= y and y <= high[k] then inside = inside + 1 end
+    squares = squares + (y - predicted[k]) ^ 2
+  end
+  local n = #predicted
+  return { inside = inside / n, rms = math.sqrt(squares / n) / test.peak, at_end = (predicted[n] - test.measured[n]) / test.peak, predicted = predicted,
+    low = low, high = high }
+end
+
+local function check_arguments(t)
+  local plain = {}
+  for i = 1, #t.tests do
+    local test = t.tests[i]
+    plain[i] = test
+    if type(test) == "table" then
+      plain[i] = {}
+      for key, value in pairs(test) do
+        if key ~= "rate" and key ~= "finer" then plain[i][key] = value end
+      end
+      if test.finer ~= nil and type(test.finer) ~= "function" then
+        fail(("pool: field 'tests[%d].finer': expected a function, got %s"):format(i, tostring(test.finer)))
+      end
+      if t.rate and not (type(test.rate) == "number" and test.rate > 0 and test.rate < math.huge) then
+        fail(("pool: field 'tests[%d].rate': expected a positive number, since the speed plays a part, got %s"):format(i, tostring(test.rate)))
+      end
+    end
+  end
+  local parameters = table.move(t.parameters, 1, #t.parameters, 1, {})
+  if t.rate then parameters[#parameters + 1] = { name = "rate", start = 0, low = -(t.rate.most or 0.2), high = t.rate.most or 0.2 } end
+  check({ parameters = parameters, tests = plain }, "pool")
+  return parameters
+end
+
+local function text_of(t, out)
+  local lines = {}
+  if out.chi2 > 4 then
+    lines[1] = ("The data contradict the model: what is left differs by %.3g times the noise that was stated, beside how specimens differ; bands are widened "
+      .. "by that, and may mean little."):format(math.sqrt(out.chi2))
+  end
+  for _, p in ipairs(t.parameters) do
+    lines[#lines + 1] = ("%-16s %12.6g   %g %%: %.6g to %.6g"):format(p.name, out.parameters[p.name], 100 * t.level, out.low[p.name], out.high[p.name])
+  end
+  if t.rate then
+    lines[#lines + 1] = ("speed: %+.3g %% a decade, %.3g to %.3g"):format(100 * out.parameters.rate * math.log(10), 100 * out.low.rate * math.log(10),
+      100 * out.high.rate * math.log(10))
+  end
+  lines[#lines + 1] = #t.tests - t.spent >= 1 and ("between specimens: %.3g %% (deviation of %d)"):format(100 * out.between, #t.tests)
+    or "between specimens: unknown from so few"
+  if out.mesh > 0 then lines[#lines + 1] = ("mesh, once extrapolated: %.3g %%"):format(100 * out.mesh) end
+  for _, test in ipairs(t.tests) do
+    local held = out.left_out and out.left_out[test.name]
+    lines[#lines + 1] = ("%s: rms %.3g %% of the peak%s"):format(test.name, 100 * out.tests[test.name].rms, held
+      and ("; left out %.3g %%, at the end %+.3g %%, %.0f %% of its points in the band of the others"):format(100 * held.rms, 100 * held.at_end,
+        100 * held.inside) or "")
+  end
+  return table.concat(lines, "\n")
+end
+
+-- Fits, looks how specimens and meshes differ, and fits again until that stays.
+local function iterate(t)
+  local state = { between = 0, mesh = 0, correction = {} }
+  local tests, found, predicted
+  local parameters = t.parameters
+  for round = 1, rounds do
+    tests = for_identify(t, state.correction)
+    found = identify { parameters = parameters, tests = tests, processes = t.processes, iterations = t.iterations, tolerance = t.tolerance,
+      difference = 1e-3, settle = 8, progress = t.progress, whiten = whitener(t, predicted, state.between, state.mesh) }
+    predicted = {}
+    for i, test in ipairs(tests) do predicted[i] = test.predict(found.parameters) end
+    state.factors, state.variances = own_factors(t, predicted)
+    local between = scatter_of(state.factors, state.variances, t.spent)
+    local correction, mesh = mesh_of(t, found.parameters)
+    local same = math.abs(between - state.between) <= settled * between and math.abs(mesh - state.mesh) <= settled * mesh
+    state.between, state.mesh, state.correction = between, mesh, correction
+    if same and round > 1 then break end
+    parameters = {}
+    for i, p in ipairs(t.parameters) do parameters[i] = { name = p.name, start = found.parameters[p.name], low = p.low, high = p.high } end
+  end
+  state.found, state.predicted, state.rest, state.widening = found, predicted, {}, math.max(1, found.chi2)
+  for i, test in ipairs(t.tests) do
+    state.rest[i] = {}
+    for k, y in ipairs(test.measured) do state.rest[i][k] = y - predicted[i][k] end
+  end
+  return state, tests
+end
+
+local function pool(t)
+  t.parameters = check_arguments(t)
+  t.tests = table.move(t.tests, 1, #t.tests, 1, {})
+  for i, test in ipairs(t.tests) do
+    local own = { peak = largest_of(test.measured) }
+    for key, value in pairs(test) do own[key] = value end
+    t.tests[i] = own
+    if own.peak == 0 then fail(("pool: field 'tests[%d].measured': expected values that are not all zero"):format(i)) end
+  end
+  t.spent = t.rate and 2 or 1
+  t.predicted = function(i, p) return with_rate(t, i, p) end
+  local state, tests = iterate(t)
+  state.slopes = derivatives(t, tests, state.found)
+  local A = normal_equations(t, state, state.between)
+  local covariance = linear.inverse(A)
+  local freedom = #t.tests - t.spent
+  local quantile = fabric.lab.student(0.5 + t.level / 2, state.between > 0 and freedom or 1e6)
+  local out = { parameters = state.found.parameters, on_bound = state.found.on_bound, chi2 = state.found.chi2, between = state.between, mesh = state.mesh,
+    deviation = {}, low = {}, high = {}, covariance = {}, tests = {}, level = t.level, simulations = state.found.simulations }
+  for j, p in ipairs(t.parameters) do
+    local width = p.high - p.low
+    local scale = state.mesh > 0 and state.found.deviation[j] or 0 -- the mesh's part hangs all specimens together
+    out.deviation[j] = math.min(width, math.max(math.sqrt(state.widening * covariance[j][j]), scale == scale and scale or 0))
+    out.low[p.name] = math.max(p.low, out.parameters[p.name] - quantile * out.deviation[j])
+    out.high[p.name] = math.min(p.high, out.parameters[p.name] + quantile * out.deviation[j])
+    for l = 1, #t.parameters do out.covariance[(j - 1) * #t.parameters + l] = state.widening * covariance[j][l] end
+  end
+  for i, test in ipairs(t.tests) do
+    local mean, next_one = deviations(test, state.slopes[i], state.predicted[i], covariance, state.between, state.widening, state.mesh)
+    local own = { predicted = state.predicted[i], factor = 1 + state.factors[i] }
+    own.low, own.high = edges(own.predicted, mean, quantile)
+    own.next_low, own.next_high = edges(own.predicted, next_one, quantile)
+    own.rms = math.sqrt(dot(state.rest[i], state.rest[i]) / #own.predicted) / test.peak
+    out.tests[test.name] = own
+  end
+  if freedom >= 2 then
+    out.left_out, out.coverage = {}, 0
+    for i, test in ipairs(t.tests) do
+      out.left_out[test.name] = left_out(t, tests, state, i)
+      out.coverage = out.coverage + out.left_out[test.name].inside / #t.tests
+    end
+  end
+  out.text = text_of(t, out)
+  return out
+end
+
+define {
+  name = "fabric.lab.pool",
+  arguments = {
+    { name = "parameters", kind = "table", sentence = "{ {name=, start=, low=, high=}, ... } as of fabric.lab.identify" },
+    { name = "tests", kind = "table", sentence = "one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=}, "
+      .. "... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one" },
+    { name = "rate", kind = "fields", optional = true, sentence = "the speed plays a part: predictions times 1 + p.rate ln(rate / reference)", rows = {
+      { name = "reference", kind = "number", above = 0, sentence = "speed at which the parameters hold, in the unit of the tests' rate" },
+      { name = "most", kind = "number", above = 0, high = 1, optional = true, sentence = "largest part for a factor e in the speed, either way; default 0.2" },
+    } },
+    { name = "order", kind = "number", above = 0, high = 8, default = 2, sentence = "with which the simulation's error goes with the size of its cells" },
+    { name = "level", kind = "number", above = 0, high = 0.999, default = 0.95, sentence = "of confidence" },
+    { name = "processes", kind = "integer", low = 1, default = 2, sentence = "side by side, for the differences" },
+    { name = "iterations", kind = "integer", low = 1, default = 30, sentence = "at most, of each fit" },
+    { name = "tolerance", kind = "number", above = 0, default = 1e-6, sentence = "relative, of the sum of squares and of the parameters" },
+    { name = "progress", kind = "boolean", default = false, sentence = "says on stderr how far it is" },
+  },
+  sentence = "Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the "
+    .. "noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, "
+    .. "per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this "
+    .. "specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, text.",
+  example = "local tests = {}\nfor i, scale in ipairs{ 0.96, 1, 1.05, 0.99 } do\n"
+    .. "  tests[i] = { name='pull '..i, measured={ 2*scale, 4*scale, 6*scale }, noise=0.02, predict=function(p) return { p.k, 2*p.k, 3*p.k } end }\nend\n"
+    .. "local f = require 'fabric'.lab.pool{ parameters={ {name='k', start=1, low=0.1, high=10} }, tests=tests, processes=1 }\n"
+    .. "assert(math.abs(f.parameters.k - 2) < 0.01 and math.abs(f.between - 0.037) < 0.005 and f.low.k < 1.95)",
+  run = pool,
+}

@@ -1,0 +1,6 @@
+-- Rows of arguments that several functions of the laboratory share, one list after the other.
+return function(...)
+  local out = {}
+  for _, list in ipairs { ... } do table.move(list, 1, #list, #out + 1, out) end
+  return out
+end

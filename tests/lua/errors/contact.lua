@@ -1,0 +1,220 @@
+-- Wrong calls and their messages: contact and rigid bodies. Read by tests/lua/errors.lua.
+-- fabric.rigid.sphere
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ wrong=1 }",
+  "deck.lua:1: sphere: unknown field 'wrong' (known: radius centre mass name)")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{}",
+  "deck.lua:1: sphere: field 'radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius='1' }",
+  "deck.lua:1: sphere: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=-1 }",
+  "deck.lua:1: sphere: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre=5 }",
+  "deck.lua:1: sphere: field 'centre': expected a table of numbers in m, got 5")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0,0,0}, mass='1' }",
+  "deck.lua:1: sphere: field 'mass': expected a positive number in kg, got '1'")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0,0,0}, mass=-1 }",
+  "deck.lua:1: sphere: field 'mass': expected a positive number in kg, got -1")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0,0,0}, name=5 }",
+  "deck.lua:1: sphere: field 'name': expected a string, got 5")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0,0} }",
+  "deck.lua:1: sphere: field 'centre': expected {x, y, z}, got 2 numbers")
+
+-- fabric.rigid.plane
+wrong("fabric.rigid.plane", "fabric.rigid.plane{ wrong=1 }",
+  "deck.lua:1: plane: unknown field 'wrong' (known: point normal name)")
+wrong("fabric.rigid.plane", "fabric.rigid.plane{}",
+  "deck.lua:1: plane: field 'point': expected a table of numbers in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.plane", "fabric.rigid.plane{ point=5 }",
+  "deck.lua:1: plane: field 'point': expected a table of numbers in m, got 5")
+wrong("fabric.rigid.plane", "fabric.rigid.plane{ point={0,0,0}, normal=5 }",
+  "deck.lua:1: plane: field 'normal': expected a table of numbers, got 5")
+wrong("fabric.rigid.plane", "fabric.rigid.plane{ point={0,0,0}, normal={0,0,1}, name=5 }",
+  "deck.lua:1: plane: field 'name': expected a string, got 5")
+wrong("fabric.rigid.plane", "fabric.rigid.plane{ point={0,0,0}, normal={0,0,0} }",
+  "deck.lua:1: plane: field 'normal': expected a direction {x, y, z}, got (0, 0, 0)")
+
+-- fabric.rigid.cylinder
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ wrong=1 }",
+  "deck.lua:1: cylinder: unknown field 'wrong' (known: radius from to mass name)")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{}",
+  "deck.lua:1: cylinder: field 'radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ radius='1' }",
+  "deck.lua:1: cylinder: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ radius=-1 }",
+  "deck.lua:1: cylinder: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ radius=1, from=5 }",
+  "deck.lua:1: cylinder: field 'from': expected a table of numbers in m, got 5")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ radius=1, from={0,0,0}, to={0,0,1}, mass='1' }",
+  "deck.lua:1: cylinder: field 'mass': expected a positive number in kg, got '1'")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ radius=1, from={0,0,0}, to={0,0,1}, mass=0 }",
+  "deck.lua:1: cylinder: field 'mass': expected a positive number in kg, got 0")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ radius=1, from={0,0,0}, to={0,0,1}, name=5 }",
+  "deck.lua:1: cylinder: field 'name': expected a string, got 5")
+wrong("fabric.rigid.cylinder", "fabric.rigid.cylinder{ radius=1, from={0,0,0}, to={0,0,0} }",
+  "deck.lua:1: cylinder: field 'to': expected another place than 'from'")
+
+-- fabric.rigid.disc
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ wrong=1 }",
+  "deck.lua:1: disc: unknown field 'wrong' (known: radius centre normal edge mass name)")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{}",
+  "deck.lua:1: disc: field 'radius': expected a positive number in m, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius='1' }",
+  "deck.lua:1: disc: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=-1 }",
+  "deck.lua:1: disc: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=1, centre=5 }",
+  "deck.lua:1: disc: field 'centre': expected a table of numbers in m, got 5")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=1, centre={0,0,0}, normal=5 }",
+  "deck.lua:1: disc: field 'normal': expected a table of numbers, got 5")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=1, centre={0,0,0}, normal={0,0,1}, edge='1' }",
+  "deck.lua:1: disc: field 'edge': expected a positive number in m, got '1'")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=1, centre={0,0,0}, normal={0,0,1}, edge=0.1, mass='1' }",
+  "deck.lua:1: disc: field 'mass': expected a positive number in kg, got '1'")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=1, centre={0,0,0}, normal={0,0,1}, edge=0.1, mass=-1 }",
+  "deck.lua:1: disc: field 'mass': expected a positive number in kg, got -1")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=1, centre={0,0,0}, normal={0,0,1}, edge=0.1, name=5 }",
+  "deck.lua:1: disc: field 'name': expected a string, got 5")
+wrong("fabric.rigid.disc", "fabric.rigid.disc{ radius=1, centre={0,0,0}, normal={0,0,1}, edge=2 }",
+  "deck.lua:1: disc: field 'edge': expected a length in m above 0 and below the radius of 1 m, got 2")
+
+-- fabric.rigid.surface
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ wrong=1 }",
+  "deck.lua:1: surface: unknown field 'wrong' (known: mesh file closed mass name)")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{}",
+  "deck.lua:1: surface: field 'mesh': expected either a mesh or file=, got neither")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=5 }",
+  "deck.lua:1: surface: field 'mesh': expected a mesh, got 5")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, file='a.msh' }",
+  "deck.lua:1: surface: field 'mesh': expected either a mesh or file=, got both")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ file=5 }",
+  "deck.lua:1: surface: field 'file': expected a string, got 5")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, closed=5 }",
+  "deck.lua:1: surface: field 'closed': expected true or false, got 5")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, mass='1' }",
+  "deck.lua:1: surface: field 'mass': expected a positive number in kg, got '1'")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, mass=-1 }",
+  "deck.lua:1: surface: field 'mass': expected a positive number in kg, got -1")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, name=5 }",
+  "deck.lua:1: surface: field 'name': expected a string, got 5")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, closed=true }",
+  "deck.lua:1: surface: field 'closed': rigid body: expected a closed surface, whose every edge two triangles walk in opposite senses; 8 edges are not")
+
+-- fabric.rigid.motion
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ wrong=1 }",
+  "deck.lua:1: motion: unknown field 'wrong' (known: files meshes times name)")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{}",
+  "deck.lua:1: motion: field 'times': expected a table of numbers in s, got nil (missing, or a misspelt variable)")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ files=5, times={0} }",
+  "deck.lua:1: motion: field 'files': expected a table { 'file', ... }, got 5")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ files={5}, times={0} }",
+  "deck.lua:1: motion: field 'files': expected a list of file names, got 5 at place 1")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes=5, times={0} }",
+  "deck.lua:1: motion: field 'meshes': expected a table { mesh, ... }, got 5")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={5}, times={0} }",
+  "deck.lua:1: motion: field 'meshes': expected a list of meshes, got 5 at place 1")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh}, times=5 }",
+  "deck.lua:1: motion: field 'times': expected a table of numbers in s, got 5")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh}, times={0}, name=5 }",
+  "deck.lua:1: motion: field 'name': expected a string, got 5")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh, mesh}, times={0} }",
+  "deck.lua:1: motion: field 'times': expected as many times as shapes, got 1 and 2")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ meshes={mesh, mesh}, times={1, 0} }",
+  "deck.lua:1: motion: field 'times': expected finite times in s that ascend, got 0 as number 2")
+wrong("fabric.rigid.motion", "fabric.rigid.motion{ times={0} }",
+  "deck.lua:1: motion: field 'files': expected either files or meshes={...}, got neither")
+
+-- model:contact
+wrong("model:contact", "model:contact{ wrong=1 }",
+  "deck.lua:1: contact: unknown field 'wrong' (known: between self friction thickness stiffness)")
+wrong("model:contact", "model:contact{  }",
+  "deck.lua:1: contact: field 'between': expected either between={...} or self=, got neither")
+wrong("model:contact", "model:contact{ between=5 }",
+  "deck.lua:1: contact: field 'between': expected a table { body or set, ... }, got 5")
+wrong("model:contact", "model:contact{ between={5, 'all'} }",
+  "deck.lua:1: contact: field 'between': expected a rigid body or the name of a set, got 5 at place 1")
+wrong("model:contact", "model:contact{ between={'all'} }",
+  "deck.lua:1: contact: field 'between': expected two sides or more, got 1")
+wrong("model:contact", "model:contact{ between={'al', 'top'} }",
+  "deck.lua:1: contact: unknown set 'al', did you mean 'all'? known sets: all, bottom, boundary, corners, left, right, top")
+wrong("model:contact", "model:contact{ self=5 }",
+  "deck.lua:1: contact: field 'self': expected a string, got 5")
+wrong("model:contact", "model:contact{ self='top' }",
+  "deck.lua:1: contact: set 'top' holds no whole element, and so no surface")
+wrong("model:contact", "model:contact{ self='all', friction='1' }",
+  "deck.lua:1: contact: field 'friction': expected a number of at least 0, got '1'")
+wrong("model:contact", "model:contact{ self='all', friction=-1 }",
+  "deck.lua:1: contact: field 'friction': expected a number of at least 0, got -1")
+wrong("model:contact", "model:contact{ self='all', thickness='1' }",
+  "deck.lua:1: contact: field 'thickness': expected a positive number in m, got '1'")
+wrong("model:contact", "model:contact{ self='all', thickness=0 }",
+  "deck.lua:1: contact: field 'thickness': expected a positive number in m, got 0")
+wrong("model:contact", "model:contact{ self='all', stiffness='1' }",
+  "deck.lua:1: contact: field 'stiffness': expected a positive number in Pa/m, got '1'")
+wrong("model:contact", "model:contact{ self='all', stiffness=-1 }",
+  "deck.lua:1: contact: field 'stiffness': expected a positive number in Pa/m, got -1")
+
+-- analysis:body
+wrong("analysis:body", "run:body()",
+  "deck.lua:1: body: argument 'body': expected a body, got nil (missing, or a misspelt variable)")
+wrong("analysis:body", "run:body(5)",
+  "deck.lua:1: body: argument 'body': expected a body, got 5")
+wrong("analysis:body", "run:body(card)",
+  "deck.lua:1: body: argument 'body': expected a body, got a card")
+wrong("analysis:body", "run:body(fabric.rigid.sphere{ radius=1, centre={0,0,0} })",
+  "deck.lua:1: body: nothing touches in this model: expected m:contact{...} before the run")
+
+-- analysis:gap
+wrong("analysis:gap", "run:gap()",
+  "deck.lua:1: gap: nothing touches in this model: expected m:contact{...} before the run")
+
+-- model:move
+wrong("model:move", "model:move(fabric.rigid.plane{ point={0,0,0}, normal={0,0,1} }, { turn={ axis={0,0,1}, angle=1, centre=5 } })",
+  "deck.lua:1: move: field 'components.turn.centre': expected a table of numbers, got 5")
+wrong("model:move", "model:move(fabric.rigid.plane{ point={0,0,0}, normal={0,0,1} }, {})",
+  "deck.lua:1: move: expected at least one of x, y, z, turn, got none")
+wrong("model:move", "model:move(fabric.rigid.sphere{ radius=1, centre={0,0,0}, mass=1 }, { z=1 })",
+  "deck.lua:1: move: the sphere has a mass and moves freely: expected a body without a mass (m:velocity gives a free one its start)")
+wrong("model:move", "model:move('top', { turn=5 })",
+  "deck.lua:1: move: field 'components.turn': expected a table {axis, angle, centre}, got 5")
+
+-- model:velocity
+wrong("model:velocity", "model:velocity(fabric.rigid.sphere{ radius=1, centre={0,0,0} }, { z=1 })",
+  "deck.lua:1: velocity: the sphere has no mass: expected a free body (m:move drives one that is not)")
+
+-- fabric.lab.ball_drop
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ wrong=1 }",
+  "deck.lua:1: ball_drop: unknown field 'wrong' (known: card side radius mass height friction stiffness clearance cells duration step scheme inertia points gravity damping every force ledger_limit out)")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{}",
+  "deck.lua:1: ball_drop: field 'card': expected a card, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card='blend' }",
+  "deck.lua:1: ball_drop: field 'card': expected a card, got 'blend'")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, radius='1' }",
+  "deck.lua:1: ball_drop: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, radius=-1 }",
+  "deck.lua:1: ball_drop: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, cells=2.5 }",
+  "deck.lua:1: ball_drop: field 'cells': expected an integer of at least 4, got 2.5")
+
+-- fabric.lab.capstan
+wrong("fabric.lab.capstan", "fabric.lab.capstan{ wrong=1 }",
+  "deck.lua:1: capstan: unknown field 'wrong' (known: card radius wrap friction tension width around across lead draw step points stiffness)")
+wrong("fabric.lab.capstan", "fabric.lab.capstan{}",
+  "deck.lua:1: capstan: field 'card': expected a card, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.capstan", "fabric.lab.capstan{ card='blend' }",
+  "deck.lua:1: capstan: field 'card': expected a card, got 'blend'")
+wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, radius='1' }",
+  "deck.lua:1: capstan: field 'radius': expected a positive number in m, got '1'")
+wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, radius=-1 }",
+  "deck.lua:1: capstan: field 'radius': expected a positive number in m, got -1")
+wrong("fabric.lab.capstan", "fabric.lab.capstan{ card=card, around=2.5 }",
+  "deck.lua:1: capstan: field 'around': expected an integer of at least 4, got 2.5")
+
+-- fabric.lab.ball_drop
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, scheme='explicti' }",
+  "deck.lua:1: ball_drop: field 'scheme': expected 'explicit' or 'implicit', got 'explicti', did you mean 'explicit'?")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, force='yes' }",
+  "deck.lua:1: ball_drop: field 'force': expected true or false, got 'yes'")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, out=7 }",
+  "deck.lua:1: ball_drop: field 'out': expected a string, got 7")
+wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ card=card, height=1e-5 }",
+  "deck.lua:1: ball_drop: field 'height': expected at least the clearance of 0.0001 m, got 1e-05 m")

@@ -1,0 +1,214 @@
+-- fabric.export.card: texts parsed back, curves against closed forms in the target's measures, losses, refusals.
+local fabric = require "fabric"
+local rows = {}
+local function check(label, got, want, relative) rows[#rows + 1] = { label, got, want, relative = relative } end
+local function near(label, got, want, absolute) rows[#rows + 1] = { label, got, want, absolute = absolute } end
+
+-- P(E), the integral of a card's tangent.
+local function P(part, E)
+  local sum = 0
+  for k, d in ipairs(part.loading) do sum = sum + d * E ^ k / k end
+  return sum
+end
+
+-- --- readers, written from the formats alone ---
+local function fields(line, width)
+  local out = {}
+  for i = 1, #line, width do out[#out + 1] = tonumber(line:sub(i, i + width - 1)) or false end
+  return out
+end
+
+local function lines_of(text)
+  local out = {}
+  for l in text:gmatch "[^\n]*" do out[#out + 1] = l end
+  return out
+end
+
+-- LS-DYNA: keyword -> list of blocks of data lines, comments and (with _TITLE) titles left out.
+local function dyna(text)
+  local blocks, block = {}, nil
+  for _, l in ipairs(lines_of(text)) do
+    if l:sub(1, 1) == "*" then
+      block = { titled = l:find "_TITLE" }
+      blocks[l:gsub("_TITLE", "")] = blocks[l:gsub("_TITLE", "")] or {}
+      table.insert(blocks[l:gsub("_TITLE", "")], block)
+    elseif l ~= "" and l:sub(1, 1) ~= "$" and block then
+      if block.titled then block.titled, block.title = nil, l else block[#block + 1] = l end
+    end
+  end
+  return blocks
+end
+
+local function curve(block)
+  local out = { id = fields(block[1], 10)[1], title = block.title, x = {}, y = {} }
+  for i = 2, #block do
+    local f = fields(block[i], 20)
+    out.x[i - 1], out.y[i - 1] = f[1], f[2]
+  end
+  return out
+end
+
+-- Radioss: "/KEY/ID" -> data lines; the first is the title.
+local function radioss(text)
+  local blocks, block = {}, nil
+  for _, l in ipairs(lines_of(text)) do
+    if l:sub(1, 1) == "/" then
+      block = {}
+      blocks[l] = block
+    elseif l ~= "" and l:sub(1, 1) ~= "#" and block then
+      block[#block + 1] = l
+    end
+  end
+  return blocks
+end
+
+local cards = {}
+for _, name in ipairs { "blend", "denim", "duck", "muslin" } do cards[#cards + 1] = fabric.card(name) end
+
+-- --- LS-DYNA, mm-t-s: 2nd Piola-Kirchhoff stress over Green's strain ---
+for _, card in ipairs(cards) do
+  local r = fabric.export.card { card = card, to = "ls-dyna", id = 7 }
+  assert(r.material == "MAT_034" and r.text:sub(1, 9) == "*KEYWORD\n" and r.text:find "%*END\n$")
+  for _, l in ipairs(lines_of(r.text)) do assert(l:sub(1, 1) == "$" or #l <= 80, l) end
+  assert(r.text:find("Williams 2010", 1, true), "the card's source")
+  local b = dyna(r.text)
+  local mat = b["*MAT_FABRIC"][1]
+  local one, three, six = fields(mat[1], 10), fields(mat[3], 10), fields(mat[6], 10)
+  check(card.name .. " density, t/mm3", one[2], card.density * 1e-12, 1e-8)
+  assert(one[1] == 7 and three[6] == 14 and six[1] == 71 and six[6] == 76)
+  local curves = b["*DEFINE_CURVE"]
+  assert(#curves == 6)
+  local warp, weft, shear, back = curve(curves[1]), curve(curves[2]), curve(curves[3]), curve(curves[4])
+  assert(warp.id == 71 and warp.title == "warp, loading" and back.title == "warp, unloading" and warp.x[1] == 0 and warp.y[1] == 0)
+  for i = 2, #warp.x do assert(warp.x[i] > warp.x[i - 1] and warp.y[i] > warp.y[i - 1]) end
+  local middle = 40
+  check(card.name .. " S11, MPa", warp.y[middle], P(card.warp, warp.x[middle]) * 1e-6, 1e-8)
+  check(card.name .. " S22, MPa", weft.y[middle], P(card.weft, weft.x[middle]) * 1e-6, 1e-8)
+  check(card.name .. " S12, MPa over 2 E12", shear.y[middle], P(card.shear, shear.x[middle] / 2) * 1e-6, 1e-8)
+  -- the unloading curve falls from the tested strain with the unloading modulus
+  local n = #back.x - 1
+  check(card.name .. " meets at the tested strain", back.x[n], card.tested.warp, 1e-8)
+  check(card.name .. " unloading slope", (back.y[n] - back.y[n - 1]) / (back.x[n] - back.x[n - 1]), card.warp.unloading * 1e-6, 1e-6)
+  assert(back.x[1] == 0 and back.y[1] == 0)
+end
+
+-- --- OpenRadioss in mm-kg-ms: nominal stress over engineering strain, shear over degrees ---
+local blend = fabric.card "blend"
+do
+  local r = fabric.export.card { card = blend, to = "openradioss", units = "mm-kg-ms" }
+  local b = radioss(r.text)
+  local mat = b["/MAT/LAW58/1"]
+  assert(mat[1] == "blend")
+  check("density, kg/mm3", fields(mat[2], 20)[1], blend.density * 1e-9, 1e-10)
+  local numbers = fields(mat[6]:sub(1, 20), 10)
+  assert(numbers[1] == 1 and numbers[2] == 1)
+  check("S1, straight yarns", fields(mat[6]:sub(21), 20)[1], 1e-4, 1e-12)
+  local function funct(id)
+    local x, y = {}, {}
+    for i = 2, #b["/FUNCT/" .. id] do
+      local f = fields(b["/FUNCT/" .. id][i], 20)
+      x[#x + 1], y[#y + 1] = f[1], f[2]
+    end
+    return x, y
+  end
+  local x, y = funct(11)
+  local stretch = 1 + x[30]
+  check("nominal stress, GPa", y[30], stretch * P(blend.warp, (stretch ^ 2 - 1) / 2) * 1e-9, 1e-9)
+  x, y = funct(13)
+  assert(x[1] == -x[#x] and y[1] == -y[#y], "odd in the angle")
+  local i = #x - 20
+  check("shear stress at an angle", y[i], P(blend.shear, math.sin(math.rad(x[i])) / 2) * 1e-9, 1e-9)
+  for _, id in ipairs { 11, 12, 13, 14, 15, 16 } do -- the starter refuses a curve that does not rise
+    x, y = funct(id)
+    for k = 2, #x do assert(x[k] > x[k - 1] and y[k] > y[k - 1], "function " .. id) end
+  end
+end
+
+-- --- Abaqus in SI: stress first ---
+do
+  local r = fabric.export.card { card = blend, to = "abaqus", units = "SI" }
+  local data, part = {}, nil
+  for _, l in ipairs(lines_of(r.text)) do
+    if l:find "^%*UNIAXIAL" then part = l:match "COMPONENT=(%w+)" end
+    if l:find "^%*[^*]" then data[#data + 1] = { word = l, part = part } end
+    local y, x = l:match "^([-%d.e+]+), ([-%d.e+]+)$"
+    if y then table.insert(data[#data], { tonumber(x), tonumber(y) }) end
+  end
+  local function of(part, word, k)
+    for _, d in ipairs(data) do
+      if d.part == part and d.word:find(word, 1, true) then
+        k = (k or 1) - 1
+        if k == 0 then return d end
+      end
+    end
+  end
+  local loading, unloading, shear = of("1", "*LOADING"), of("1", "*UNLOADING"), of("SHEAR", "*LOADING")
+  assert(loading.word:find "PERMANENT DEFORMATION" and unloading.word:find "SHIFTED CURVE" and of("SHEAR", "*LOADING", 2).word:find "COMPRESSION")
+  local x, y = loading[30][1], loading[30][2]
+  check("nominal stress, Pa", y, (1 + x) * P(blend.warp, (1 + x) ^ 2 / 2 - 0.5), 1e-8)
+  x, y = shear[30][1], shear[30][2]
+  check("stress conjugate to the angle", y, math.cos(x) * P(blend.shear, math.sin(x) / 2), 1e-8)
+  assert(unloading[1][1] == 0 and math.abs(unloading[1][2]) < 1)
+end
+
+-- --- losses ---
+for _, card in ipairs(cards) do
+  for _, target in ipairs { { "ls-dyna", "MAT_034", 0.1 }, { "ls-dyna", "MAT_235" }, { "openradioss", "LAW58", 0.7 }, { "openradioss", "LAW19" },
+    { "abaqus", "FABRIC", 0.1 } } do
+    local r = fabric.export.card { card = card, to = target[1], material = target[2] }
+    local label = card.name .. " " .. target[2]
+    assert(#r.losses == 7 and r.lost["cyclic shear"].words and #r.sentences >= 4, label)
+    for _, row in ipairs(r.losses) do
+      assert(row.worst == row.worst and row.worst < 2000 and row.rms <= row.worst and row.peak > 0, label .. " " .. row.path)
+    end
+    if target[3] then -- laws with curves give uniaxial tension back; what couples the axes or turns the shear does not go over
+      near(label .. " warp, per cent", r.lost.warp.worst, 0, target[3])
+      near(label .. " weft, per cent", r.lost.weft.worst, 0, target[3])
+      assert(r.lost.biaxial.worst > 3 and r.lost["cyclic shear"].worst > 30, label)
+    else
+      assert(r.lost.warp.worst > 20 or r.lost.weft.worst > 20, label)
+    end
+    -- 1:1: the card is stiffer by c (nu12 + 1) E, S22 by c (nu21 + 1) E, which is what is lost
+    if target[2] == "MAT_034" then
+      local E, n12, n21 = math.min(card.tested.warp, card.tested.weft), card.warp.poisson, card.weft.poisson
+      local c = math.min(n21 * card.warp.loading[1], n12 * card.weft.loading[1]) / (1 - n12 * n21)
+      local most = math.max(c * (n12 + 1), c * (n21 + 1)) * E
+      local peak = math.max(P(card.warp, E) + c * (n12 + 1) * E, P(card.weft, E) + c * (n21 + 1) * E)
+      check(label .. " 1:1 by hand", r.lost.biaxial.worst, 100 * most / peak, 5e-3)
+    end
+  end
+end
+-- Bending with friction is named as lost.
+local soft = blend:with { bending = { warp = 1e-5, weft = 1e-5, twist = 5e-6, friction_warp = { moment = 1e-4, curvature = 5 } } }
+local r = fabric.export.card { card = soft, to = "ls-dyna" }
+assert(r.report:find("bending friction: lost", 1, true) and tostring(r) == r.report)
+
+-- A St. Venant-Kirchhoff card goes to *ELASTIC whole, to LAW19 but for the measure.
+local svk = fabric.svk { warp = 8e6, weft = 37e6, shear = 1e6, poisson = { 0.25, 0.42 }, density = 590, thickness = 0.38e-3 }
+r = fabric.export.card { card = svk, to = "abaqus" }
+assert(r.material == "ELASTIC")
+for _, row in ipairs(r.losses) do near("SVK, " .. row.path, row.worst, 0, 1e-5) end
+r = fabric.export.card { card = svk, to = "openradioss" }
+assert(r.material == "LAW19" and r.lost.warp.worst > 1)
+
+-- --- files and refusals ---
+local path = os.tmpname() .. ".k"
+r = fabric.export.card { card = blend, to = "ls-dyna", material = "*MAT_34", file = path }
+local f = assert(io.open(path))
+assert(f:read "a" == r.text)
+f:close()
+os.remove(path)
+local function wrong(words, t)
+  local good, message = pcall(fabric.export.card, t)
+  assert(not good and tostring(message):find(words, 1, true), "expected: " .. words .. "\ngot: " .. tostring(message))
+end
+wrong("card: field 'to': expected 'ls-dyna' or 'openradioss' or 'abaqus', got 'lsdyna', did you mean 'ls-dyna'?", { card = blend, to = "lsdyna" })
+wrong("card: field 'to': expected", { card = blend })
+wrong("field 'material': expected MAT_034 or MAT_235 for ls-dyna, got 'MAT_58'", { card = blend, to = "ls-dyna", material = "MAT_58" })
+wrong("field 'card': MAT_235 takes no card of the law 'svk'; such a card goes to LAW19 (openradioss), ELASTIC (abaqus)",
+  { card = svk, to = "ls-dyna", material = "MAT_235" })
+wrong("field 'card': ls-dyna takes no card of the law 'svk'", { card = svk, to = "ls-dyna" })
+wrong("field 'units': expected 'mm-t-s' or 'mm-kg-ms' or 'SI', got 'inch'", { card = blend, to = "ls-dyna", units = "inch" })
+wrong("/proc/nowhere", { card = blend, to = "abaqus", file = "/proc/nowhere/card.inp" })
+wrong("field 'card'", { card = "blend", to = "abaqus" })
+fabric.expect(rows)

@@ -1,0 +1,72 @@
+-- fabric.import.card: what was exported comes back as a card that answers alike; files written by hand; files that lie.
+local fabric = require "fabric"
+local rows = {}
+local function check(label, got, want, relative) rows[#rows + 1] = { label, got, want, relative = relative } end
+local function near(label, got, want, absolute) rows[#rows + 1] = { label, got, want, absolute = absolute } end
+
+for _, name in ipairs { "blend", "denim", "duck", "muslin" } do
+  local card = fabric.card(name)
+  for _, to in ipairs { "openradioss", "abaqus" } do
+    local file = name .. (to == "abaqus" and ".inp" or ".rad")
+    fabric.export.card { card = card, to = to, file = file, units = "mm-kg-ms" }
+    local r = fabric.import.card { file = file, units = "mm-kg-ms", thickness = card.thickness, poisson = { card.warp.poisson, card.weft.poisson },
+      tested = card.tested }
+    local back, label = r.card, name .. ", " .. to
+    assert(back.name == name and back.source:find(file, 1, true) and #r.losses == 7, label)
+    check(label .. ": density", back.density, card.density, 1e-9)
+    check(label .. ": warp unloading", back.warp.unloading, card.warp.unloading, 0.02)
+    check(label .. ": weft unloading", back.weft.unloading, card.weft.unloading, 0.02)
+    check(label .. ": shear unloading", back.shear.unloading, card.shear.unloading, 0.08)
+    check(label .. ": tested warp", back.tested.warp, card.tested.warp, 1e-3)
+    for _, axis in ipairs { "warp", "weft" } do
+      local E = 0.7 * card.tested[axis]
+      check(("%s: S at %.3g, %s"):format(label, E, axis), fabric.point(back):uniaxial(axis, E).S, fabric.point(card):uniaxial(axis, E).S, 1e-3)
+    end
+    check(label .. ": S12", fabric.point(back):strain({ E12 = 0.2 }).S12, fabric.point(card):strain({ E12 = 0.2 }).S12, 1e-3)
+    near(label .. ": the file's law beside the card, warp", r.lost.warp.worst, 0, 0.7)
+    assert(r.lost["cyclic shear"].worst > 20 and tostring(r) == r.report)
+  end
+end
+
+-- Without functions, in the example of the manual's kind: E1 x - B1 x^2 / 2, shear in two parts.
+local function write(name, text)
+  fabric.write(name, text)
+  return name
+end
+local function wide(...)
+  local out = {}
+  for i, v in ipairs { ... } do out[i] = ("%20s"):format(v) end
+  return table.concat(out)
+end
+local function plain(density, third)
+  return table.concat({ "#RADIOSS STARTER", "/MAT/FABR_A/1/1", "by hand", wide(density), wide("4.5e8", "1e8", "3e8", "0", "0.01"),
+    third or wide("1e6", "1e8", "60", "0"), wide("0", "0", "0"), ("%10d%10d"):format(1, 1) .. wide("1e-4", "1e-4"), "/END" }, "\n") .. "\n"
+end
+local r = fabric.import.card { file = write("plain.rad", plain "722.5"), units = "SI", thickness = 3e-4, density = 700 }
+assert(r.card.name == "by hand" and r.card.density == 700 and #r.notes == 4, #r.notes)
+local e = 0.05
+local E = e + e * e / 2
+check("nominal stress by hand", (1 + e) * fabric.point(r.card):uniaxial("warp", E).S, (4.5e8 - 1e8 * e / 2) * e, 1e-3)
+check("shear below the lock", fabric.point(r.card):strain({ E12 = 0.1 }).S12, 1e6 * math.tan(math.asin(0.2)), 1e-3)
+
+-- Refusals with file and line.
+local function wrong(words, t)
+  local good, message = pcall(fabric.import.card, t)
+  assert(not good and tostring(message):find(words, 1, true), "expected: " .. words .. "\ngot: " .. tostring(message))
+end
+local function with(file) return { file = file, thickness = 3e-4, units = "SI" } end
+wrong("card: cannot read 'none.rad': No such file or directory", with "none.rad")
+wrong("card: field 'file': expected a name that ends in .rad or .inp, or field 'from', got 'plain.k'", with "plain.k")
+wrong("card: field 'thickness': expected a positive number in m (plain.rad has no section), got nil", { file = "plain.rad", units = "SI" })
+wrong("card: bad.rad:4: expected a number in columns 1 to 20, got 'heavy'", with(write("bad.rad", plain "heavy")))
+wrong("card: bad.rad:6: expected a number in columns 1 to 20, got 'soft'", with(write("bad.rad", plain("722.5", wide("soft", "1e8", "60", "0")))))
+wrong("there is no /MAT/LAW58 (or /MAT/FABR_A)", with(write("empty.rad", "#RADIOSS STARTER\n/END\n")))
+wrong("card: short.rad:1: expected a title and at least five lines of LAW58", with(write("short.rad", "/MAT/LAW58/1\nshort\n")))
+wrong("there is no *FABRIC", with(write("none.inp", "*MATERIAL, NAME=a\n*DENSITY\n600.,\n")))
+local head = "*MATERIAL, NAME=a\n*DENSITY\n600.,\n*FABRIC\n*UNIAXIAL, COMPONENT=1\n*LOADING DATA\n"
+wrong("card: order.inp:8: expected a strain above 0.1, got 0.05", with(write("order.inp", head .. "1e6, 0.1\n2e6, 0.05\n")))
+wrong("card: word.inp:7: expected a stress and a strain, got 'one, two'", with(write("word.inp", head .. "one, two\n")))
+wrong("card: word.inp:5: expected COMPONENT=1, 2 or SHEAR", with(write("word.inp", (head:gsub("COMPONENT=1", "COMPONENT=3")))))
+wrong("expected DEFINITION=SHIFTED CURVE, got 'QUADRATIC'", with(write("un.inp", head .. "0., 0.\n1e6, 0.1\n*UNLOADING DATA, DEFINITION=QUADRATIC\n")))
+wrong("*FABRIC has no *LOADING DATA in tension for the weft", with(write("half.inp", head .. "0., 0.\n1e6, 0.1\n")))
+fabric.expect(rows)
