@@ -17,7 +17,7 @@ local returns = {
   ["fabric.expect"] = "nil", ["fabric.help"] = "nil", ["fabric.plot"] = "string|boolean|nil", ["fabric.render"] = "boolean", ["fabric.folder"] = "string[]",
   ["analysis:stop"] = "nil", ["analysis:snapshot"] = "snapshot", ["analysis:reaction"] = "number x, number y, number z",
   ["analysis:mean"] = "number", ["analysis:field"] = "number[]", ["mesh:elements"] = "integer[]", ["mesh:orient"] = "integer",
-  ["analysis.time"] = "number", ["analysis.duration"] = "number", ["analysis.stable_step"] = "number", ["analysis.step_size"] = "number",
+  ["analysis:body"] = "number ...", ["analysis:gap"] = "number, string?", ["analysis.time"] = "number", ["analysis.duration"] = "number", ["analysis.stable_step"] = "number", ["analysis.step_size"] = "number",
   ["analysis.energy"] = "table<string, number>", ["analysis.steps"] = "table[]", ["analysis.stopped"] = "string|false",
   ["mesh.nodes"] = "number[][]", ["mesh.elements"] = "integer[][]", ["mesh.sets"] = "string[]", ["model.card"] = "card",
   ["model.thickness"] = "number",
@@ -26,6 +26,7 @@ for _, name in ipairs { "solve", "advance", "step", "every", "event", "restore",
 for _, row in ipairs(rows) do -- methods of a model chain, generators make meshes
   if row.owner == "model" and row.style ~= "property" then returns[row.name] = "model" end
   if row.name:find "^fabric%.mesh%." then returns[row.name] = "mesh" end
+  if row.name:find "^fabric%.rigid%." then returns[row.name] = "body" end
 end
 for _, name in ipairs { "mesh:map", "mesh:write" } do returns[name] = "mesh" end
 -- Tables with named fields, which the sentences name; lists; and what else is plain.
@@ -35,18 +36,19 @@ end
 for _, row in ipairs(rows) do
   if row.name:find "^fabric%.lab%." and not returns[row.name] then returns[row.name] = "table<string, any>" end
 end
-for _, name in ipairs { "uniaxial", "bias", "shear", "biaxial", "drape", "poke", "bias_extension" } do returns["fabric.lab." .. name] = "test" end
+for _, name in ipairs { "uniaxial", "bias", "shear", "biaxial", "drape", "poke", "ball_drop", "capstan", "bias_extension" } do returns["fabric.lab." .. name] = "test" end
 for _, name in ipairs { "parallel", "branches", "synthetic", "backbone", "monotone" } do returns["fabric.lab." .. name] = "table[]" end
 for name, what in pairs { ["fabric.lab.unloading"] = "number", ["fabric.lab.photograph"] = "nil", ["fabric.study"] = "table", ["fabric.table"] = "table[]",
   ["fabric.transcript"] = "nil", ["fabric.who"] = "nil", ["fabric.why"] = "string", ["analysis:why"] = "string", ["fabric.write"] = "nil",
   ["card:check"] = "table[]", ["mesh:set"] = "mesh" } do returns[name] = what end
 
-local classes = { "card", "mesh", "model", "history", "analysis", "snapshot", "point" }
+local classes = { "card", "mesh", "model", "history", "analysis", "snapshot", "point", "body" }
 local about_class = {
   card = "The material of a cloth. It cannot be changed; every field of its constructor reads back in SI: `card.warp.poisson`.",
   mesh = "Nodes, elements and named sets of nodes.", model = "A mesh of a cloth with its supports and loads. Its methods return it.",
   history = "A number that depends on time.", analysis = "A run, static or in motion.", snapshot = "The whole state of a run.",
   point = "One material point.",
+  body = "A rigid body, made by `fabric.rigid`.",
 }
 
 -- --- the page ---
@@ -93,6 +95,18 @@ local function units_table(out)
     .. "so that `25.4*mm` is a length: " .. table.concat(names, ", ") .. ".\n"
 end
 
+local function fields_table(out)
+  out[#out + 1] = "## Fields of a run\nWhat nodes and elements have at any moment, under the same names in `a:field`, `a:mean`, `a:node`, `a:element`, columns "
+    .. "of `a:record`, files of `a:vtk` and pictures of `fabric.render`. A field is asked for whole or by the name of one of its numbers. Those marked "
+    .. "with a star are in a file of `a:vtk` that does not choose.\n"
+  out[#out + 1] = "| field | numbers | unit | what | of | meaning |\n|---|---|---|---|---|---|"
+  for _, field in ipairs(registry.fields()) do
+    out[#out + 1] = ("| `%s`%s | %s | %s | %s | %s | %s |"):format(field.name, field.usual and " *" or "", table.concat(field.components, " "), field.unit,
+      field.shape, field.place, cell(field.sentence))
+  end
+  out[#out + 1] = ""
+end
+
 local function page()
   local out = {
     "# Reference\n",
@@ -101,9 +115,12 @@ local function page()
       .. "table with named fields, one written `f(a, b?)` takes its arguments in order; `?` marks what may be left out. Every example runs as it stands.\n",
   }
   units_table(out)
+  fields_table(out)
   local groups = { { "Functions", function(row) return row.owner == "" and not row.name:find "^fabric%.%w+%." end },
                    { "fabric.mesh", function(row) return row.name:find "^fabric%.mesh%." end },
-                   { "fabric.lab", function(row) return row.name:find "^fabric%.lab%." end } }
+                   { "fabric.rigid", function(row) return row.name:find "^fabric%.rigid%." end },
+                   { "fabric.lab", function(row) return row.name:find "^fabric%.lab%." end },
+                   { "fabric.export and fabric.import", function(row) return row.name:find "^fabric%.[ei][xm]port%." end } }
   for _, class in ipairs(classes) do
     groups[#groups + 1] = { "Objects: " .. class, function(row) return row.owner == class end, about_class[class] }
   end
@@ -206,7 +223,7 @@ local function stubs()
     .. "---@field model model\n---@field mesh mesh\n---@field peak table the row of the largest displacement\n"
     .. "---@field mesh_error fun(self: test, options?: table): table what the numbers owe to the mesh\n"
   out[#out + 1] = "---@class fabric\n---@field version string\n---@field units table<string, number> multipliers to SI"
-  out[#out + 1] = "local fabric = { mesh = {}, lab = {} }\n"
+  out[#out + 1] = "local fabric = { mesh = {}, rigid = {}, lab = {}, export = {}, import = {} }\n"
   for _, row in ipairs(rows) do
     if row.style ~= "property" then declare(row, out) end
   end

@@ -90,7 +90,7 @@ local function pictures(name, card, free, clamped, rules)
 end
 
 return function(figure, name, folder)
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   chapter.begin(figure, name .. ", bias test at 45 degrees to 20 mm", folder)
   local free = fabric.lab.bias { card = card, out = chapter.folder .. "/free" }
   local unloaded = fabric.lab.bias { card = card, grips = "clamped" }

@@ -6,7 +6,6 @@
 -- S11 = P1 (1 + nu21) / (1 - nu12 nu21).
 local fabric = require "fabric"
 local chapter = package.loaded["thesis.chapter"]
-local MPa = fabric.units.MPa
 
 -- Spring T(y), y = E11 + alpha E22 - offset, that leaves uniaxial tests alone (both tested ends lie on y = 0) and adds to S11 at
 -- equal strain E the stress `more`. Unloading: as the blend's, 111 on 294.
@@ -22,7 +21,7 @@ local function spring(card, E, more)
 end
 
 return function(figure, name, folder)
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   chapter.begin(figure, name .. ", equal biaxial strain", folder)
   local e = 30 / 254
   local E = e + e * e / 2

@@ -18,6 +18,9 @@ function chapter.begin(figure, title, folder)
   print(("\n%s: %s"):format(figure, title))
 end
 
+-- The thesis bends its cloth by integration through the thickness, and so do its decks, on purpose: nothing is said of it.
+function chapter.card(name) return fabric.card(name, { bending = "thickness" }) end
+
 -- The card with the ratios that the thesis cut to 0.40 (table 7.4), where they are larger.
 function chapter.cut(card)
   return card:with { warp = { poisson = math.min(0.40, card.warp.poisson) }, weft = { poisson = math.min(0.40, card.weft.poisson) } }

@@ -71,7 +71,7 @@ local function direction_rows(checks, name, card, direction)
 end
 
 return function(figure, name, folder)
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   chapter.begin(figure, ("%s, cyclic tension along warp, weft and bias"):format(name), folder)
   local checks, ours, theirs, warp = {}, {}, {}, nil
   for _, direction in ipairs { "warp", "weft" } do

@@ -17,7 +17,7 @@ for _, word in ipairs(arg) do
 end
 chapter.begin("7-31", "drape from four corners, " .. name .. (rules and ", the thesis' rules" or ""), "drape")
 
-local card = fabric.card(name)
+local card = chapter.card(name)
 if rules then card = card:with { law = "thesis", transverse = "follow", shear_hysteresis = true } end
 local test = fabric.lab.drape { card = card, step = 1e-5, every = 10e-3, out = chapter.folder, strict = not rules,
                                 ledger_limit = rules and 1e9 or 0.05 }

@@ -8,7 +8,7 @@ local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"
 chapter.begin("4-11", "SVK against the measured backbone, blend", "fig_4_11")
 
-local card, svk = fabric.card "blend", chapter.svk(fabric.card "blend")
+local card, svk = chapter.card "blend", chapter.svk(chapter.card "blend")
 local checks, curves, warp = {}, {}, nil
 for _, direction in ipairs { "warp", "weft" } do
   local yarn = card[direction]

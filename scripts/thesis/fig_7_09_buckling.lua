@@ -12,7 +12,7 @@ local fabric = require "fabric"
 local mm = fabric.units.mm
 chapter.begin("7-9", "snapshots of the cyclic test, warp, blend", "fig_7_09")
 
-local card = fabric.card "blend"
+local card = chapter.card "blend"
 local test = fabric.lab.uniaxial { card = card, out_of_plane = "free", unilateral = false, stabilise = 1e-6, cells = { 6, 18 },
                                    steps = 120, tolerance = 1e-7, out = chapter.folder }
 -- Held flat it is pushed together instead, until it becomes unstable in its plane; to 30 % of the way back.

@@ -9,7 +9,7 @@ local fabric = require "fabric"
 local MPa, mm = fabric.units.MPa, fabric.units.mm
 chapter.begin("7-18", "unload and reload, blend, warp", "fig_7_18")
 
-local card = fabric.card "blend"
+local card = chapter.card "blend"
 local yarn, path = card.warp, { 0.75, 0.70, 1, 0 }
 local function strip(with, grips, fields)
   fields = fields or {}

@@ -10,7 +10,7 @@ local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"
 chapter.begin("7-19", "snapshots of the bias test, blend", "fig_7_19")
 
-local card = fabric.card "blend"
+local card = chapter.card "blend"
 local widths, checks, curves = {}, {}, {}
 for _, grips in ipairs { "free", "clamped" } do
   local folder = chapter.folder .. "/" .. grips

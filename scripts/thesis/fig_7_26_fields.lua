@@ -14,7 +14,7 @@ local fabric = require "fabric"
 local MPa = fabric.units.MPa
 chapter.begin("7-26", "fields of the strip at 30 degrees, blend", "fig_7_26")
 
-local card = fabric.card "blend"
+local card = chapter.card "blend"
 local test = fabric.lab.bias { card = card, angle = 30, cells = { 6, 18 }, unload = false, steps = 40, out = chapter.folder }
 local function spread(name)
   local values, low, high = test.analysis:field(name), math.huge, -math.huge

@@ -11,7 +11,7 @@ local fabric = require "fabric"
 local MPa = fabric.units.MPa
 chapter.begin("7-27", "cyclic simple shear, blend", "fig_7_27")
 
-local card = fabric.card "blend"
+local card = chapter.card "blend"
 local path = { 0.8, -0.8, 1 }
 local test = assert(chapter.square(card, path, { out = chapter.folder }))
 local rules = chapter.square_by_rules(card, test)

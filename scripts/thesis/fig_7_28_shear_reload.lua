@@ -9,7 +9,7 @@ local fabric = require "fabric"
 local MPa = fabric.units.MPa
 chapter.begin("7-28", "simple shear, unload and reload, blend", "fig_7_28")
 
-local card = fabric.card "blend"
+local card = chapter.card "blend"
 local path = { 0.8, 0.76, 1 }
 local test = assert(chapter.square(card, path, { out = chapter.folder }))
 local rules = chapter.square_by_rules(card, test)

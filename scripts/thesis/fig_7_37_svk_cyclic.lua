@@ -11,7 +11,7 @@ local fabric = require "fabric"
 local MPa = fabric.units.MPa
 chapter.begin("7-37", "SVK beside the woven law, cyclic tension, blend", "fig_7_37")
 
-local card, svk = fabric.card "blend", chapter.svk(fabric.card "blend")
+local card, svk = chapter.card "blend", chapter.svk(chapter.card "blend")
 local stated = { -- strain, present model, SVK
   warp = { { 0.01, 0.14, 0.67 }, { 0.05, 0.45, 0.75 }, { 0.10, 0.03, 0.94 } },
   weft = { { 0.01, 0.13, 0.33 }, { 0.05, 0.02, 0.10 }, { 0.10, 0.06, 0.42 } },

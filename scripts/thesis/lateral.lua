@@ -10,7 +10,7 @@ local chapter = package.loaded["thesis.chapter"]
 local function ratio(row, name) return -row[name] / row[name == "E_lateral" and "E_average" or "E_centre"] end
 
 return function(figure, name, folder)
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   chapter.begin(figure, name .. ", strain across the pull", folder)
   local checks, curves, frames = {}, {}, {}
   for _, direction in ipairs { "warp", "weft" } do

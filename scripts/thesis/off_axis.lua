@@ -14,7 +14,7 @@ local function exchanged(card)
 end
 
 return function(figure, name, folder)
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   chapter.begin(figure, name .. ", warp at 30 and 60 degrees from the pull", folder)
   local checks, curves, frames = {}, {}, {}
   for _, angle in ipairs { 30, 60 } do

@@ -30,7 +30,7 @@ end
 
 local checks = {}
 for _, name in ipairs { "duck", "muslin" } do
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   for _, direction in ipairs { "warp", "weft" } do
     local curves, last = {}, {}
     for _, law in ipairs { "potential", "incremental", "thesis" } do

@@ -25,7 +25,7 @@ local function solve_E45(card, G, as_printed) return relation(card, { shear = G 
 
 local checks, tensor = {}, {}
 for _, name in ipairs { "blend", "duck", "muslin", "denim" } do
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   local G_kilby, G_present = table.unpack(printed[name])
   local half = card.shear.loading[1] / 2 / MPa
   local E45 = fabric.point(card):uniaxial(45, 1e-6).S / 1e-6
@@ -46,7 +46,7 @@ for i, name in ipairs { "blend", "duck", "muslin", "denim" } do
 end
 local curves = {}
 for _, name in ipairs { "blend", "duck", "muslin", "denim" } do
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   local curve = { x = {}, y = {}, label = name }
   for i = 0, 60 do
     local x = 0.3 * i / 60

@@ -31,7 +31,7 @@ if name == "-h" or name == "--help" then
   print(usage)
   return
 end
-local card = fabric.card(name)
+local card = fabric.card(name, { bending = "thickness" })
 local direction = choice(2, "direction", { "warp", "weft" })
 local grips = choice(3, "grips", { "free", "clamped" })
 local steps = math.tointeger(tonumber(arg[4] or 80))
@@ -89,7 +89,7 @@ print(("\ncurve   %s/curve.csv\nfigure  %s\nseries  %s/strip.pvd (ParaView)\n"):
   folder, drawn and folder .. "/curve.svg" or "none: gnuplot is not installed", folder))
 
 -- What must come out. Every wanted value is a closed form of the card.
-local peak, last, before = nil, curve[#curve], curve[#curve - 1]
+local peak, last = nil, curve[#curve]
 local off_curve, off_ratio, off_slope = 0, 0, 0
 for i, row in ipairs(curve) do
   if row.time <= 1 and row.E > 0 then

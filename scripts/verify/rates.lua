@@ -7,7 +7,8 @@
 -- over that of the solution.
 --
 --   fabricsh scripts/verify/rates.lua
--- warns: is far outside cloth
+-- warns: is far from what cloth is
+-- warns: real cloth has 5 to 20 uN.m
 local fabric = require "fabric"
 local young, nu, thickness = 1e9, 0.3, 0.02
 

@@ -4,7 +4,8 @@
 --
 --   fabricsh scripts/verify/sze7_semicylinder.lua [n ...]      n x n elements in the half, usually 16; the table on the last
 -- warns: is far from what cloth is
--- warns: is far outside cloth
+-- warns: is far from what cloth is
+-- warns: real cloth has 5 to 20 uN.m
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

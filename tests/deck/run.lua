@@ -35,17 +35,12 @@ end
 local faults = {}
 local function fault(...) faults[#faults + 1] = string.format(...) end
 
--- What a run foresees of its cloth and its loads goes with the data of cards and paths, not with the deck; that it is said,
--- and when, is tried in tests/lua/warnings.lua.
-local foreseen = { "real cloth has 5 to 20 uN.m", "the card was tested to", "there whole at time 0 and applied in the first step" }
-
 -- The warning is one of those announced (which are marked), or one of a machine that lacks a program.
 local function awaited(line, announced)
   for words, name in pairs(machine) do
     if line:find(words, 1, true) and lacks(name) then return true end
   end
   local found = false
-  for _, words in ipairs(foreseen) do found = found or line:find(words, 1, true) ~= nil end
   for _, one in ipairs(announced) do
     if line:find(one.words, 1, true) then one.said, found = true, true end
   end
@@ -78,6 +73,7 @@ local function check_said(text, announced)
       fault("a warning that the deck does not announce: %s", line)
     end
   end
+  if text:find("SKIPPED:", 1, true) then return end
   for _, one in ipairs(announced) do
     if not one.said then fault("announced and not said: '%s'", one.words) end
   end

@@ -28,6 +28,16 @@ page 'svg{max-width:100%}' | deck "'out/page.html': lines of <pre> make it wider
 page 'pre{white-space:pre-wrap}' | deck "'out/page.html': figures make it wider than a small screen"
 page 'pre{white-space:pre-wrap}svg{max-width:100%}' | deck ''
 echo 'error "broken"' | deck 'it ended with exit 1'
+printf -- '-- warns: thin ice\nprint "SKIPPED: no ice"' | deck ''
+# A checkout that has no records of others beside it.
+rm -rf alone && mkdir alone && cp -r "$root/scripts" alone/
+for name in identify_bias real/glass real/knit real/nylon; do
+  for how in --quiet --check; do
+    said=$("$program" $how "alone/scripts/lab/$name.lua" 2>&1) && case $said in SKIPPED:*) continue ;; esac
+    echo "FAILED: $how $name.lua without records: $said"
+    status=1
+  done
+done
 echo 'print "of scripts/thesis/uniaxial.lua"' | deck ''
 command -v gnuplot >/dev/null || { echo "SKIPPED: gnuplot is not installed" && exit $status; }
 echo "require 'fabric'.plot { file = 'out/a.svg', title = 'one', $curve }" | deck ''

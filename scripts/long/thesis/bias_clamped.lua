@@ -2,6 +2,7 @@
 -- 6 x 18 and 12 x 36 elements hold?
 --
 --   fabricsh scripts/long/thesis/bias_clamped.lua
+-- warns: the card was tested to
 local here = arg[0]:gsub("[^/]*$", ""):gsub("long/thesis/$", "thesis/")
 local chapter = dofile(here .. "chapter.lua")
 local fabric = require "fabric"
@@ -11,7 +12,7 @@ chapter.begin("7-20 fine", "clamped bias test on finer meshes", "bias_clamped")
 local checks = {}
 for _, name in ipairs { "blend", "denim", "duck", "muslin" } do
   local function S(n)
-    return fabric.lab.bias({ card = fabric.card(name), grips = "clamped", unload = false, steps = 20, cells = { 3 * n, 9 * n } }).peak.S
+    return fabric.lab.bias({ card = chapter.card(name), grips = "clamped", unload = false, steps = 20, cells = { 3 * n, 9 * n } }).peak.S
   end
   local values = {}
   for i, n in ipairs { 1, 2, 4, 8 } do values[i] = S(n) end

@@ -15,18 +15,18 @@ local function hang(what, fields, limit)
   expected[#expected + 1] = { what .. ": ledger", last.error, 0, absolute = limit or 1e-4 }
   return last.centre
 end
-local blend = fabric.card "blend"
+local blend = chapter.card "blend"
 local finest = hang("dt = 2e-6 s", { card = blend, step = 2e-6 })
 for _, dt in ipairs { 1e-5, 2e-5, 5e-5 } do
   local centre = hang(("dt = %g s"):format(dt), { card = blend, step = dt }, dt == 1e-5 and 1e-6 or nil)
   expected[#expected + 1] = { ("middle at dt = %g s against 2e-6 s, m"):format(dt), centre, finest, absolute = 2e-3 }
 end
 for _, cells in ipairs { 10, 40, 80 } do hang(("%d x %d elements"):format(cells, cells), { card = blend, cells = cells }) end
-for _, name in ipairs { "duck", "muslin", "denim" } do hang(name, { card = fabric.card(name), step = 1e-5 }, 1e-6) end
+for _, name in ipairs { "duck", "muslin", "denim" } do hang(name, { card = chapter.card(name), step = 1e-5 }, 1e-6) end
 
 -- Scaled rotary inertia moves a result by less than a finer mesh does.
 for _, name in ipairs { "muslin", "denim", "duck" } do
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   local scaled, fine = hang(name .. ", 0.7 dt0", { card = card }), hang(name .. ", 40 x 40", { card = card, cells = 40 })
   local own = hang(name .. ", inertia of its thickness", { card = card, inertia = "true" })
   expected[#expected + 1] = { name .. ": scaled inertia moves the middle by less than the mesh does",

@@ -1,6 +1,8 @@
 -- Poke [williams2010, figs. 7-33 to 7-36] of all four fabrics; shear hysteresis on. Minutes.
 --
 --   fabricsh scripts/long/thesis/poke.lua
+-- warns: real cloth has 5 to 20 uN.m
+-- warns: the card was tested to
 local here = arg[0]:gsub("[^/]*$", "") .. "../../thesis/"
 local chapter = dofile(here .. "chapter.lua")
 local ledger = dofile(here .. "ledger.lua")
@@ -10,7 +12,7 @@ chapter.begin("7-33..36", "poke: four fabrics", "poke_long")
 
 local expected = {}
 for _, name in ipairs { "blend", "duck", "muslin", "denim" } do
-  local card = fabric.card(name)
+  local card = chapter.card(name)
   for label, with in pairs { fabric = card, SVK = chapter.svk(card) } do
     local test = fabric.lab.poke { card = with, duration = 1, step = 1e-5 }
     local last = test.curve[#test.curve]
