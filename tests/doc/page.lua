@@ -7,6 +7,7 @@
 --   ```sh elsewhere=TEST  only said here: the test of that name does the same
 --   ```lua elsewhere=TEST
 --   ```fabricsh           a session at the prompt: lines after "> " are typed, the others are what it shows
+--   ```python             run by Debian's Python with share/python at hand; left out, and said so, where numpy is missing
 --   ```text               what the block before printed, compared; a line "..." stands for any lines
 --   ```formula            no code
 --   ```cpp file=PATH      (and cmake) shown here: the text of that file of the tree, which other tests build and run
@@ -85,7 +86,8 @@ local function session(text, what)
   end
 end
 
-local last, count = nil, 0
+local last, left_out, count = nil, false, 0
+local python = "PYTHONDONTWRITEBYTECODE=1 FABRICSH=$PWD/fabricsh PYTHONPATH=share/python $( [ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3 ) "
 local run_block = {
   lua = function(name, text, what)
     name = name ~= "" and name or ("block-%d.lua"):format(count)
@@ -97,7 +99,17 @@ local run_block = {
     last = run("sh block.sh", what)
   end,
   fabricsh = function(_, text, what) session(text, what) end,
+  python = function(_, text, what)
+    left_out = not os.execute(python .. "-c 'import numpy' >/dev/null 2>&1")
+    if left_out then
+      print(("SKIPPED: %s: no python3 with numpy"):format(what))
+      return
+    end
+    write("block.py", text)
+    last = run(python .. "block.py", what)
+  end,
   text = function(_, text, what)
+    if left_out then return end
     if not last then error(what .. ": no block before it has printed anything", 0) end
     compare(last, text, what)
   end,
@@ -131,8 +143,8 @@ local function has_test(name)
   local listing = io.open(root .. "/tests/CMakeLists.txt"):read "a" .. io.open(root .. "/tests/lint/CMakeLists.txt"):read "a"
   if listing:find(name, 1, true) then return true end
   local kind, path = name:match "^(%w+)/(.+)$"
-  local file = io.open(root .. (kind == "deck" and "/scripts/" or "/tests/" .. (kind or "") .. "/") .. (path or "") .. ".lua")
-  return file ~= nil
+  local file = root .. (kind == "deck" and "/scripts/" or "/tests/" .. (kind or "") .. "/") .. (path or "")
+  return (io.open(file .. ".lua") or io.open(file .. ".py")) ~= nil
 end
 
 -- The blocks find the program and start in an empty folder: this deck again, under another PATH.
@@ -164,6 +176,7 @@ for _, block in ipairs(blocks) do
   elseif elsewhere then
     if not has_test(elsewhere) then error(("%s: no test '%s'"):format(what, elsewhere), 0) end
   else
+    if block.kind ~= "text" then left_out = false end
     local act = run_block[block.kind] or error(("%s: a block of '%s' cannot be run"):format(what, block.kind), 0)
     act(block.rest, block.text, what)
   end
