@@ -9,6 +9,8 @@
 ---@field thickness number m: of the sheet
 ---@field bending fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field through_thickness boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
+---@field estimate fabric_woven_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -17,6 +19,7 @@
 ---@field transverse "elastic"|"follow" transverse shear of the comparison laws (default "elastic")
 ---@field shear_hysteresis boolean of the comparison laws (default true)
 ---@field biaxial fabric_woven_fields.biaxial a fourth spring that acts when both yarns are stretched
+---@field viscous fabric_woven_fields.viscous stress that relaxes with time, law potential only
 ---@field bands fabric_woven_fields.bands confidence bands of the measured parameters
 local card = {}
 
@@ -29,9 +32,9 @@ local mesh = {}
 
 ---A mesh of a cloth with its supports and loads. Its methods return it.
 ---@class model
----@field card card The card it was made of.
+---@field card card The card it was made of; of several bodies the first one's.
 ---@field mesh any The mesh it was made of.
----@field thickness number Thickness of the sheet, m.
+---@field thickness number Thickness of the sheet, m; of several bodies the first one's.
 local model = {}
 
 ---A number that depends on time.
@@ -40,9 +43,9 @@ local history = {}
 
 ---A run, static or in motion.
 ---@class analysis
----@field beyond any How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the one tested, and when the run first went beyond.
+---@field beyond any How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the one tested, when the run first went beyond, and the part of the elements that have.
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; scaled: of the kinetic, in rotary inertia that is scaled up; error: what the balance misses over the largest external work.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; contact and guard: of the stored, of contact and of what holds it off its floor; friction: of the dissipated, what friction of contact took; rigid: of the kinetic, of free rigid bodies; scaled: of the kinetic, in rotary inertia that is scaled up; error: what the balance misses over the largest external work.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
 ---@field stable_step number The largest stable step of central differences in the reference configuration, s.
@@ -60,6 +63,10 @@ local snapshot = {}
 ---@class point
 local point = {}
 
+---A rigid body, made by `fabric.rigid`.
+---@class body
+local body = {}
+
 ---What a virtual test returns; some have more.
 ---@class test
 ---@field curve table[] its rows
@@ -72,12 +79,17 @@ local point = {}
 ---@class fabric
 ---@field version string
 ---@field units table<string, number> multipliers to SI
-local fabric = { mesh = {}, lab = {} }
+local fabric = { mesh = {}, rigid = {}, lab = {}, export = {}, import = {} }
 
 ---Runs to an absolute time and lands on it; returns the analysis.
 ---@param time number s: absolute time to run to and land on
 ---@return analysis
 function analysis:advance(time) end
+
+---Where a rigid body is and how it moves: nine numbers, x y z of its centre (m), its velocity (m/s), its spin (degrees/s); a moved body's by differences of its histories.
+---@param body body that touches something in the model
+---@return number ...
+function analysis:body(body) end
 
 ---@class analysis_checkpoint_fields.options
 ---@field every? number|"step" s: simulated time between two of them, or 'step'; no step is made shorter for it
@@ -90,7 +102,7 @@ function analysis:advance(time) end
 ---@return analysis
 function analysis:checkpoint(path, options) end
 
----Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (tensor), S11 S22 S23 S13 S12 (Pa), stored and dissipated (J/m^3), residual1 residual2 (residual strains), slack1 slack2 (strain that a slack yarn is below its residual strain).
+---Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), shear_angle (by which the angle between warp and weft is less than a right one; of the sign of E12; degrees), tension_warp (force along the warp yarns over the reference width that they come from; N/m), tension_weft (force along the weft yarns over the reference width that they come from; N/m), nominal_strain_warp (change of length along the warp over the length that it had), nominal_strain_weft (change of length along the weft over the length that it had), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (true stress along the warp as it lies now, on the area that is now (the thickness that of the reference); Pa), cauchy_22 (true stress across the warp as it lies now, in the surface; Pa), cauchy_12 (true shear stress, along the warp and across it; Pa), beyond (the largest strain so far over what the card was tested to: 1.2 is 20 % beyond; 0 where it does not say), region (number of the body or region that the element belongs to, in their order).
 ---@param number integer of the element
 ---@return table<string, any>
 function analysis:element(number) end
@@ -111,32 +123,44 @@ function analysis:event(fields) end
 ---@return analysis
 function analysis:every(interval, action) end
 
----The value of every element, in their order: a list. Stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 slack1 slack2
+---What every element or node has, in their order: a list of numbers, of a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"gap"|"contact_pressure"|"displacement"|"velocity"|"director"|"position"|"reference"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run
 ---@return number[]
 function analysis:field(name) end
 
+---How far the nearest of all that touch is from its floor, m, and which that is; with nothing near what contact reaches, and nil.
+---@return number, string?
+function analysis:gap() end
+
 ---The average of a value over elements, each of which counts once. Stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" of a value: E11 E22 E23 E13 E12 S11 S22 S23 S13 S12 stored dissipated residual1 residual2 slack1 slack2
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" of a number that elements have, see a:element
 ---@param set? string elements all of whose nodes are in it (default "all")
 ---@return number
 function analysis:mean(name, set) end
 
----Where a node is: a table of x y z (m), X Y Z (in the reference), ux uy uz (displacement), vx vy vz (velocity, m/s), nx ny nz (director).
+---Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), gap (to the nearest thing that it touches, above the floor of their contact; what contact reaches at most; m), contact_pressure (of contact, friction apart; Pa).
 ---@param number integer of the node
 ---@return table<string, any>
 function analysis:node(number) end
 
----Force that the supports exert on the cloth, summed over the set: three numbers x, y, z in N, global; zero before the first step.
----@param set string name of a node set
+---Runs until a value has come to a target and lands there; an error where the run ends before. Returns the analysis, which solve() takes on.
+---@param value string|function function(a) that returns a number, or a field's name for its mean
+---@param target number what the value is to come to
+---@param set? string of the field's mean (default "all")
+---@param tolerance? number of the value, over the largest distance from the target (default 1e-06)
+---@return any
+function analysis:reach(value, target, set, tolerance) end
+
+---Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, y, z in N, global; zero before the first step.
+---@param set string|body name of a node set, or a rigid body
 ---@return number x, number y, number z
 function analysis:reaction(set) end
 
 ---@class analysis_record_fields.options
 ---@field every? number|"step" s: time between rows or frames, or 'step'
----@field columns table name = function(a) that returns a number
+---@field columns table name = function(a) that returns a number; or a field's name, for its mean over the elements, or {field, set}
 ---@field order? table names in the order of the columns
----@field units? table name = unit of what the function returns, '' for none; put behind the name in the heading. Default: N for a column called force (or force_x, force_y, force_z), m for displacement
+---@field units? table name = unit of what the function returns, '' for none; put behind the name in the heading. Default: that of the field; N for a column called force (or force_x, force_y, force_z), m for displacement
 
 ---Writes a table as the run goes: time, then the columns, with their units in the heading, so that fabric.lab.tensile reads it.
 ---@param path string of the CSV file
@@ -183,7 +207,7 @@ function analysis:stop(reason) end
 
 ---@class analysis_vtk_fields.options
 ---@field every? number|"step" s: time between rows or frames, or 'step'
----@field fields? table some of the fields; default all
+---@field fields? table names of fields, or of single numbers: see the table of fields of a run; default: displacement velocity director E S residual slack energy warp weft
 
 ---Writes a series for ParaView as the run goes; the .pvd is valid at any moment.
 ---@param stem string out/drape writes out/drape.pvd and numbered .vtu files
@@ -218,10 +242,14 @@ function card:with(changes) end
 ---@param path string of the Lua file
 function card:write(path) end
 
+---@class fabric_card_fields.options
+---@field bending? "estimated"|"thickness" estimated: the card's own estimate of what nobody measured; thickness: integration through the thickness, on purpose and without a word
+
 ---A shipped card by name, or the card that a Lua file returns.
 ---@param name string of a shipped card, or a path (with / or ending in .lua)
+---@param options? fabric_card_fields.options of a card that is taken otherwise
 ---@return card
-function fabric.card(name) end
+function fabric.card(name, options) end
 
 ---Names of the shipped cards.
 ---@return string[]
@@ -250,6 +278,7 @@ function fabric.checking() end
 ---@field tolerance? number implicit: residual over the largest nodal force (default 1e-08)
 ---@field max_iterations? integer implicit: of one step, before it is cut (default 30)
 ---@field max_cuts? integer implicit: halvings of one step (default 12)
+---@field limit? "tell"|"stop" tell: says once where the cloth is strained beyond what the card was tested to; stop: and stops there (default "tell")
 
 ---A run in motion with Newmark's method, explicit or implicit, and a ledger of its energies.
 ---@param fields fabric_dynamic_fields
@@ -260,6 +289,45 @@ function fabric.dynamic(fields) end
 ---@param rows table { {label, got, want, relative= or absolute=}, ... }
 function fabric.expect(rows) end
 
+---@class fabric_export_card_fields
+---@field card card the fabric
+---@field to "ls-dyna"|"openradioss"|"abaqus" the solver
+---@field material? string ls-dyna: MAT_034 (default) or MAT_235; openradioss: LAW58 (default) or LAW19; abaqus: FABRIC, or ELASTIC for svk cards
+---@field file? string where the text goes; default: it is only returned
+---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the deck is written in (default "mm-t-s")
+---@field id? integer of the material; curves are 10 id + 1 and on (default 1)
+---@field axis? number[] direction of the warp {x, y, z} where the material holds it (LS-DYNA); default {1, 0, 0}
+
+---A card as a material of another solver, its curves in that solver's measures of strain and stress. Returns text, material, report (text), losses: a row for each path {path, worst, rms, work: per cent of the card's own peak stress and work, where, peak, strain, ours, theirs}, lost: the same by path (warp, weft, biaxial, bias, "cyclic warp", "cyclic weft", "cyclic shear"), and sentences on what no row shows.
+---@param fields fabric_export_card_fields
+---@return any
+function fabric.export.card(fields) end
+
+---@class fabric_export_mesh_fields
+---@field mesh mesh the mesh
+---@field file string that ends in .obj, .ply or .stl (quadrilaterals in two), lengths in m
+---@field run? analysis of that mesh: nodes where they are now; default: the reference shape
+
+---Writes a mesh, or its deformed shape, as .obj, .ply or .stl. Returns the file's name.
+---@param fields fabric_export_mesh_fields
+---@return any
+function fabric.export.mesh(fields) end
+
+---@class fabric_export_model_fields
+---@field model model one sheet of one card, with fix, move, force and gravity
+---@field warp number|number[] degrees: the model's warp: its angle from x, or its direction {x, y, z}; a model does not give it back
+---@field file? string that ends in .inp, .k or .rad (name it NAME_0000.rad for the starter); default: the text is only returned
+---@field to? "ls-dyna"|"openradioss"|"abaqus" the solver; default: by the file's name
+---@field material? string as for fabric.export.card
+---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the deck is written in (default "mm-t-s")
+---@field histories? table { ['top.y']={{t, v}, ...} }: corners, s and SI, of what moves or pulls a set along an axis, where it is more than a ramp
+---@field duration? number s: of the run; default: the last corner of a history, at least 1 s
+
+---A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what fabric.export.card returns, with the losses), and notes on what was written otherwise than said. Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for *ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.
+---@param fields fabric_export_model_fields
+---@return any
+function fabric.export.model(fields) end
+
 ---Names in a folder, sorted.
 ---@param path string of a folder
 ---@return string[]
@@ -268,14 +336,34 @@ function fabric.folder(path) end
 ---Makes the fields of fabric and fabric.units global, without covering what is there.
 function fabric.globals() end
 
----Prints what a function takes, what an object holds and can do, or all that speaks of a word.
----@param topic? any a function, an object, a name, or a word to look for; nothing: an overview
+---Prints what a function takes, what an object holds and can do, or all that speaks of a word, or of each of several.
+---@param topic? any a function, an object, a name, or words to look for; nothing: an overview
 function fabric.help(topic) end
 
 ---A history through points; before the first and after the last it holds their values.
 ---@param points table { {t, v}, ... } with increasing times, s
 ---@return history
 function fabric.history(points) end
+
+---@class fabric_import_card_fields.tested
+---@field warp? number largest E11
+---@field weft? number largest E22
+---@field shear? number largest E12 (tensor)
+
+---@class fabric_import_card_fields
+---@field file string a starter deck with LAW58, or an Abaqus deck with *FABRIC test data
+---@field from? "openradioss"|"abaqus" default: by the file's ending, .rad or .inp
+---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the file is written in (default "mm-t-s")
+---@field name? string of the card; default: the material's
+---@field thickness? number m: default: that of a section in the file
+---@field density? number kg/m^3: default: the file's
+---@field poisson? number[] {nu12, nu21}, which such files do not hold; default {0, 0}
+---@field tested? fabric_import_card_fields.tested strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else the curves' ends
+
+---A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes.
+---@param fields fabric_import_card_fields
+---@return any
+function fabric.import.card(fields) end
 
 ---@class fabric_lab_backbone_fields
 ---@field curves table { {E=, S=}, ... }, one per specimen
@@ -286,6 +374,33 @@ function fabric.history(points) end
 ---@param fields fabric_lab_backbone_fields
 ---@return table[]
 function fabric.lab.backbone(fields) end
+
+---@class fabric_lab_ball_drop_fields
+---@field card card the fabric
+---@field side? number m: of the clamped square (default 0.2)
+---@field radius? number m: of the ball (default 0.03)
+---@field mass? number kg: of the ball (default 0.1)
+---@field height? number m: that it falls from, of its lowest point above the sheet (default 0.1)
+---@field friction? number of ball and cloth (default 0.2)
+---@field stiffness? number Pa/m: of contact, as for model:contact
+---@field clearance? number m: from which on the fall is computed (default 1e-04)
+---@field cells? integer along an edge (default 20)
+---@field duration? number s: of the run (default 0.03)
+---@field step? number s: as for fabric.dynamic; default: "auto"
+---@field scheme? "explicit"|"implicit" as for fabric.dynamic (default "explicit")
+---@field inertia? "scaled"|"true" as for fabric.dynamic
+---@field points? integer through the thickness, where the card has no bending of its own (default 3)
+---@field gravity? number m/s^2: along -z (default 9.81)
+---@field damping? number 1/s: of the masses (default 0)
+---@field every? number s: time between rows and frames (default 5e-04)
+---@field force? boolean as for fabric.dynamic (default false)
+---@field ledger_limit? number as for fabric.dynamic (default 0.05)
+---@field out? string folder for curve.csv and the VTK series, cloth and ball
+
+---A rigid ball falls onto the middle of a clamped square. Returns curve (a list of time, depth of the ball's lowest point and deflection of the middle, m below the sheet at rest, force on the ball, N, its speed downwards, m/s, the smallest gap above the floor of contact, m, and the energies of analysis.energy), depth, deflection and force (the largest of all rows), gap (the smallest), analysis, model, mesh and ball.
+---@param fields fabric_lab_ball_drop_fields
+---@return test
+function fabric.lab.ball_drop(fields) end
 
 ---@class fabric_lab_band_fields
 ---@field specimens table one list of parameters per specimen
@@ -361,6 +476,19 @@ function fabric.lab.bias_extension(fields) end
 ---@return table<string, any>
 function fabric.lab.bias_shear(fields) end
 
+---@class fabric_lab_bias_sizes_fields
+---@field specimens table bias pulls: { {displacement=, force=, width=, length=, name=}, ... }, m and N, of one size or several
+---@field thickness number m: of the cloth
+---@field limit? number degrees: angle up to which rows count (default 30)
+---@field knots? integer of the curve, at equal angles, straight between them (default 10)
+---@field edges? boolean the free edges play a part, if the sizes tell it (default true)
+---@field scatter? number relative deviation of one specimen, for the bands (default 0.04)
+
+---One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (whether that is more than two of its deviations and not its bound, a fifth of the width; else the rest does without), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high (95 % of specimens), angle}, text.
+---@param fields fabric_lab_bias_sizes_fields
+---@return table<string, any>
+function fabric.lab.bias_sizes(fields) end
+
 ---@class fabric_lab_biaxial_fields
 ---@field card card the fabric
 ---@field displacement? number m: by which left and right part (default 0.03)
@@ -399,6 +527,42 @@ function fabric.lab.boxes(fields) end
 ---@return table[]
 function fabric.lab.branches(fields) end
 
+---@class fabric_lab_cantilever_fields
+---@field card card the fabric
+---@field direction? number|"warp"|"weft" degrees: of the strip: warp, weft or an angle from the warp (default "warp")
+---@field width? number m: of the strip (default 0.025)
+---@field angle? number degrees: of the plane that the tip is to touch (default 41.5)
+---@field overhang? number m: one overhang, in place of the one whose tip touches the plane
+---@field cells? integer along the strip; default: 40, of a loop 80
+---@field steps? integer in which the weight comes, at least (default 5)
+---@field gravity? number m/s^2: of the place (default 9.80665)
+---@field tolerance? number as for fabric.static (default 1e-09)
+
+---Cantilever test [astm_d1388]: a strip is pushed over an edge until its tip touches a plane below. Returns overhang and bending_length (half of it), m, rigidity (weight times its cube, N.m), angle (of the chord, degrees), shape (the middle line, {x, z}), analysis.
+---@param fields fabric_lab_cantilever_fields
+---@return table<string, any>
+function fabric.lab.cantilever(fields) end
+
+---@class fabric_lab_capstan_fields
+---@field card card the fabric; its warp lies along the strip
+---@field radius? number m: of the cylinder (default 0.03)
+---@field wrap? number degrees: of the strip about it (default 90)
+---@field friction? number of strip and cylinder (default 0.3)
+---@field tension? number N/m: T1, that the strip is held by (default 10)
+---@field width? number m: of the strip (default 0.01)
+---@field around? integer elements of the wrap (default 16)
+---@field across? integer elements of the width (default 1)
+---@field lead? integer elements of the straight part on either side (default 2)
+---@field draw? number of the strip's length: how far it is drawn (default 0.05)
+---@field step? number s: largest step: 1 s is the tension, 1 s more the drawing (default 0.05)
+---@field points? integer through the thickness, where the card has no bending of its own (default 3)
+---@field stiffness? number Pa/m: of contact, as for model:contact
+
+---A strip over a rigid cylinder is held by a tension T1 on one side and drawn over it on the other. Returns ratio (T2 / T1 at the end), curve (a list of time, drawn, m, and ratio), analysis, model, mesh and drum.
+---@param fields fabric_lab_capstan_fields
+---@return test
+function fabric.lab.capstan(fields) end
+
 ---@class fabric_lab_card_fields
 ---@field name string of the fabric
 ---@field source? string who measured, when; what was fitted is put behind it (default "")
@@ -419,12 +583,13 @@ function fabric.lab.card(fields) end
 ---@class fabric_lab_compare_fields.options
 ---@field x? string column of both; default E, else displacement
 ---@field y? string column of both; default S, else force
----@field slack? number of first contact: a stretch as in fit.specimens[i].slack where x is E, else of the unit of x; default 0
+---@field slack? number|"find" of first contact: a stretch as in fit.specimens[i].slack where x is E, else of the unit of x; default 0; find: where a polynomial through the measured curve meets zero
+---@field spread? table result of fabric.lab.spread: the band of the next specimen is drawn, and `inside` says what part of the points lies in it
 ---@field all? boolean unloading too; default: virgin loading up to failure
 ---@field file? string of the figure with both curves: .svg, .png or .pdf
 ---@field title? string of the figure
 
----A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), text.
+---A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text.
 ---@param measured table result of fabric.lab.tensile or shear_from_bias, or a record with lists of the columns
 ---@param test table result of a virtual test (fabric.lab.uniaxial and so on), its curve, or lists likewise
 ---@param options? fabric_lab_compare_fields.options what is laid over each other, and where the figure goes
@@ -462,6 +627,23 @@ function fabric.lab.density(fields) end
 ---@param fields fabric_lab_drape_fields
 ---@return test
 function fabric.lab.drape(fields) end
+
+---@class fabric_lab_ensemble_fields
+---@field parameters table { {name=, start=, low=, high=}, ... } as of fabric.lab.identify; any value between the bounds is as likely before the data
+---@field tests? table as of fabric.lab.identify: the same likelihood, exp(-chi^2/2)
+---@field log? function instead: function(p) that returns the logarithm of a density, up to a constant
+---@field found? table result of fabric.lab.identify: the walkers begin around it
+---@field walkers? integer even; default: four a parameter, 20 at least
+---@field steps? integer that are kept, of every walker; each costs a simulation (default 1000)
+---@field discard? integer steps before, that are not kept; default: a quarter of them
+---@field level? number of the band from low to high (default 0.95)
+---@field processes? integer side by side (default 1)
+---@field seed? integer of all that is random (default 1)
+
+---Draws from what the data say of parameters, for bands that are wide, skew or bent, by the ensemble sampler of Goodman and Weare: samples (lists by name), mean, median, low, high (by name), deviation, correlation, best (the likeliest draw, by name), log (there), taken, time (autocorrelation, steps), independent (draws that they are worth), failed, text.
+---@param fields fabric_lab_ensemble_fields
+---@return table<string, any>
+function fabric.lab.ensemble(fields) end
 
 ---@class fabric_lab_fast_fields.along
 ---@field stretch number[] elongation over length
@@ -529,6 +711,21 @@ function fabric.lab.fast_card(fields) end
 ---@return table<string, any>
 function fabric.lab.fit(fields) end
 
+---@class fabric_lab_heart_loop_fields
+---@field card card the fabric
+---@field direction? number|"warp"|"weft" degrees: of the strip: warp, weft or an angle from the warp (default "warp")
+---@field length? number m: of the strip, between the grips (default 0.15)
+---@field width? number m: of the strip (default 0.025)
+---@field cells? integer along the strip; default: 40, of a loop 80
+---@field steps? integer in which the weight comes, at least (default 5)
+---@field gravity? number m/s^2: of the place (default 9.80665)
+---@field tolerance? number as for fabric.static (default 1e-09)
+
+---Heart loop test [astm_d1388]: a strip's ends are held together, upright, and it hangs down as a heart. Returns height (from the grip to the lowest point, m), bending_length (of the standard's formula, m), rigidity (N.m), shape (one half, {x, z}), analysis.
+---@param fields fabric_lab_heart_loop_fields
+---@return table<string, any>
+function fabric.lab.heart_loop(fields) end
+
 ---@class fabric_lab_identifiability_fields
 ---@field jacobian number[] of residuals in units of their deviation, by rows
 ---@field scale number[] a size of each parameter
@@ -557,23 +754,27 @@ function fabric.lab.identifiability(fields) end
 function fabric.lab.identify(fields) end
 
 ---@class fabric_lab_kes_bending_fields
----@field curvature number[] 1/m: of a cycle 0 to 250, to -250, to 0
----@field moment number[] N: per width
+---@field curvature? number[] 1/m: of a cycle 0 to 250, to -250, to 0
+---@field moment? number[] N: per width
+---@field card? card in place of the measured rows: what the instrument would show of it
+---@field direction? "warp"|"weft" that the card is tested along (default "warp")
 ---@field at? number 1/m: curvature of 2HB: 50 or 100, laboratories differ (default 50)
 
----B (slope from 50 to 150 1/m, gf cm^2/cm) and 2HB (gf cm/cm, height of the loop).
+---B (slope from 50 to 150 1/m, gf cm^2/cm) and 2HB (gf cm/cm, height of the loop); of a card also its curve, curvature and moment.
 ---@param fields fabric_lab_kes_bending_fields
 ---@return table<string, any>
 function fabric.lab.kes_bending(fields) end
 
 ---@class fabric_lab_kes_card_fields.warp
 ---@field EMT number per cent: stretch at 500 gf/cm
----@field WT number gf cm/cm^2: work
+---@field WT? number gf cm/cm^2: work; or LT
+---@field LT? number work over that of a straight line, in place of WT
 ---@field RT number per cent: of it that comes back
 
 ---@class fabric_lab_kes_card_fields.weft
 ---@field EMT number per cent: stretch at 500 gf/cm
----@field WT number gf cm/cm^2: work
+---@field WT? number gf cm/cm^2: work; or LT
+---@field LT? number work over that of a straight line, in place of WT
 ---@field RT number per cent: of it that comes back
 
 ---@class fabric_lab_kes_card_fields.shear
@@ -595,37 +796,56 @@ function fabric.lab.kes_bending(fields) end
 ---@field twist? number N.m: rigidity; default: half of the mean
 ---@field build_up? number 1/m: curvature over which friction builds up (default 10)
 
+---@class fabric_lab_kes_card_fields.compression
+---@field LC number linearity
+---@field WC number gf cm/cm^2: work
+---@field RC number per cent: of it that comes back
+
 ---@class fabric_lab_kes_card_fields.poisson
 ---@field warp number as in fabric.woven
 ---@field weft number as in fabric.woven
 
 ---@class fabric_lab_kes_card_fields
 ---@field name string of the fabric
----@field thickness number m: of the cloth
----@field density number kg/m^3: mass over volume
+---@field thickness? number m: of the cloth; or T
+---@field density? number kg/m^3: mass over volume; or W
+---@field T? number mm: thickness at 0.5 gf/cm^2, in place of thickness
+---@field W? number mg/cm^2: weight, in place of density
 ---@field warp fabric_lab_kes_card_fields.warp pull along the warp
 ---@field weft fabric_lab_kes_card_fields.weft pull along the weft
----@field shear fabric_lab_kes_card_fields.shear 2HG and 2HG5 are met as well as one unloading modulus can
+---@field shear fabric_lab_kes_card_fields.shear with 2HG5 elastic shear with friction that grows with the angle
 ---@field bending? fabric_lab_kes_card_fields.bending without it as of the thickness
+---@field compression? fabric_lab_kes_card_fields.compression kept in the card's source: no law of a sheet carries it
 ---@field poisson fabric_lab_kes_card_fields.poisson KES does not measure them
 
----A card that shows the given KES numbers: tensile curve with one bend, straight shear, whose source says what of 2HG and 2HG5 is left.
+---A card that shows the given KES numbers; its source says what it carries, and what not. fabric.lab.kes_sheet reads them back.
 ---@param fields fabric_lab_kes_card_fields
 ---@return card
 function fabric.lab.kes_card(fields) end
 
 ---@class fabric_lab_kes_shear_fields
----@field angle number[] degrees: of a cycle 0 to 8, to -8, to 0
----@field force number[] N/m: shear force per width
+---@field angle? number[] degrees: of a cycle 0 to 8, to -8, to 0
+---@field force? number[] N/m: shear force per width
+---@field card? card in place of the measured rows: what the instrument would show of it
 
----G (slope from 0.5 to 2.5 degrees, gf/(cm deg)), 2HG and 2HG5 (gf/cm, height of the loop at 0.5 and 5 degrees).
+---G (slope from 0.5 to 2.5 degrees, gf/(cm deg)), 2HG and 2HG5 (gf/cm, height of the loop at 0.5 and 5 degrees); of a card also its curve, angle and force.
 ---@param fields fabric_lab_kes_shear_fields
 ---@return table<string, any>
 function fabric.lab.kes_shear(fields) end
 
+---@class fabric_lab_kes_sheet_fields
+---@field card card the fabric
+
+---The KES sheet of a card by virtual tests, as fabric.lab.kes_card takes it: warp and weft (EMT LT WT RT), shear (G 2HG 2HG5), bending (warp and weft, B 2HB; where the card has its own), T (mm), W (mg/cm^2).
+---@param fields fabric_lab_kes_sheet_fields
+---@return table<string, any>
+function fabric.lab.kes_sheet(fields) end
+
 ---@class fabric_lab_kes_tensile_fields
----@field stretch number[] elongation over length, up to the largest load and back
----@field force number[] N/m: per width; KES goes to 500 gf/cm
+---@field stretch? number[] elongation over length, up to the largest load and back
+---@field force? number[] N/m: per width; KES goes to 500 gf/cm
+---@field card? card in place of the measured rows: what the instrument would show of it
+---@field direction? "warp"|"weft" that the card is tested along (default "warp")
 
 ---EMT (per cent at the largest load), WT (gf cm/cm^2), LT = WT over that of a straight line, RT (per cent of the work that comes back).
 ---@param fields fabric_lab_kes_tensile_fields
@@ -772,6 +992,26 @@ function fabric.lab.poisson(fields) end
 ---@return test
 function fabric.lab.poke(fields) end
 
+---@class fabric_lab_pool_fields.rate
+---@field reference number speed at which the parameters hold, in the unit of the tests' rate
+---@field most? number largest part for a factor e in the speed, either way; default 0.2
+
+---@class fabric_lab_pool_fields
+---@field parameters table { {name=, start=, low=, high=}, ... } as of fabric.lab.identify
+---@field tests table one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=}, ... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one
+---@field rate? fabric_lab_pool_fields.rate the speed plays a part: predictions times 1 + p.rate ln(rate / reference)
+---@field order? number with which the simulation's error goes with the size of its cells (default 2)
+---@field level? number of confidence (default 0.95)
+---@field processes? integer side by side, for the differences (default 2)
+---@field iterations? integer at most, of each fit (default 30)
+---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
+---@field progress? boolean says on stderr how far it is (default false)
+
+---Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, text.
+---@param fields fabric_lab_pool_fields
+---@return table<string, any>
+function fabric.lab.pool(fields) end
+
 ---@class fabric_lab_ratio_fields
 ---@field rows integer of markers, following each other along the pull
 ---@field columns integer of markers, across the pull
@@ -852,6 +1092,7 @@ function fabric.lab.shear_from_bias(fields) end
 
 ---@class fabric_lab_spread_fields
 ---@field tests table three specimens and more: results of fabric.lab.tensile or shear_from_bias
+---@field fit? table result of fabric.lab.fit of these tests: strains count from the first contact that it found
 ---@field level? number of confidence (default 0.95)
 ---@field points? integer bins of strain, equally wide (default 50)
 
@@ -951,6 +1192,19 @@ function fabric.lab.track(fields) end
 ---@return table<string, any>
 function fabric.lab.tracks(fields) end
 
+---@class fabric_lab_twist_fields
+---@field warp number N.m: rigidity of the strip along the warp; with areal_mass its bending length, m
+---@field weft number N.m: likewise
+---@field bias number N.m: likewise, of the strip at 45 degrees
+---@field areal_mass? number kg/m^2: then the three are bending lengths c, B = 9.80665 areal_mass c^3
+---@field simulate? boolean until a simulated cantilever of that width shows the bias, some seconds (default false)
+---@field width? number m: of the strips (default 0.025)
+
+---The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where only a twist of nothing or less would do) and words.
+---@param fields fabric_lab_twist_fields
+---@return table<string, any>
+function fabric.lab.twist(fields) end
+
 ---@class fabric_lab_uniaxial_fields.grips
 ---@field lateral number N/m^2: stiffness across, per metre of edge
 
@@ -998,17 +1252,42 @@ function fabric.lab.unloading(fields) end
 ---@class fabric_linear_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
 
 ---@class fabric_linear_fields.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
 
 ---@class fabric_linear_fields.bending
----@field warp number N.m: bending rigidity along the warp
----@field weft number N.m: bending rigidity along the weft
+---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field weft number|number[]|table N.m: bending rigidity along the weft: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_linear_fields.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_linear_fields.bending.friction_weft bending hysteresis along the weft
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+
+---@class fabric_linear_fields.estimate.bending.friction_warp
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+
+---@class fabric_linear_fields.estimate.bending.friction_weft
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+
+---@class fabric_linear_fields.estimate.bending
+---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field weft number|number[]|table N.m: bending rigidity along the weft: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
+---@field friction_warp? fabric_linear_fields.estimate.bending.friction_warp bending hysteresis along the warp
+---@field friction_weft? fabric_linear_fields.estimate.bending.friction_weft bending hysteresis along the weft
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+
+---@class fabric_linear_fields.estimate
+---@field bending fabric_linear_fields.estimate.bending of the bending
+---@field source string what it is drawn from
 
 ---@class fabric_linear_fields
 ---@field name? string of the fabric (default "")
@@ -1017,6 +1296,8 @@ function fabric.lab.unloading(fields) end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_linear_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
+---@field estimate? fabric_linear_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
 ---@field warp number Pa: modulus along the warp
 ---@field weft number Pa: modulus along the weft
 ---@field shear number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1093,15 +1374,17 @@ function fabric.mesh.read(file) end
 function fabric.mesh.rectangle(fields) end
 
 ---@class fabric_model_fields
----@field mesh mesh the surface
+---@field mesh? mesh the surface
 ---@field card? card the fabric
 ---@field layers? table { {card=, warp=, thickness=}, ... }: plies from below, in place of a card
 ---@field thickness? number m: wins over the card's; mass per area follows
 ---@field warp? number|function|number[] degrees: warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) returning either; default 0 on a flat generated mesh
 ---@field points? integer integration points through the thickness (default 3)
 ---@field offset? number reference surface: -1 lower face, 0 middle, 1 upper face (default 0)
+---@field regions? table { set = {card=, thickness=, warp=, ...}, ... }: sets of elements made of something else
+---@field bodies? table { {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; their sets are then name.left
 
----The declared problem: a mesh of a fabric, to be held, moved and loaded.
+---The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.
 ---@param fields fabric_model_fields
 ---@return model
 function fabric.model(fields) end
@@ -1146,7 +1429,7 @@ function fabric.ramp(value, duration) end
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
 ---@field run? analysis in place of files: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"stored"|"dissipated"|"residual1"|"residual2"|"slack1"|"slack2" what the colours show (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"gap"|"contact_pressure"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
 ---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
@@ -1164,6 +1447,75 @@ function fabric.ramp(value, duration) end
 ---@return boolean
 function fabric.render(fields) end
 
+---@class fabric_rigid_cylinder_fields
+---@field radius number m: of the rod
+---@field from number[] m: {x, y, z}: one end of its axis
+---@field to number[] m: {x, y, z}: the other end
+---@field mass? number kg: with it the body moves freely under contact and gravity
+---@field name? string for messages and files; default the shape's
+
+---A rigid rod, whose ends are round.
+---@param fields fabric_rigid_cylinder_fields
+---@return body
+function fabric.rigid.cylinder(fields) end
+
+---@class fabric_rigid_disc_fields
+---@field radius number m: over all
+---@field centre number[] m: {x, y, z}: of the disc
+---@field normal number[] {x, y, z}: of its faces
+---@field edge number m: radius of its rounded edge: half of its thickness
+---@field mass? number kg: with it the body moves freely under contact and gravity
+---@field name? string for messages and files; default the shape's
+
+---A rigid flat disc with a rounded edge, such as the pedestal of a drape tester.
+---@param fields fabric_rigid_disc_fields
+---@return body
+function fabric.rigid.disc(fields) end
+
+---@class fabric_rigid_motion_fields
+---@field files? table { 'file', ... }: mesh files with the same facets at other places
+---@field meshes? table { mesh, ... }: in their place
+---@field times number[] s: at which it has these shapes, ascending
+---@field name? string for messages and files; default the shape's
+
+---A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time and after the last it stands.
+---@param fields fabric_rigid_motion_fields
+---@return body
+function fabric.rigid.motion(fields) end
+
+---@class fabric_rigid_plane_fields
+---@field point number[] m: {x, y, z}: of the plane
+---@field normal number[] {x, y, z}: out of the solid, towards the cloth
+---@field name? string for messages and files; default the shape's
+
+---A rigid plane: all that lies behind it is solid.
+---@param fields fabric_rigid_plane_fields
+---@return body
+function fabric.rigid.plane(fields) end
+
+---@class fabric_rigid_sphere_fields
+---@field radius number m: of the ball
+---@field centre number[] m: {x, y, z}: at time 0
+---@field mass? number kg: with it the body moves freely under contact and gravity
+---@field name? string for messages and files; default the shape's
+
+---A rigid ball, that cloth may touch: it stands, is moved (m:move), or has a mass and is free.
+---@param fields fabric_rigid_sphere_fields
+---@return body
+function fabric.rigid.sphere(fields) end
+
+---@class fabric_rigid_surface_fields
+---@field mesh? mesh its facets, counter-clockwise from outside
+---@field file? string a mesh file in its place
+---@field closed? boolean is it the border of a solid: then a hole in it is an error (default false)
+---@field mass? number kg: with it the body moves freely under contact and gravity
+---@field name? string for messages and files; default the shape's
+
+---A rigid surface of triangles; quadrilaterals are cut along their shorter diagonal.
+---@param fields fabric_rigid_surface_fields
+---@return body
+function fabric.rigid.surface(fields) end
+
 ---@class fabric_static_fields
 ---@field model model what is computed
 ---@field duration number s: time to run to
@@ -1176,6 +1528,7 @@ function fabric.render(fields) end
 ---@field linear? "auto"|"symmetric"|"unsymmetric" direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
 ---@field method? "newton"|"relaxation"|"either" newton; relaxation: every step by dynamic relaxation; either: it for a step that Newton can't do (default "newton")
+---@field limit? "tell"|"stop" tell: says once where the cloth is strained beyond what the card was tested to; stop: and stops there (default "tell")
 ---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
 
 ---A quasi-static run: Newton's method through the histories' time.
@@ -1198,17 +1551,42 @@ function fabric.study(fields) end
 ---@class fabric_svk_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
 
 ---@class fabric_svk_fields.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
 
 ---@class fabric_svk_fields.bending
----@field warp number N.m: bending rigidity along the warp
----@field weft number N.m: bending rigidity along the weft
+---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field weft number|number[]|table N.m: bending rigidity along the weft: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_svk_fields.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_svk_fields.bending.friction_weft bending hysteresis along the weft
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+
+---@class fabric_svk_fields.estimate.bending.friction_warp
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+
+---@class fabric_svk_fields.estimate.bending.friction_weft
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+
+---@class fabric_svk_fields.estimate.bending
+---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field weft number|number[]|table N.m: bending rigidity along the weft: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
+---@field friction_warp? fabric_svk_fields.estimate.bending.friction_warp bending hysteresis along the warp
+---@field friction_weft? fabric_svk_fields.estimate.bending.friction_weft bending hysteresis along the weft
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+
+---@class fabric_svk_fields.estimate
+---@field bending fabric_svk_fields.estimate.bending of the bending
+---@field source string what it is drawn from
 
 ---@class fabric_svk_fields
 ---@field name? string of the fabric (default "")
@@ -1217,11 +1595,13 @@ function fabric.study(fields) end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_svk_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
+---@field estimate? fabric_svk_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
 ---@field warp? number Pa: modulus along the warp
 ---@field weft? number Pa: modulus along the weft
 ---@field shear? number Pa: engineering shear modulus, S12 = 2 shear E12
----@field young? number Pa: modulus of an isotropic sheet, instead of warp, weft, shear
 ---@field poisson number|number[] {nu12, nu21}, or one number for both
+---@field young? number Pa: modulus of an isotropic sheet, instead of warp, weft, shear
 ---@field transverse? number[] Pa: {G13, G23}; default 5/6 of shear
 
 ---A St. Venant-Kirchhoff sheet: the comparator with constant moduli; S12 = 2 shear E12.
@@ -1258,17 +1638,42 @@ function fabric.why() end
 ---@class fabric_woven_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
 
 ---@class fabric_woven_fields.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
 
 ---@class fabric_woven_fields.bending
----@field warp number N.m: bending rigidity along the warp
----@field weft number N.m: bending rigidity along the weft
+---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field weft number|number[]|table N.m: bending rigidity along the weft: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_woven_fields.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_woven_fields.bending.friction_weft bending hysteresis along the weft
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+
+---@class fabric_woven_fields.estimate.bending.friction_warp
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+
+---@class fabric_woven_fields.estimate.bending.friction_weft
+---@field moment number N: friction moment per width
+---@field curvature number 1/m: curvature over which it builds up
+---@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+
+---@class fabric_woven_fields.estimate.bending
+---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field weft number|number[]|table N.m: bending rigidity along the weft: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
+---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
+---@field friction_warp? fabric_woven_fields.estimate.bending.friction_warp bending hysteresis along the warp
+---@field friction_weft? fabric_woven_fields.estimate.bending.friction_weft bending hysteresis along the weft
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+
+---@class fabric_woven_fields.estimate
+---@field bending fabric_woven_fields.estimate.bending of the bending
+---@field source string what it is drawn from
 
 ---@class fabric_woven_fields.warp
 ---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
@@ -1280,11 +1685,16 @@ function fabric.why() end
 ---@field unloading number Pa: unloading modulus
 ---@field poisson number nu21: contraction along warp when pulled along weft
 
+---@class fabric_woven_fields.shear.friction
+---@field stress number Pa: that friction slips at, at no strain
+---@field growth? number Pa: of it with the strain, in shear's measure: a loop that widens (default 0)
+
 ---@class fabric_woven_fields.shear
 ---@field loading number[]|table Pa: tangent modulus in the measure's strain, Pa, as {g0, g1, ...}; or measured points
 ---@field unloading number Pa: unloading modulus, in the same measure
 ---@field measure? "tensor"|"engineering" tensor: dS12/dE12 in E12; engineering: dS12/d(2E12) in 2E12 (default "tensor")
 ---@field memory? "printed"|"fading" what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade (default "printed")
+---@field friction? fabric_woven_fields.shear.friction elastic-frictional shear: loading is elastic, beside it friction that sticks with unloading less the initial modulus and slips at stress + growth |strain|; law potential only
 
 ---@class fabric_woven_fields.tested
 ---@field warp? number largest E11 tested (default 0)
@@ -1296,6 +1706,13 @@ function fabric.why() end
 ---@field offset number strain where it begins
 ---@field loading number Pa: q of T = q y^2 / 2
 ---@field unloading number Pa: unloading modulus
+
+---@class fabric_woven_fields.viscous.shear
+---@field modulus number Pa: of what relaxes, in shear's measure
+---@field time number s: in which its stress falls to 1/e at rest
+
+---@class fabric_woven_fields.viscous
+---@field shear fabric_woven_fields.viscous.shear a spring and a dashpot in series beside in-plane shear
 
 ---@class fabric_woven_fields.bands.warp
 ---@field low number[] of loading coefficients, unloading, poisson
@@ -1325,6 +1742,8 @@ function fabric.why() end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
+---@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
+---@field estimate? fabric_woven_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -1333,6 +1752,7 @@ function fabric.why() end
 ---@field transverse? "elastic"|"follow" transverse shear of the comparison laws (default "elastic")
 ---@field shear_hysteresis? boolean of the comparison laws (default true)
 ---@field biaxial? fabric_woven_fields.biaxial a fourth spring that acts when both yarns are stretched
+---@field viscous? fabric_woven_fields.viscous stress that relaxes with time, law potential only
 ---@field bands? fabric_woven_fields.bands confidence bands of the measured parameters
 
 ---A woven fabric: loading curves, unloading moduli and Poisson ratios along warp and weft, and in shear.
@@ -1381,6 +1801,18 @@ function mesh:set(name, nodes) end
 ---@return mesh
 function mesh:write(file) end
 
+---@class model_contact_fields
+---@field between? table { body or set, ... }: every two of them touch ("all": the whole cloth)
+---@field self? string a set whose cloth touches itself
+---@field friction? number friction coefficient (default 0)
+---@field thickness? number m: of the cloth as contact sees it; default the cloth's own
+---@field stiffness? number Pa/m: pressure per gap; default what the cloth's own stable step carries
+
+---Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.
+---@param fields model_contact_fields
+---@return model
+function model:contact(fields) end
+
 ---@class model_fix_fields.options
 ---@field frame? table {e1, e2}: x and y of the call count along them
 
@@ -1411,7 +1843,7 @@ function model:force(set, components, options) end
 ---@return model
 function model:gravity(acceleration) end
 
----What it was told, supports first: rows of kind (the call's name), set and what, which print as a table.
+---What it was told, supports first (bodies and regions before them, where there are any): rows of kind (the call's name), set and what, which print as a table.
 ---@return model
 function model:list() end
 
@@ -1430,17 +1862,23 @@ function model:list() end
 ---@return model
 function model:moment(set, components, options) end
 
+---@class model_move_fields.components.turn
+---@field axis number[] {x, y, z}: direction of the axis
+---@field angle? number|function|history degrees: angle about the axis
+---@field centre? number[] {x, y, z}, m: a point of the axis; default the body's centre
+
 ---@class model_move_fields.components
 ---@field x? number|function|history m: history along x
 ---@field y? number|function|history m: history along y
 ---@field z? number|function|history m: history along z
+---@field turn? model_move_fields.components.turn of a rigid body: {axis=, angle=, centre=}
 
 ---@class model_move_fields.options
 ---@field frame? table {e1, e2}: x and y of the call count along them
 
----Prescribes displacements of a node set as histories (number, function(t), fabric.history, fabric.ramp).
----@param set string name of a node set
----@param components model_move_fields.components {x=, y=, z=}: displacement from the reference position
+---Prescribes displacements of a node set, or of a rigid body, as histories (number, function(t), fabric.history, fabric.ramp).
+---@param set string|body name of a node set, or a rigid body
+---@param components model_move_fields.components {x=, y=, z=, turn=}: displacement from the reference position
 ---@param options? model_move_fields.options frame = {e1, e2} for oblique directions
 ---@return model
 function model:move(set, components, options) end
@@ -1450,6 +1888,16 @@ function model:move(set, components, options) end
 ---@param set? string name of a node set; the elements all of whose nodes are in it (default "all")
 ---@return model
 function model:pressure(value, set) end
+
+---@class model_remove_fields.row
+---@field kind string the call's name
+---@field set string its set
+---@field what? string as listed; without it the last of them
+
+---Takes back a support or a load: a row of m:list() or its number.
+---@param row integer|model_remove_fields.row a row of m:list(), or its number
+---@return model
+function model:remove(row) end
 
 ---@class model_spring_fields.stiffness
 ---@field x? number N/m: along x
@@ -1513,11 +1961,21 @@ function model:turn(set, motion) end
 ---@field spin? number[] {wx, wy, wz}, degrees/s: beside it a rigid rotation
 ---@field centre? number[] {x, y, z}, m: a point of its axis; default {0, 0, 0}
 
----Velocity of a node set at time 0, for fabric.dynamic: one for all, or a function of place that returns it for each node.
----@param set string name of a node set
+---Velocity of a node set, or of a free rigid body, at time 0, for fabric.dynamic: one for all, or a function of place that returns it for each node.
+---@param set string|body name of a node set, or a rigid body
 ---@param velocity function|model_velocity_fields.velocity {x=, y=, z=, spin=, centre=}, or function(x, y, z) returning it
 ---@return model
 function model:velocity(set, velocity) end
+
+---@class point_bend_fields
+---@field k11? number 1/m: along the warp
+---@field k22? number 1/m: along the weft
+---@field k12? number 1/m: twist, tensor component
+
+---Reaches total curvatures in one straight increment and commits them, by the card's own bending; components not named stay. Returns M11 M22 M12 (moments per width, N; M12 works on 2 k12), k11 k22 k12, stored and dissipated (J/m^2).
+---@param fields point_bend_fields
+---@return any
+function point:bend(fields) end
 
 ---E11 = E and E22 = ratio E, for each E of a list: a list of rows, or the columns named.
 ---@param ratio number E22 over E11
@@ -1527,12 +1985,12 @@ function model:velocity(set, velocity) end
 function point:biaxial(ratio, E, columns) end
 
 ---Many straight increments in one call: a list of rows, or the columns named. A component without a column stays.
----@param strains table { {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }
+---@param strains table { {E11, E22, E12}, ... } or { E11={...}, E22={...}, E12={...} }; seconds that an increment takes as fourth number of a row, or in over={...}
 ---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
 ---@return table<string, any>
 function point:path(strains, columns) end
 
----Back to virgin cloth at zero strain.
+---Back to virgin cloth at zero strain and time 0.
 function point:reset() end
 
 ---Where the point is: the row of its last commit, residual strains and slack of both yarns, and the branch (virgin, unloading, slack) of warp, weft and shear.
@@ -1543,6 +2001,7 @@ function point:state() end
 ---@field E11? number along the warp
 ---@field E22? number along the weft
 ---@field E12? number shear, tensor component
+---@field over? number s: that an increment takes; 0: at once (default 0)
 
 ---Reaches a total strain in one straight increment and commits it; components not named stay. Returns S11 S22 S12 E11 E22 E12 stored dissipated.
 ---@param fields point_strain_fields
@@ -1553,7 +2012,8 @@ function point:strain(fields) end
 ---@param direction number|"warp"|"weft" degrees from the warp: warp, weft or an angle
 ---@param E number|number[] strain along it, or a list of strains
 ---@param columns? table names, such as {'E11', 'S11'}: returns {E11={...}, S11={...}}
+---@param over? number s: that an increment takes; 0: at once (default 0)
 ---@return table<string, any>
-function point:uniaxial(direction, E, columns) end
+function point:uniaxial(direction, E, columns, over) end
 
 return fabric

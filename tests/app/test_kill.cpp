@@ -7,8 +7,8 @@
 
 #include "app/program.hpp"
 #include "catch.hpp"
-#include "files/checkpoint.hpp"
-#include "files/mesh_file.hpp"
+#include "format/checkpoint.hpp"
+#include "format/mesh_file.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::test;
@@ -48,7 +48,7 @@ std::size_t check_series(const fs::path& folder, const std::string& text) {
   for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at), ++frames) {
     at += mark.size();
     const std::string name = text.substr(at, text.find('"', at) - at);
-    REQUIRE(!files::read_mesh((folder / name).string()).nodes.empty());
+    REQUIRE(!format::read_mesh((folder / name).string()).nodes.empty());
   }
   return frames;
 }
@@ -70,7 +70,7 @@ void check_folder(const fs::path& folder) {
     if (name.ends_with(".csv")) check_csv(text);
     if (name.ends_with(".pvd")) check_series(folder, text);
     if (name == "run.json") check_json(text);
-    if (name == "run.ckpt") files::read_checkpoint(entry.path().string());
+    if (name == "run.ckpt") format::read_checkpoint(entry.path().string());
   }
 }
 
@@ -174,4 +174,54 @@ TEST_CASE("Ctrl-C ends a script with its outputs whole, and a restart gives the 
     CHECK((got.at(name) == text));
   }
   CHECK(got.size() == wanted.size());
+}
+
+namespace {
+
+// A deck that says "busy" and then stays within one function of Lua's for hours.
+const std::string endless = "io.stderr:write 'busy' ; (('a'):rep(40)):find(('.-'):rep(20) .. 'b')\n";
+
+void write_deck(const std::string& name, const std::string& text) { std::ofstream(name) << text; }
+
+// Waits until the log has the word.
+bool says(const std::string& log, const std::string& word) {
+  for (int i = 0; i < 1200 && content_of(log).find(word) == std::string::npos; ++i) usleep(50'000);
+  return content_of(log).find(word) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a signal ends what does not come to an answer, with its exit code and whole files") {
+  write_deck("endless.lua", endless);
+  const std::string hook =
+      "local fabric = require 'fabric'\n"
+      "local m = fabric.model{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=1, ny=1 },"
+      " card=fabric.card 'blend' }\n"
+      "m:fix('bottom', 'x y z'):move('top', { y=fabric.ramp(1e-4, 1), z=0 })\n"
+      "local a = fabric.static{ model=m, duration=1, step=0.5 }\n"
+      "a:record('endless/curve.csv', { every='step', columns={ t=function(a) return a.time end } })\n"
+      "a:every('step', function() " +
+      endless + " end)\na:solve()\n";
+  write_deck("endless_hook.lua", hook);
+  for (const std::string deck : {"endless.lua", "endless_hook.lua"})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      INFO(deck << ", " << signal);
+      fs::remove_all("endless");
+      fs::remove("endless.log");
+      Program program({"--quiet", deck}, "endless.log");
+      REQUIRE(says("endless.log", "busy"));
+      CHECK(program.end(signal) == 128 + signal);
+      check_folder("endless");
+    }
+  write_deck("endless_caught.lua",
+             "while true do pcall(function() io.stderr:write 'busy' while true do end end)"
+             " io.stderr:write 'caught' end\n");
+  fs::remove("endless.log");
+  Program program({"--quiet", "endless_caught.lua"}, "endless.log");
+  REQUIRE(says("endless.log", "busy"));
+  program.signal(SIGTERM);
+  REQUIRE(says("endless.log", "caught"));
+  program.signal(SIGTERM);  // as a shell hands on what came to its job
+  sleep(3);
+  CHECK(program.end(SIGTERM) == 128 + SIGTERM);
 }

@@ -48,6 +48,13 @@ TEST_CASE("exit codes") {
   CHECK(run("--threads none -e 'x=1'").code == 2);
   CHECK(run("--check").code == 2);
   CHECK(run("-e").code == 2);
+  for (const char* words : {"''", "--quiet -- ''", "-i ''", "--check ''"}) {
+    const Ran empty = run(words, "echo 'print(1)' | ");
+    CHECK(empty.code == 2);
+    CHECK(
+        empty.out ==
+        "fabricsh: the name of the deck is empty (- is standard input); fabricsh --help shows the options\n");
+  }
 }
 
 TEST_CASE("a numerical failure of a run, uncaught and caught") {
@@ -126,6 +133,19 @@ TEST_CASE("a standard output that is full is told, and is no success") {
     const Ran ran = full(words);
     CHECK(ran.code == 1);
     CHECK(has(ran.out, "fabricsh: standard output is incomplete"));
+  }
+  write("full.lua", "print(1)\n");
+  for (const char* words :
+       {"full.lua", "--safe full.lua", "--check full.lua", "-l full", "-", "-i full.lua"}) {
+    INFO(words);
+    const Ran ran = run(std::string(words) + " 2>&1 >/dev/full; }", "echo 'print(1)' | { ");
+    CHECK(ran.code == 1);
+    CHECK(has(ran.out, "fabricsh: standard output is incomplete"));
+  }
+  for (const char* input : {"1 + 1", "print(1)", "help()", "quit\nquit"}) {  // of a prompt without a terminal
+    INFO(input);
+    CHECK(run("2>&1 >/dev/full; }", "echo '" + std::string(input) + "' | { ").code ==
+          (*input == 'q' ? 0 : 1));
   }
   CHECK(has(full("--help").out, "No space left on device"));
   CHECK(full("-e 'print(1) os.exit(7)'").code == 7);

@@ -1,10 +1,10 @@
 # Reads src/LAYERS, then every source of src/, all given relative to the root of the tree. Prints one line per
 # fault and exits 1 if there is any.
-#   - a room of LAYERS needs only rooms that stand above it
+#   - a room of LAYERS needs only rooms that stand above it, and includes something of each room that it needs
 #   - a file includes only its own room and the rooms that LAYERS names for it; never itself in a circle
 #   - a third-party library is included only in its rooms
 #   - only app and repl print; only app ends the program
-#   - what a deck can name is opened and asked for in files/gate.cpp and what uses its places, nowhere else
+#   - what a deck can name is opened and asked for in system/gate.cpp and what uses its places, nowhere else
 #   - no file is longer than 800 lines
 
 function fault(place, text) {
@@ -20,8 +20,8 @@ function owner(pattern, rooms) {
 BEGIN {
   owner("^(suitesparse/)?(umfpack|cholmod|amd|colamd|klu|SuiteSparse)[A-Za-z_]*\\.h$", "linear")
   owner("^(openblas/)?(cblas|lapacke|openblas_config)[A-Za-z_0-9]*\\.h$", "linear")
-  owner("^zlib\\.h$", "files")
-  owner("^vtk[A-Za-z0-9]*\\.h$", "files render")
+  owner("^zlib\\.h$", "format")
+  owner("^vtk[A-Za-z0-9]*\\.h$", "format render")
   owner("^(lua5\\.4/)?(lua|lauxlib|lualib|luaconf)\\.(h|hpp)$", "script repl")
   owner("^(histedit\\.h|editline/.*)$", "repl")
 }
@@ -54,7 +54,7 @@ function read_layer(    name, need, n, i) {
   for (i = 1; i <= n; i++) {
     need = needed[i]
     if (!(need in rank)) fault(file ":" FNR, "room '" name "' needs '" need "', which does not stand above it")
-    allowed[name, need] = 1
+    allowed[name, need] = FNR
   }
   if (name in rank) fault(file ":" FNR, "room '" name "' stands there twice")
   rank[name] = ++ranks
@@ -74,9 +74,9 @@ function read_layer(    name, need, n, i) {
 
 room != "app" && room != "repl" && prints($0) { fault(file ":" FNR, "room '" room "' prints; only app and repl do") }
 
-asks_for_file($0) { fault(file ":" FNR, "asks for a file past the gate of room files (files/gate.hpp)") }
+asks_for_file($0) { fault(file ":" FNR, "asks for a file past the gate of room system (system/gate.hpp)") }
 
-opens_file($0) { fault(file ":" FNR, "opens or moves a file past the gate of room files (files/gate.hpp)") }
+opens_file($0) { fault(file ":" FNR, "opens or moves a file past the gate of room system (system/gate.hpp)") }
 
 room != "app" && code($0) ~ /(^|[^A-Za-z_.>])(std::)?(_?exit|quick_exit|abort)[ ]*\(/ {
   fault(file ":" FNR, "room '" room "' ends the program; only app does")
@@ -98,7 +98,7 @@ function prints(line) {
 function check_own(header,    bits, n, other) {
   n = split(header, bits, "/")
   if (n == 1) {
-    if (header == "fabricsh_config.hpp" && room == "base") return
+    if (header == "fabricsh_config.hpp" && (room == "base" || room == "system")) return
     fault(file ":" FNR, "includes '" header "' without its room")
     return
   }
@@ -108,6 +108,7 @@ function check_own(header,    bits, n, other) {
     fault(file ":" FNR, "room '" room "' includes '" header "' of a room below it in src/LAYERS")
   else if (other != room && !((room, other) in allowed))
     fault(file ":" FNR, "room '" room "' includes '" header "', and src/LAYERS does not name '" other "' for it")
+  included[room, other] = 1
   edges[file] = edges[file] " src/" header
 }
 
@@ -119,12 +120,12 @@ function check_library(header,    i) {
 
 # render is a program of its own; base, repl and app know only paths that the user or the program gives.
 function behind_gate() {
-  return !(room == "render" || room == "base" || room == "app" || room == "repl" || file ~ /^src\/files\/gate\.[ch]pp$/)
+  return !(room == "render" || room == "base" || room == "app" || room == "repl" || file ~ /^src\/system\/(gate|paths|computing_time)\.[ch]pp$/)
 }
 
 # Whether a file is there is told by Gate::exists; these two ask where the gate is open.
 function asks_for_file(line) {
-  if (!behind_gate() || file ~ /^src\/files\/(atomic|csv)\.cpp$/) return 0
+  if (!behind_gate() || file ~ /^src\/(system\/atomic|format\/csv)\.cpp$/) return 0
   line = code(line)
   return line ~ /(fs|filesystem)::(exists|is_[a-z_]+|status|symlink_status|file_size|last_write_time|canonical|weakly_canonical|equivalent|read_symlink|space)\(/ ||
     line ~ /(^|[^A-Za-z_.>])(stat|lstat|access|readlink|realpath)\(/
@@ -155,6 +156,11 @@ function visit(name, trail,    headers, n, i) {
 END {
   close_file()
   if (ranks == 0) fault("src/LAYERS", "names no room")
+  for (pair in allowed)
+    if (!(pair in included)) {
+      split(pair, parts, SUBSEP)
+      fault("src/LAYERS:" allowed[pair], "room '" parts[1] "' includes nothing of room '" parts[2] "'")
+    }
   for (name in edges) visit(name, "")
   exit faults > 0
 }

@@ -11,11 +11,13 @@ good_tree() {
   rm -rf "$work/tree"
   mkdir -p "$work/tree/src/base" "$work/tree/src/linear" "$work/tree/src/app" "$work/tree/scripts"
   cd "$work/tree" || exit 1
-  printf '# rooms\nbase:\nlinear: base\nfiles: base\napp: base linear\n' >src/LAYERS
+  printf '# rooms\nbase:\nlinear: base\nformat: base\napp: base linear\n' >src/LAYERS
   printf '#pragma once\n#include <vector>\n// printf("x") is only words\n' >src/base/a.hpp
   printf '#include "base/a.hpp"\n#include "fabricsh_config.hpp"\n' >src/base/a.cpp
   printf '#include <umfpack.h>\n#include "base/a.hpp"\n' >src/linear/s.cpp
-  printf '#include "linear/s.hpp"\nint main() { std::cout << 1; std::exit(0); }\n' >src/app/main.cpp
+  printf '#include "base/a.hpp"\n#include "linear/s.hpp"\nint main() { std::cout << 1; std::exit(0); }\n' >src/app/main.cpp
+  mkdir -p "$work/tree/src/format"
+  printf '#include "base/a.hpp"\n' >src/format/f.cpp
   printf 'fabric.expect{ {"x", 1, 1} }\n' >scripts/deck.lua
 }
 
@@ -46,10 +48,11 @@ fi
 
 bad src/base/a.hpp '#include "linear/s.hpp"' "of a room below it"
 bad src/linear/s.cpp '  #  include "app/x.hpp"' "of a room below it"
-bad src/LAYERS 'output: files linear assembly' "needs 'assembly', which does not stand above it"
+bad src/LAYERS 'output: format linear assembly' "needs 'assembly', which does not stand above it"
 bad src/LAYERS 'base: base' "stands there twice"
 bad src/LAYERS 'Base = x' "expected 'room: rooms it needs'"
-bad src/app/main.cpp '#include "files/csv.hpp"' "src/LAYERS does not name 'files' for it"
+bad src/app/main.cpp '#include "format/csv.hpp"' "src/LAYERS does not name 'format' for it"
+bad src/LAYERS 'run: linear' "room 'run' includes nothing of room 'linear'"
 bad src/app/main.cpp '#include "plugin/x.hpp"' "is no room of src/LAYERS"
 bad src/app/main.cpp '#include "x.hpp"' "without its room"
 bad src/linear/s.cpp '#include "fabricsh_config.hpp"' "without its room"
@@ -57,7 +60,7 @@ bad src/base/a.cpp '#include "../linear/s.hpp"' "is no room of src/LAYERS"
 bad src/extra/x.cpp 'int x;' "room 'extra' is not in src/LAYERS"
 bad src/app/main.cpp '#include <umfpack.h>' "<umfpack.h>, which belongs to: linear"
 bad src/app/main.cpp '#include <suitesparse/cholmod.h>' "which belongs to: linear"
-bad src/linear/s.cpp '#include <vtkNew.h>' "which belongs to: files"
+bad src/linear/s.cpp '#include <vtkNew.h>' "which belongs to: format"
 bad src/linear/s.cpp '#include <lauxlib.h>' "which belongs to: script repl"
 bad src/linear/s.cpp '#include <lua.hpp>' "which belongs to: script repl"
 bad src/app/main.cpp '#include <histedit.h>' "which belongs to: repl"

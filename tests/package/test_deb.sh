@@ -13,6 +13,13 @@ fi
 (cd "$build" && "$1" -G DEB -B "$work/made" >"$work/log" 2>&1) || { cat "$work/log"; exit 1; }
 ls "$work"/made/*.deb
 program=$(ls "$work"/made/fabricsh_*.deb)
+# Made again, at another time and in another folder: the same bits.
+(umask 022 && cd "$build" && for place in one another; do
+  SOURCE_DATE_EPOCH=1700000000 "$1" -G DEB -D CPACK_COMPONENTS_ALL=program -B "$work/$place" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+  sleep 1
+done)
+cmp "$work"/one/*.deb "$work"/another/*.deb
+rm -r "$work/one" "$work/another"
 for word in libumfpack libvtk libedit liblua5.4 libgomp; do
   dpkg-deb -f "$program" Depends | grep -q "$word" || { echo "Depends names no $word"; exit 1; }
 done
@@ -40,6 +47,6 @@ for deb in "$work"/made/*.deb; do dpkg-deb -x "$deb" "$work/root"; done
 unset FABRICSH_HOME
 cd "$work"
 [ "$(root/usr/bin/fabricsh --quiet -e "$deck" 2>/dev/null | tail -1)" = runs ]
-for file in include/fabricsh/analysis/static.hpp share/man/man1/fabricsh.1 share/bash-completion/completions/fabricsh; do
+for file in include/fabricsh/run/static.hpp share/man/man1/fabricsh.1 share/bash-completion/completions/fabricsh; do
   [ -e "root/usr/$file" ] || { echo "no /usr/$file"; exit 1; }
 done

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "analysis/static.hpp"
-#include "output/vtk_series.hpp"
+#include "run/static.hpp"
+#include "run/vtk_series.hpp"
 
 int main() {
   using namespace fabricsh;
@@ -27,7 +27,7 @@ int main() {
   up[1] = history::History::table({{0, 0}, {1, (stretch - 1) * length}});
   model->move("top", up);
 
-  analysis::Static run(model, analysis::StaticOptions{1.0}, std::make_shared<Notices>());
+  run::Static run(model, run::StaticOptions{1.0}, std::make_shared<Notices>());
   run.solve();
   const double force = run.reaction("top")[1];
   const double want = stretch * young * (stretch * stretch - 1) / 2 * width * thickness;

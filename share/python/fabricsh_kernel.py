@@ -1,0 +1,121 @@
+"""A Jupyter kernel over the prompt of fabricsh: cells of Lua, with what `fabric` holds as globals.
+
+    python3 fabricsh_kernel.py install      for this user; then choose "fabricsh" in Jupyter
+
+A cell is one chunk of Lua: its locals end with it, globals stay. A value that it returns, or a cell that is an expression, is
+shown as the prompt shows it; figures and pictures (.svg, .png) that a cell names and makes are shown below it. Interrupting stops
+a run behind its last step, as Ctrl-C does at the prompt. Needs python3-ipykernel.
+"""
+import base64
+import json
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+from ipykernel.kernelbase import Kernel
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import fabricsh
+
+# Behind each cell both streams get a mark, that of standard output with whether the cell came to its end.
+_CELL = ('(function(...) package.loaded["fabricsh.cell"] = true return ... end)'
+         '((load("return " .. {0}, "=cell") or assert(load({0}, "=cell")))())\n'
+         'do local d = package.loaded["fabricsh.cell"] package.loaded["fabricsh.cell"] = nil '
+         'io.stderr:write("\\1") io.stdout:write(d and "\\2\\1" or "\\1") io.stdout:flush() end\n')
+
+
+def _quoted(text):
+    """As a Lua string on one line."""
+    return '"' + re.sub(rb'[^ -!#-\[\]-~]', lambda m: b"\\%03d" % m.group()[0], text.encode()).decode() + '"'
+
+
+class FabricshKernel(Kernel):
+    implementation, implementation_version, banner = "fabricsh", "1", "fabricsh: the mechanics of woven cloth"
+    language_info = {"name": "lua", "mimetype": "text/x-lua", "file_extension": ".lua"}
+
+    def __init__(self, **options):
+        super().__init__(**options)
+        self._child = None
+
+    def _start(self):
+        # A session of its own: Jupyter's signal reaches this process alone, which passes it on while a cell runs.
+        self._child = subprocess.Popen([fabricsh.find_program(), "--quiet"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, start_new_session=True)
+
+    def _hear(self, pipe, name, heard):
+        """Passes on what the program says, as it says it, up to the mark."""
+        while True:
+            piece = pipe.read1(65536)
+            heard.append(piece)
+            text = piece.rstrip(b"\1\2").decode(errors="replace")
+            if text and not self._silent:
+                self.send_response(self.iopub_socket, "stream", {"name": name, "text": text})
+            if not piece or piece.endswith(b"\1"):
+                return
+
+    def do_execute(self, code, silent, store_history=True, user_expressions=None, allow_stdin=False):
+        if self._child is None or self._child.poll() is not None:
+            self._start()
+        self._silent, begun = silent, time.time() - 0.01
+        self._child.stdin.write(_CELL.format(_quoted(code)).encode())
+        self._child.stdin.flush()
+        said, complained = [], []
+        threads = [threading.Thread(target=self._hear, args=(self._child.stdout, "stdout", said)),
+                   threading.Thread(target=self._hear, args=(self._child.stderr, "stderr", complained))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            while thread.is_alive():
+                try:
+                    thread.join()
+                except KeyboardInterrupt:
+                    self._child.send_signal(signal.SIGINT)
+        if not silent:
+            self._show_figures(code, begun)
+        status = {"execution_count": self.execution_count}
+        if b"".join(said).endswith(b"\2\1"):
+            return {**status, "status": "ok", "payload": [], "user_expressions": {}}
+        message = b"".join(complained).rstrip(b"\1").decode(errors="replace").strip() or "the program ended"
+        error = {"ename": "error", "evalue": message, "traceback": []}  # it stands in the stream of errors already
+        self.send_response(self.iopub_socket, "error", error)
+        return {**status, **error, "status": "error"}
+
+    def _show_figures(self, code, begun):
+        for name in re.findall(r"""["']([^"'\n]+\.(?:svg|png))["']""", code):
+            path = pathlib.Path(name)
+            if path.is_file() and path.stat().st_mtime >= begun:
+                shown = ({"image/svg+xml": path.read_text()} if path.suffix == ".svg"
+                         else {"image/png": base64.b64encode(path.read_bytes()).decode()})
+                self.send_response(self.iopub_socket, "display_data", {"data": {**shown, "text/plain": name}, "metadata": {}})
+
+    def do_shutdown(self, restart):
+        if self._child:
+            self._child.stdin.close()
+            self._child.terminate()
+            self._child.wait()
+            self._child = None
+        return {"status": "ok", "restart": restart}
+
+
+def install():
+    from jupyter_client.kernelspec import KernelSpecManager
+
+    with tempfile.TemporaryDirectory() as folder:
+        spec = {"argv": [sys.executable, str(pathlib.Path(__file__).resolve()), "-f", "{connection_file}"],
+                "display_name": "fabricsh", "language": "lua"}
+        pathlib.Path(folder, "kernel.json").write_text(json.dumps(spec))
+        print(KernelSpecManager().install_kernel_spec(folder, "fabricsh", user=True))
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["install"]:
+        install()
+    else:
+        from ipykernel.kernelapp import IPKernelApp
+
+        IPKernelApp.launch_instance(kernel_class=FabricshKernel)

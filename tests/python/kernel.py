@@ -1,0 +1,77 @@
+"""The Jupyter kernel, through Jupyter's own client: values, errors that leave the session alive, an interrupt, a figure."""
+import importlib.util
+import json
+import os
+import pathlib
+import sys
+
+missing = [name for name in ("ipykernel", "jupyter_client") if importlib.util.find_spec(name) is None]
+if missing:
+    print("SKIPPED: python3-" + " and python3-".join(missing) + " not installed: the kernel was not tried")
+    sys.exit(77)
+
+kernel = pathlib.Path(sys.argv[1]).resolve() / "share/python/fabricsh_kernel.py"
+data = pathlib.Path("jupyter").resolve()
+for name in ("JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR", "JUPYTER_CONFIG_DIR"):
+    os.environ[name] = str(data)
+import subprocess
+import threading
+
+subprocess.run([sys.executable, str(kernel), "install"], check=True, stdout=subprocess.DEVNULL)
+assert json.loads((data / "kernels/fabricsh/kernel.json").read_text())["display_name"] == "fabricsh"
+
+from jupyter_client.manager import KernelManager
+
+manager = KernelManager(kernel_name="fabricsh")
+manager.start_kernel(env={**os.environ})
+client = manager.blocking_client()
+client.start_channels()
+client.wait_for_ready(timeout=60)
+
+
+def cell(code, wait=60):
+    heard = {"stdout": "", "stderr": "", "shown": []}
+
+    def hear(message):
+        content = message["content"]
+        if message["msg_type"] == "stream":
+            heard[content["name"]] += content["text"]
+        elif message["msg_type"] == "display_data":
+            heard["shown"].append(sorted(content["data"]))
+
+    reply = client.execute_interactive(code, timeout=wait, output_hook=hear)["content"]
+    return reply, heard
+
+
+try:
+    reply, heard = cell("1 + 1")
+    assert reply["status"] == "ok" and heard["stdout"] == "2\n", (reply, heard)
+    reply, heard = cell("local n = 0\nfor i = 1, 4 do\n  n = n + i\nend\nprint('sum \"so\"', n)\nreturn 3*mm")
+    assert reply["status"] == "ok" and heard["stdout"] == 'sum "so"\t10\n0.003\n', (reply, heard)
+    reply, heard = cell("strip = mesh.rectangle{ width=25.4*mm, height=76.2*mm, nx=3, ny=9 }")
+    assert reply["status"] == "ok" and heard["stdout"] == "", (reply, heard)
+    assert cell("strip")[1]["stdout"] == "<mesh 3x9, 40 nodes, 25.4 x 76.2 mm>\n"
+    reply, heard = cell("x = 1\nmesh.rectangle{ widht=3 }")
+    assert reply["status"] == "error" and "cell:2: rectangle: unknown field 'widht', did you mean 'width'?" in heard["stderr"], heard
+    reply, heard = cell("for i = 1, 3 do")
+    assert reply["status"] == "error" and "'end' expected near <eof>" in heard["stderr"], heard
+    assert cell("x, strip == nil")[1]["stdout"] == "1\tfalse\n"
+    assert cell("'\u00e4'")[1]["stdout"].strip().strip("\"'") == "\u00e4"
+    # An interrupt stops what runs; the session and its values stay.
+    threading.Timer(1.5, manager.interrupt_kernel).start()
+    reply, heard = cell("while true do end")
+    assert reply["status"] == "error" and "interrupt" in heard["stderr"], (reply, heard)
+    assert cell("x")[1]["stdout"] == "1\n"
+    reply, heard = cell("fabric = require 'fabric'\nfabric.plot{ file='curve.svg', curves={ { x={0, 1, 2}, y={0, 1, 4} } } }")
+    if pathlib.Path("curve.svg").exists():
+        assert heard["shown"] == [["image/svg+xml", "text/plain"]], heard
+    else:
+        assert "gnuplot" in heard["stderr"], heard
+    # The program's own end is told, and the next cell begins a new one.
+    reply, heard = cell("os.exit(0)")
+    assert reply["status"] == "error", reply
+    assert cell("2*3")[1]["stdout"] == "6\n"
+    print("kernel: 13 cells")
+finally:
+    client.stop_channels()
+    manager.shutdown_kernel(now=False)
