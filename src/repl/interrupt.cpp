@@ -141,6 +141,7 @@ InterruptGuard::InterruptGuard(script::Session& session, Attended attended) {
 
 InterruptGuard::~InterruptGuard() {
   set_handler(SIG_DFL);
+  std::signal(SIGINT, SIG_IGN);
   set_watch(SIG_DFL);
   interruptible = nullptr;
 }

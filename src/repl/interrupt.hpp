@@ -12,7 +12,8 @@ enum class Attended { no, yes };
 // long function of Lua's; a run is waited for, which answers after its step, and Ctrl-C at a prompt leaves it
 // to who sits there. A second Ctrl-C within the same input ends the program at once; a second SIGTERM or
 // SIGHUP does when it comes two seconds after the first or later, for the first may come several times,
-// unless a run is at its last outputs.
+// unless a run is at its last outputs. After the guard Ctrl-C is ignored: all that was asked for is done, the
+// program is about to end, and its exit code should tell how the deck went.
 class InterruptGuard {
  public:
   explicit InterruptGuard(script::Session& session, Attended attended = Attended::no);
