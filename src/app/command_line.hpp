@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "script/limits.hpp"
+#include "script/sandbox/limits.hpp"
 
 namespace fabricsh::app {
 

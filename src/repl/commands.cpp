@@ -1,7 +1,7 @@
 #include "repl/commands.hpp"
 
-#include "script/covered.hpp"
-#include "script/words.hpp"
+#include "script/call/words.hpp"
+#include "script/show/covered.hpp"
 
 namespace fabricsh::repl {
 

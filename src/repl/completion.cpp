@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "repl/place.hpp"
-#include "script/peek.hpp"
-#include "script/results.hpp"
-#include "script/words.hpp"
+#include "script/call/results.hpp"
+#include "script/call/words.hpp"
+#include "script/show/peek.hpp"
 
 namespace fabricsh::repl {
 

@@ -4,9 +4,9 @@
 
 #include "repl/lexer.hpp"
 #include "repl/present.hpp"
-#include "script/chain.hpp"
-#include "script/load.hpp"
-#include "script/show.hpp"
+#include "script/call/chain.hpp"
+#include "script/sandbox/load.hpp"
+#include "script/show/show.hpp"
 
 namespace fabricsh::repl {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "script/words.hpp"
+#include "script/call/words.hpp"
 
 namespace fabricsh::repl {
 

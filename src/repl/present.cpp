@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "script/show.hpp"
+#include "script/show/show.hpp"
 
 namespace fabricsh::repl {
 

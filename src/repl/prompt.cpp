@@ -8,8 +8,8 @@
 #include "repl/deck_text.hpp"
 #include "repl/interrupt.hpp"
 #include "repl/lexer.hpp"
-#include "script/covered.hpp"
-#include "script/transcript.hpp"
+#include "script/show/covered.hpp"
+#include "script/show/transcript.hpp"
 
 namespace fabricsh::repl {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "script/bind_run.hpp"
+#include "script/bind/run.hpp"
 
 namespace fabricsh::script {
 

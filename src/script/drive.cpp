@@ -5,10 +5,10 @@
 
 #include "base/number.hpp"
 #include "script/at_work.hpp"
+#include "script/call/words.hpp"
 #include "script/called_off.hpp"
 #include "script/checkpoint.hpp"
-#include "script/lua_table.hpp"
-#include "script/words.hpp"
+#include "script/values/lua_table.hpp"
 
 namespace fabricsh::script {
 

@@ -1,6 +1,6 @@
 // Driving a run from Lua: what belongs to a call of solve(), advance() or step() besides the steps.
 #pragma once
-#include "script/bind_run.hpp"
+#include "script/bind/run.hpp"
 
 namespace fabricsh::script {
 

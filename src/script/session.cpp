@@ -5,13 +5,13 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "script/bind.hpp"
-#include "script/bind_run.hpp"
-#include "script/call.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/call.hpp"
+#include "script/call/words.hpp"
 #include "script/checkpoint.hpp"
-#include "script/said_once.hpp"
-#include "script/sandbox.hpp"
-#include "script/words.hpp"
+#include "script/sandbox/sandbox.hpp"
+#include "script/show/said_once.hpp"
 #include "system/paths.hpp"
 
 namespace fabricsh::script {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/notice.hpp"
-#include "script/entry.hpp"
-#include "script/limits.hpp"
+#include "script/call/entry.hpp"
+#include "script/sandbox/limits.hpp"
 
 namespace fabricsh::run {
 struct Checkpoint;

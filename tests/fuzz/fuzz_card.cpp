@@ -7,8 +7,8 @@
 #include <lua.hpp>
 
 #include "card/fields.hpp"
-#include "script/bind.hpp"
-#include "script/object.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/call/object.hpp"
 #include "script/session.hpp"
 
 namespace {

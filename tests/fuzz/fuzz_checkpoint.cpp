@@ -13,7 +13,7 @@
 
 #include "base/archive.hpp"
 #include "format/checkpoint.hpp"
-#include "script/lua_table.hpp"
+#include "script/values/lua_table.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "catch.hpp"
 #include "repl/deck_text.hpp"
 #include "repl/prompt.hpp"
-#include "script/transcript.hpp"
+#include "script/show/transcript.hpp"
 
 using namespace fabricsh;
 using repl::Outcome;

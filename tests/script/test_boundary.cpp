@@ -1,6 +1,6 @@
 // Where C++ meets Lua: destructors run, exceptions become Lua errors, Lua errors pass through.
 #include "catch.hpp"
-#include "script/call.hpp"
+#include "script/call/call.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::script;

@@ -3,8 +3,8 @@
 
 #include "card/full_card.hpp"
 #include "catch.hpp"
-#include "script/bind.hpp"
-#include "script/object.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/call/object.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::script;

@@ -1,0 +1,491 @@
+// An analysis: driving it, its hooks, and what can be read from it.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/number.hpp"
+#include "run/bodies.hpp"
+#include "run/result_fields.hpp"
+#include "script/at_work.hpp"
+#include "script/bind/model.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+#include "script/drive.hpp"
+
+namespace fabricsh::script {
+
+template <>
+struct ClassName<const run::Run::Snapshot> {
+  static constexpr const char* name = "snapshot";
+};
+
+namespace {
+
+// --- driving ---
+
+int chain(const Call& call) {
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+int solve(Call& call) {
+  const auto run = call.self<Run>();
+  drive(*run, {false, std::max(run->analysis->duration(), run->analysis->time())});
+  return chain(call);
+}
+
+int advance(Call& call) {
+  const double time = call.number("time");
+  drive(*call.self<Run>(), {false, time});
+  return chain(call);
+}
+
+int step(Call& call) {
+  const auto run = call.self<Run>();
+  drive(*run, {true, run->analysis->duration()});
+  return chain(call);
+}
+
+int stop(Call& call) {
+  call.self<Run>()->analysis->stop(call.text("reason"));
+  return 0;
+}
+
+// --- hooks ---
+
+void run_hook(const Hook& hook) {
+  const Free free = hook.free();
+  lua_State* L = hook.push();
+  call_deck(L, 1, 0);
+}
+
+int every(Call& call) {
+  const auto run = call.self<Run>();
+  const Hook hook(call, "action", run.get());
+  const auto act = [hook](run::Run&) { run_hook(hook); };
+  if (call.is("interval", LUA_TSTRING))
+    run->analysis->every_step(act);
+  else
+    run->analysis->every(call.number("interval"), act);
+  return chain(call);
+}
+
+double event_value(const Hook& hook) {
+  const Still still = hook.still();
+  lua_State* L = hook.push();
+  call_deck(L, 1, 1);
+  if (lua_type(L, -1) != LUA_TNUMBER)
+    throw Error("event: field 'value': expected the function to return a number, got " + describe(L, -1));
+  const double value = lua_tonumber(L, -1);
+  lua_pop(L, 1);
+  return value;
+}
+
+int event(Call& call) {
+  const auto run = call.self<Run>();
+  const Hook value(call, "value", run.get());
+  run::Run::Hook act;
+  if (call.has("action")) act = [hook = Hook(call, "action", run.get())](run::Run&) { run_hook(hook); };
+  run->analysis->event([value](run::Run&) { return event_value(value); }, call.number("tolerance"), act);
+  return chain(call);
+}
+
+// Runs until a value has come to a target, lands there and stays.
+int reach(Call& call) {
+  const auto run = call.self<Run>();
+  const double target = call.number("target");
+  std::function<double(const run::Run&)> value;
+  if (call.is("value", LUA_TFUNCTION)) {
+    value = [hook = Hook(call, "value", run.get())](const run::Run&) { return event_value(hook); };
+  } else {
+    const std::string field = call.text("value"), set = call.text("set");
+    run->analysis->mean(field, set);  // refuses an unknown one
+    value = [field, set](const run::Run& a) { return a.mean(field, set); };
+  }
+  if (call.session().options().check) return chain(call);
+  // Once it is there, or could not get there, the event is one that never comes.
+  const auto sought = std::make_shared<bool>(true);
+  run->analysis->event([=](run::Run& a) { return *sought ? value(a) - target : 1.0; },
+                       call.number("tolerance"),
+                       [sought, target](run::Run& a) {
+                         *sought = false;
+                         a.stop("reached " + exact_number(target));
+                       });
+  try {
+    drive(*run, {false, run->analysis->duration()});
+  } catch (...) {
+    *sought = false;
+    throw;
+  }
+  const bool passed = run->calls.count < run->passing;  // by a restarted deck
+  if (std::exchange(*sought, false) && !passed) {
+    const run::Run& a = *run->analysis;
+    throw Error("reach: the value did not come to " + exact_number(target) + "; it is " +
+                fabricsh::number(value(a), 7) + " at " + fabricsh::number(a.time(), 7) +
+                " s, where the run " + (a.stopped() ? "was stopped: " + a.stop_reason() : "ends"));
+  }
+  return chain(call);
+}
+
+// --- reading ---
+
+int reaction(Call& call) {
+  const auto& run = *call.self<Run>()->analysis;
+  const auto body = call.object<const model::Rigid>("set");
+  const Vec3 r = body ? run::body_state(run, *body).force : run.reaction(call.text("set"));
+  for (int i = 0; i < 3; ++i) lua_pushnumber(call.L(), r[i]);
+  return 3;
+}
+
+// A table of all numbers by name that the fields of nodes or elements have at one of them.
+int push_fields(Call& call, run::Place place) {
+  const auto& run = *call.self<Run>()->analysis;
+  const auto item = static_cast<mesh::Index>(call.integer("number") - 1);
+  place == run::Place::node ? (void)run.node(item) : (void)run.element(item);  // refuses a wrong number
+  lua_createtable(call.L(), 0, 20);
+  std::array<double, 5> values{};
+  for (const auto& field : run::result_fields()) {
+    if (field.place != place || field.components.empty() || (field.touching && !run::has(run, field)))
+      continue;
+    field.values(run, item, values.data());
+    for (std::size_t c = 0; c < field.components.size(); ++c)
+      set_number(call.L(), field.components[c].c_str(), values[c]);
+  }
+  return 1;
+}
+
+int node(Call& call) { return push_fields(call, run::Place::node); }
+int element(Call& call) { return push_fields(call, run::Place::element); }
+
+int mean(Call& call) {
+  lua_pushnumber(call.L(), call.self<Run>()->analysis->mean(call.text("name"), call.text("set")));
+  return 1;
+}
+
+int field(Call& call) {
+  lua_State* L = call.L();
+  const auto part = run::find_field(call.text("name"));
+  const auto values = run::values_of(*call.self<Run>()->analysis, part);
+  const std::size_t width = part.component < 0 ? part.field->size() : 1;
+  if (width == 1) return push_numbers(L, values), 1;
+  lua_createtable(L, static_cast<int>(values.size() / width), 0);
+  for (std::size_t i = 0; i < values.size(); i += width) {
+    push_numbers(L, {values.begin() + static_cast<std::ptrdiff_t>(i),
+                     values.begin() + static_cast<std::ptrdiff_t>(i + width)});
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i / width + 1));
+  }
+  return 1;
+}
+
+int energy(Call& call) {
+  const run::Energy e = call.self<Run>()->analysis->energy();
+  const std::pair<const char*, double> values[] = {{"kinetic", e.kinetic},
+                                                   {"scaled", e.scaled},
+                                                   {"stored", e.stored},
+                                                   {"dissipated", e.dissipated},
+                                                   {"damping", e.damping},
+                                                   {"external", e.external},
+                                                   {"dissipated_warp", e.dissipated_warp},
+                                                   {"dissipated_weft", e.dissipated_weft},
+                                                   {"dissipated_shear", e.dissipated_shear},
+                                                   {"dissipated_bending", e.dissipated_bending},
+                                                   {"contact", e.contact},
+                                                   {"guard", e.guard},
+                                                   {"friction", e.friction},
+                                                   {"rigid", e.rigid},
+                                                   {"created", e.created},
+                                                   {"internal", e.internal()},
+                                                   {"initial", e.initial},
+                                                   {"error", e.error}};
+  lua_newtable(call.L());
+  for (const auto& [name, value] : values) set_number(call.L(), name, value);
+  return 1;
+}
+
+int beyond(Call& call) {
+  const auto& run = *call.self<Run>()->analysis;
+  const auto far = run.beyond();
+  lua_State* L = call.L();
+  if (!far) return lua_pushnil(L), 1;
+  lua_newtable(L);
+  for (const auto& [name, value] : {std::pair{"share", far->share},
+                                    {"time", far->time},
+                                    {"first", far->first},
+                                    {"strain", far->strain},
+                                    {"tested", far->tested},
+                                    {"elements", run.elements_beyond()}})
+    set_number(L, name, value);
+  lua_pushinteger(L, far->element + 1);
+  lua_setfield(L, -2, "element");
+  lua_pushstring(L, far->yarn.c_str());
+  lua_setfield(L, -2, "yarn");
+  return 1;
+}
+
+int time(Call& call) {
+  lua_pushnumber(call.L(), call.self<Run>()->analysis->time());
+  return 1;
+}
+
+int duration(Call& call) {
+  lua_pushnumber(call.L(), call.self<Run>()->analysis->duration());
+  return 1;
+}
+
+int stopped(Call& call) {
+  const auto run = call.self<Run>();
+  if (run->analysis->stopped())
+    lua_pushstring(call.L(), run->analysis->stop_reason().c_str());
+  else
+    lua_pushboolean(call.L(), 0);
+  return 1;
+}
+
+int steps(Call& call) {
+  lua_State* L = call.L();
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const auto& report : call.self<Run>()->analysis->steps()) {
+    lua_newtable(L);
+    set_number(L, "time", report.time);
+    set_number(L, "step", report.step);
+    lua_pushinteger(L, report.iterations);
+    lua_setfield(L, -2, "iterations");
+    lua_pushinteger(L, report.cuts);
+    lua_setfield(L, -2, "cuts");
+    lua_pushinteger(L, report.negative_pivots);
+    lua_setfield(L, -2, "negative_pivots");
+    push_numbers(L, report.residuals);
+    lua_setfield(L, -2, "residuals");
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+int snapshot(Call& call) {
+  const auto run = call.self<Run>();
+  auto snapshot = run->analysis->snapshot();
+  if (run->calls.count < run->passing) run->passed_snapshots.push_back(snapshot);
+  push_object(call.L(), std::move(snapshot));
+  lua_pushnumber(call.L(), run->analysis->time());
+  lua_setiuservalue(call.L(), -2, 1);
+  return 1;
+}
+
+int snapshot_text(lua_State* L) {
+  lua_getiuservalue(L, 1, 1);
+  lua_pushfstring(L, "<snapshot of t = %s s>", exact_number(lua_tonumber(L, -1)).c_str());
+  return 1;
+}
+
+int restore(Call& call) {
+  go_back(*call.self<Run>(), call.object<const run::Run::Snapshot>("snapshot"));
+  return chain(call);
+}
+
+// "ready", "under way", "done", "stopped: the grip lets go".
+std::string state_words(const run::Run& a) {
+  if (a.stopped()) return "stopped: " + a.stop_reason();
+  if (a.steps().empty()) return "ready";
+  return a.time() >= a.duration() * (1 - 1e-12) ? "done" : "under way";
+}
+
+int run_text(lua_State* L) {
+  const run::Run& a = *to_object<Run>(L, 1)->analysis;
+  char words[120];
+  std::snprintf(words, sizeof words, "<%s run, t = %.6g of %.6g s, %zu step%s, ", a.kind(), a.time(),
+                a.duration(), a.steps().size(), a.steps().size() == 1 ? "" : "s");
+  lua_pushstring(L, (words + state_words(a) + ">").c_str());
+  return 1;
+}
+
+// "E11 (1), stored (J/m^3), ..." of the numbers that nodes or elements have.
+std::string numbers_of(run::Place place) {
+  std::string words;
+  for (const auto& field : run::result_fields()) {
+    if (field.place != place || field.components.empty()) continue;
+    words += words.empty() ? "" : ", ";
+    for (const std::string& component : field.components)
+      words += component + (&component == &field.components.back() ? "" : " ");
+    words += " (" + field.sentence + (field.unit.empty() ? "" : "; " + field.unit) + ")";
+  }
+  return words;
+}
+
+Argument name_row(const std::vector<std::string>& names, const std::string& sentence) {
+  return value_("name", text, sentence).one_of(names);
+}
+
+std::vector<Entry> driving() {
+  return {
+      {"analysis:solve",
+       Style::positional,
+       {},
+       "Runs to the duration, or to where a hook stopped it; returns the analysis.",
+       sample_run() + "assert(a:solve().time == 1)",
+       solve},
+      {"analysis:advance",
+       Style::positional,
+       {number_("time", "s", not_negative, "absolute time to run to and land on")},
+       "Runs to an absolute time and lands on it; returns the analysis.",
+       sample_run() + "assert(a:advance(0.3).time == 0.3)",
+       advance},
+      {"analysis:step",
+       Style::positional,
+       {},
+       "Makes one step and commits it; returns the analysis.",
+       sample_run() + "assert(a:step().time == 0.25)",
+       step},
+      {"analysis:stop",
+       Style::positional,
+       {value_("reason", text, "why, for a.stopped and run.json").or_else("asked for")},
+       "Ends the run after the current step; to be called from a hook.",
+       sample_run() + "a:every('step', function(run) if run.time >= 0.5 then run:stop 'enough' end end)\n"
+                      "assert(a:solve().stopped == 'enough' and a.time == 0.5)",
+       stop},
+      {"analysis:every",
+       Style::positional,
+       {{"interval",
+         number | text,
+         "s",
+         positive,
+         "time between calls, which steps land on, or 'step'",
+         true,
+         {},
+         {"step"}},
+        value_("action", function, "function(a)")},
+       "Calls a function at the start and then at an interval, or after each step.",
+       sample_run() + "local n = 0\na:every(0.5, function(run) n = n + 1 end)\na:solve()\nassert(n == 3)",
+       every},
+      {"analysis:event",
+       Style::fields,
+       {value_("value", function, "function(a) whose zero is sought"),
+        number_("tolerance", "", positive, "of the value, over the largest it has had").or_else(1e-6),
+        value_("action", function, "function(a), called there").optional()},
+       "Finds where a value crosses zero inside a step, lands there, commits, and calls the action.",
+       sample_run() + "a:event{ value=function(run) return run:mean 'E11' - 0.1 end, action=function(run) "
+                      "run:stop() end }\n"
+                      "a:solve()\nassert(math.abs(a:mean 'E11' - 0.1) < 1e-6)",
+       event},
+      {"analysis:reach",
+       Style::positional,
+       {value_("value", function | text, "function(a) that returns a number, or a field's name for its mean"),
+        number_("target", "", everything, "what the value is to come to"),
+        value_("set", text, "of the field's mean").or_else("all"),
+        number_("tolerance", "", positive, "of the value, over the largest distance from the target")
+            .or_else(1e-6)},
+       "Runs until a value has come to a target and lands there; an error where the run ends before. "
+       "Returns the analysis, which solve() takes on.",
+       sample_run() + "local function force(run) return select(2, run:reaction 'top') end\n"
+                      "a:reach(force, 10)\nassert(math.abs(force(a) - 10) < 1e-4 and a.time < 1)\n"
+                      "a:reach('E11', 0.1):solve()\nassert(a.time == 1)",
+       reach},
+      {"analysis:snapshot",
+       Style::positional,
+       {},
+       "A copy of the whole state, to go back to with a:restore.",
+       sample_run() + "local s = a:snapshot()",
+       snapshot},
+      {"analysis:restore",
+       Style::positional,
+       {object_("snapshot", "snapshot", "taken of this analysis")},
+       "Goes back to a snapshot; the run goes on from there bit for bit. Returns the analysis.",
+       sample_run() + "local s = a:snapshot()\na:solve():restore(s)\nassert(a.time == 0)",
+       restore},
+  };
+}
+
+std::vector<Entry> reading() {
+  const std::string run = sample_run();
+  return {
+      {"analysis:reaction",
+       Style::positional,
+       {set_or_body_row()},
+       "Force that the supports, or a rigid body, exert on the cloth, summed over the set: three numbers x, "
+       "y, z in N, global; "
+       "zero "
+       "before the first step.",
+       run + "local x, y = a:solve():reaction 'top'\nassert(y > 0)",
+       reaction},
+      {"analysis:node",
+       Style::positional,
+       {integer_("number", from_one, "of the node")},
+       "Where a node is and how it moves, global: a table of " + numbers_of(run::Place::node) + ".",
+       run + "assert(math.abs(a:solve():node(8).uy - 0.018) < 1e-12)",
+       node},
+      {"analysis:element",
+       Style::positional,
+       {integer_("number", from_one, "of the element")},
+       "Averages over the element's reference volume, material axes: a table of " +
+           numbers_of(run::Place::element) + ".",
+       run + "assert(a:solve():element(1).S11 > 0)",
+       element},
+      {"analysis:mean",
+       Style::positional,
+       {name_row(run::scalar_names(run::Place::element), "of a number that elements have, see a:element"),
+        value_("set", text, "elements all of whose nodes are in it").or_else("all")},
+       "The average of a value over elements, each of which counts once. Stresses in Pa, energies in J/m^3.",
+       run + "assert(a:solve():mean('E11') > 0.2)",
+       mean},
+      {"analysis:field",
+       Style::positional,
+       {name_row(run::field_names(), "of a number, or of a field: see the table of fields of a run")},
+       "What every element or node has, in their order: a list of numbers, of a whole field a list of lists. "
+       "Units are SI: stresses in Pa, energies in J/m^3.",
+       run + "assert(#a:field 'S11' == 3 and #a:field 'displacement'[1] == 3)",
+       field},
+      {"analysis.energy",
+       Style::property,
+       {},
+       "Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, "
+       "external, "
+       "internal, initial, created; contact and guard: of the stored, of contact and of what holds it off "
+       "its floor; "
+       "friction: of the dissipated, what friction of contact took; rigid: of the kinetic, of free rigid "
+       "bodies; scaled: of the kinetic, in rotary inertia that is scaled up; error: what "
+       "the balance misses over the largest external work.",
+       run + "a:solve()\nassert(a.energy.error < 1)",
+       energy},
+      {"analysis.beyond",
+       Style::property,
+       {},
+       "How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), "
+       "yarn "
+       "(warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the "
+       "one "
+       "tested, when the run first went beyond, and the part of the elements that have.",
+       run + "assert(a:advance(0.5).beyond == nil)",
+       beyond},
+      {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},
+      {"analysis.duration",
+       Style::property,
+       {},
+       "Where it ends, s.",
+       run + "assert(a.duration == 1)",
+       duration},
+      {"analysis.stopped",
+       Style::property,
+       {},
+       "The reason it was stopped for, or false.",
+       run + "assert(a.stopped == false)",
+       stopped},
+      {"analysis.steps",
+       Style::property,
+       {},
+       "Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable "
+       "path).",
+       run + "assert(#a:solve().steps == 4)",
+       steps},
+  };
+}
+
+}  // namespace
+
+void bind_analysis(Session& session) {
+  install(session, driving());
+  install(session, reading());
+  set_meta(session, "analysis", "__tostring", run_text);
+  set_meta(session, "snapshot", "__tostring", snapshot_text);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,266 @@
+// fabric.woven, fabric.svk, fabric.linear, fabric.card, fabric.cards, and what a card can do.
+#include <algorithm>
+#include <set>
+
+#include "card/fields.hpp"
+#include "law/provenance.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/call/words.hpp"
+#include "script/sandbox/load.hpp"
+#include "script/values/card_rows.hpp"
+#include "script/values/card_table.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
+
+namespace fabricsh::script {
+
+using card::Card;
+
+namespace {
+
+int push_card(lua_State* L, Card card) {
+  push_object(L, std::make_shared<Card>(std::move(card)));
+  return 1;
+}
+
+int construct(Call& call) { return push_card(call.L(), card_from(call, last_word(call.entry().name))); }
+
+const Card* card_at(lua_State* L, int index) { return to_object<Card>(L, index).get(); }
+
+// A name that is no field: a method, or an error with the nearest name.
+int other_name(lua_State* L) {
+  push_class(L, "card", nullptr);
+  lua_getfield(L, -1, "methods");
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+  std::string message;
+  {
+    std::vector<std::string> known = {"write", "with", "check", "kind"};
+    for (const Argument& row : card_rows(card::kind(*card_at(L, 1)))) known.push_back(row.name);
+    message = position(L) + "card: " + unknown("field", luaL_tolstring(L, 2, nullptr), known);
+  }
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+int card_index(lua_State* L) { return push_card_field(L, card_at) ? 1 : other_name(L); }
+
+// Copies the fields of the table at `from` into the one at `to`; two tables of named fields merge.
+void merge(lua_State* L, int to, int from) {
+  to = lua_absindex(L, to);
+  from = lua_absindex(L, from);
+  luaL_checkstack(L, 6, "tables nested too deeply");
+  lua_pushnil(L);
+  while (lua_next(L, from) != 0) {
+    make_plain(L);
+    lua_pushvalue(L, -2);
+    const bool both = lua_rawget(L, to) == LUA_TTABLE && lua_istable(L, -2) && lua_rawlen(L, -1) == 0 &&
+                      lua_rawlen(L, -2) == 0;
+    if (both) {
+      merge(L, -1, -2);
+      lua_pop(L, 2);
+      continue;
+    }
+    lua_pop(L, 1);
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, to);
+  }
+}
+
+// The provenance of a card of which values were changed by hand: these are typed now.
+law::Provenance origins_after(const Card& before, const Card& after) {
+  law::Provenance out = law::provenance_of(before.source);
+  const auto* a = std::get_if<card::Woven>(&before.law);
+  const auto* b = std::get_if<card::Woven>(&after.law);
+  const auto changed = [&](const std::string& field, bool same) {
+    if (same) return;
+    for (auto& [name, words] : out)
+      if (name == field) words = "typed: changed by card:with";
+  };
+  const auto bending = [](const Card& card) {
+    Card only;
+    only.bending = card.bending;
+    return card::lua_text(only);
+  };
+  changed("bending", bending(before) == bending(after));
+  changed("density", before.density == after.density);
+  changed("thickness", before.thickness == after.thickness);
+  if (a == nullptr || b == nullptr) return out;
+  const auto curve = [&](const std::string& field, const card::Curve& x, const card::Curve& y) {
+    changed(field, x.coefficients == y.coefficients && x.points == y.points);
+  };
+  curve("warp.loading", a->warp.loading, b->warp.loading);
+  curve("weft.loading", a->weft.loading, b->weft.loading);
+  curve("shear.loading", a->shear.loading, b->shear.loading);
+  changed("warp.unloading", a->warp.unloading == b->warp.unloading);
+  changed("weft.unloading", a->weft.unloading == b->weft.unloading);
+  changed("shear.unloading", a->shear.unloading == b->shear.unloading);
+  changed("warp.poisson", a->warp.poisson == b->warp.poisson);
+  changed("weft.poisson", a->weft.poisson == b->weft.poisson);
+  return out;
+}
+
+int with(Call& call) {
+  lua_State* L = call.L();
+  const auto card = call.self<Card>();
+  push_card_table(L, *card);
+  lua_pushnil(L);
+  lua_setfield(L, -2, "kind");
+  const int merged = lua_gettop(L);
+  call.push("changes");
+  const bool told = lua_getfield(L, -1, "provenance") != LUA_TNIL;
+  lua_pop(L, 1);
+  merge(L, merged, -1);
+  lua_pop(L, 1);
+  Card changed = read_card(L, merged, card::kind(*card));
+  if (!told) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
+  return push_card(L, std::move(changed));
+}
+
+bool is_path(const std::string& name) {
+  return name.find('/') != std::string::npos ||
+         (name.size() > 4 && name.compare(name.size() - 4, 4, ".lua") == 0);
+}
+
+std::vector<std::string> shipped() {
+  std::set<std::string> names;
+  for (const std::string& root : data_roots()) {
+    const system::Gate& gate = system::Gate::of_process();
+    if (!gate.exists(root + "/share/cards")) continue;
+    for (const std::string& name : gate.names(root + "/share/cards"))
+      if (name.ends_with(".lua")) names.insert(name.substr(0, name.size() - 4));
+  }
+  return {names.begin(), names.end()};
+}
+
+// A card whose bending is its own estimate, or on purpose that of the thickness.
+Card bent(Card card, const std::string& how) {
+  auto origins = law::provenance_of(card.source);
+  std::erase_if(origins, [](const auto& origin) { return origin.first == "bending"; });
+  if (how == "thickness") {
+    if (card.bending) throw Error(card::at_field(card, "bending") + "it has a rigidity of its own");
+    card.through_thickness = true;
+  } else {
+    if (!card.estimate)
+      throw Error(card::at_field(card, "estimate") + "the card has no estimate of its bending");
+    card.bending = card.estimate->bending;
+    origins.emplace_back("bending", "assumed: estimated, " + card.estimate->source);
+    std::sort(origins.begin(), origins.end());
+  }
+  card.source = law::with_provenance(law::without_provenance(card.source), origins);
+  return card;
+}
+
+int card_by_name(Call& call) {
+  lua_State* L = call.L();
+  const std::string name = call.text("name");
+  const std::string path = is_path(name) ? name : data_file("share/cards/" + name + ".lua");
+  if (path.empty()) throw Error(unknown("fabric", name, shipped()));
+  if (load_file(L, path) != LUA_OK) throw Error(lua_tostring(L, -1));
+  lua_call(L, 0, 1);
+  const auto card = to_object<Card>(L, -1);
+  if (card == nullptr) throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
+  if (!call.has("options")) return 1;
+  const Fields options = call.fields("options");
+  return options.has("bending") ? push_card(L, bent(*card, options.text("bending"))) : 1;
+}
+
+int cards(Call& call) {
+  lua_newtable(call.L());
+  lua_Integer i = 0;
+  for (const std::string& name : shipped()) {
+    lua_pushstring(call.L(), name.c_str());
+    lua_rawseti(call.L(), -2, ++i);
+  }
+  return 1;
+}
+
+int card_string(lua_State* L) {
+  const std::string words = card_words(*to_object<Card>(L, 1));
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+int card_equal(lua_State* L) {
+  const auto a = to_object<Card>(L, 1), b = to_object<Card>(L, 2);
+  lua_pushboolean(L, a != nullptr && b != nullptr && card::lua_text(*a) == card::lua_text(*b));
+  return 1;
+}
+
+Argument card_options() {
+  Argument bending =
+      value_("bending", text,
+             "estimated: the card's own estimate of what nobody measured; thickness: integration "
+             "through the thickness, on purpose and without a word")
+          .optional();
+  bending.choices = {"estimated", "thickness"};
+  Argument options = value_("options", fields, "of a card that is taken otherwise").optional();
+  options.rows = {bending};
+  return options;
+}
+
+constexpr const char* woven_example =
+    "local fabric = require 'fabric'\nlocal u = fabric.units\n"
+    "local card = fabric.woven{ name='blend', density=590, thickness=0.38*u.mm,\n"
+    "  warp={ loading=fabric.poly({8, 826}, u.MPa), unloading=864*u.MPa, poisson=0.25 },\n"
+    "  weft={ loading=fabric.poly({37, 1650}, u.MPa), unloading=1080*u.MPa, poisson=0.42 },\n"
+    "  shear={ loading=fabric.poly({2, -18, 90, -24}, u.MPa), unloading=12*u.MPa, measure='tensor' } }\n"
+    "assert(card.warp.poisson == 0.25)";
+
+std::vector<Entry> constructors() {
+  return {
+      {"fabric.woven", Style::fields, card_rows("woven"),
+       "A woven fabric: loading curves, unloading moduli and Poisson ratios along warp and weft, and in "
+       "shear.",
+       woven_example, construct},
+      {"fabric.svk", Style::fields, card_rows("svk"),
+       "A St. Venant-Kirchhoff sheet: the comparator with constant moduli; S12 = 2 shear E12.",
+       "local c = require 'fabric'.svk{ young=1.2e6, poisson=0.3, density=500, thickness=0.5e-3 }\n"
+       "assert(c.warp == 1.2e6 and c.poisson[2] == 0.3)",
+       construct},
+      {"fabric.linear", Style::fields, card_rows("linear"),
+       "A linear orthotropic sheet for small strains; refused unless nu12/warp = nu21/weft.",
+       "local c = require 'fabric'.linear{ warp=2e6, weft=1e6, shear=5e5, poisson={0.2, 0.1}, density=500, "
+       "thickness=0.5e-3 }\n"
+       "assert(c.kind == 'linear')",
+       construct},
+  };
+}
+
+std::vector<Entry> rows() {
+  return {
+      {"fabric.card",
+       Style::positional,
+       {value_("name", text, "of a shipped card, or a path (with / or ending in .lua)"), card_options()},
+       "A shipped card by name, or the card that a Lua file returns.",
+       "local fabric = require 'fabric'\nassert(fabric.card 'denim'.name == 'denim')\n"
+       "assert(fabric.card('denim', { bending='estimated' }).bending.warp[1] > 0)",
+       card_by_name},
+      {"fabric.cards",
+       Style::positional,
+       {},
+       "Names of the shipped cards.",
+       "assert(#require 'fabric'.cards() >= 4)",
+       cards},
+      {"card:with",
+       Style::positional,
+       {value_("changes", table, "fields of the constructor that differ; tables merge deeply")},
+       "A copy of the card with some fields changed.",
+       "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
+       with},
+  };
+}
+
+}  // namespace
+
+void bind_card(Session& session) {
+  install(session, constructors());
+  install(session, rows());
+  set_meta(session, "card", "__index", card_index);
+  set_meta(session, "card", "__tostring", card_string);
+  set_meta(session, "card", "__eq", card_equal);
+  know_parts(session.lua());
+}
+
+}  // namespace fabricsh::script

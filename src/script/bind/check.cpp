@@ -1,0 +1,100 @@
+// card:check.
+#include "law/check.hpp"
+
+#include <cmath>
+
+#include "script/bind/run.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+int report_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_getfield(L, 1, "text");
+  return 1;
+}
+
+void push_item(lua_State* L, const law::CheckItem& item) {
+  lua_newtable(L);
+  set_text(L, "key", item.key);
+  set_text(L, "severity", law::name(item.severity));
+  set_text(L, "text", item.text);
+  lua_newtable(L);
+  for (const auto& [name, value] : item.numbers) set_number(L, name.c_str(), value);
+  lua_setfield(L, -2, "numbers");
+}
+
+// Where the printed law loses its definiteness, by path and branch pair; empty for other cards.
+void push_criterion(lua_State* L, const card::Card& card, bool usable) {
+  lua_newtable(L);
+  const auto* woven = std::get_if<card::Woven>(&card.law);
+  if (woven == nullptr || !usable) return;
+  lua_Integer place = 0;
+  for (const auto& row : law::criterion_table(*woven, *law::compile(card))) {
+    lua_newtable(L);
+    set_text(L, "path", row.path);
+    set_text(L, "warp", law::name(row.warp));
+    set_text(L, "weft", law::name(row.weft));
+    if (!std::isnan(row.first)) set_number(L, "first", row.first);
+    set_number(L, "last", row.last);
+    lua_rawseti(L, -2, ++place);
+  }
+}
+
+double element_size(const Call& call) {
+  if (call.is("element_size", LUA_TNUMBER)) return call.number("element_size");
+  if (!call.has("element_size")) return 0.1;
+  return call.fields("element_size").number("element_size");
+}
+
+Argument size_() {
+  return number_("element_size", "m", positive, "smallest in the plane, for the explicit step");
+}
+
+int check(Call& call) {
+  lua_State* L = call.L();
+  const auto report = law::check(*call.self<card::Card>(), element_size(call));
+  lua_newtable(L);
+  set_text(L, "card", report.card);
+  set_text(L, "text", report.text());
+  lua_pushboolean(L, report.ok());
+  lua_setfield(L, -2, "ok");
+  lua_newtable(L);
+  for (std::size_t i = 0; i < report.items.size(); ++i) {
+    push_item(L, report.items[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  lua_setfield(L, -2, "items");
+  push_criterion(L, *call.self<card::Card>(), report.ok());
+  lua_setfield(L, -2, "criterion");
+  set_text_of(L, "fabricsh.check", report_text);
+  return 1;
+}
+
+// A number, or {element_size=}.
+Argument size_row() {
+  Argument row = size_().optional();
+  row.kinds |= fields;
+  row.rows = {size_().or_else(0.1)};
+  row.sentence += "; default 0.1";
+  return row;
+}
+
+}  // namespace
+
+void bind_check(Session& session) {
+  install(session,
+          {{"card:check",
+            Style::positional,
+            {size_row()},
+            "What is wrong with the card or worth knowing: a table {ok, card, text, items, criterion}, which "
+            "prints as its text. An item has key, severity (note, warning, error), text, numbers; a row of "
+            "criterion has path, warp, weft (branches), first (strain of violation or nil), last.",
+            "local report = require 'fabric'.card 'blend':check{ element_size=0.01 }\nassert(report.ok and "
+            "#report.items > 0)\n"
+            "assert(tostring(report) == report.text)",
+            check}});
+}
+
+}  // namespace fabricsh::script

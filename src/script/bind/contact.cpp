@@ -1,0 +1,291 @@
+// fabric.rigid.*, model:contact, and what a run tells of both.
+#include <numbers>
+
+#include "format/mesh_file.hpp"
+#include "model/model.hpp"
+#include "run/bodies.hpp"
+#include "script/bind/model.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+using model::Rigid;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// --- bodies
+
+Vec3 vector_of(const Fields& given, const char* name) {
+  return read_vector(given.numbers(name), std::string("field '") + name + "'");
+}
+
+// The body of a shape, with the fields that all shapes share.
+int make(const Call& call, model::RigidShape shape) {
+  std::optional<double> mass;
+  const auto& rows = call.entry().arguments;
+  const bool weighs =
+      std::any_of(rows.begin(), rows.end(), [](const Argument& row) { return row.name == "mass"; });
+  if (weighs && call.has("mass")) mass = call.number("mass");
+  const std::string name = call.has("name") ? call.text("name") : "";
+  push_object(call.L(),
+              std::make_shared<const Rigid>(std::move(shape), mass, name, last_word(call.entry().name)));
+  return 1;
+}
+
+int sphere(Call& call) { return make(call, model::Sphere{call.number("radius"), vector_of(call, "centre")}); }
+int plane(Call& call) {
+  return make(call, model::Plane{vector_of(call, "point"), vector_of(call, "normal")});
+}
+int cylinder(Call& call) {
+  return make(call, model::Cylinder{call.number("radius"), vector_of(call, "from"), vector_of(call, "to")});
+}
+int disc(Call& call) {
+  return make(call, model::Disc{call.number("radius"), vector_of(call, "centre"), vector_of(call, "normal"),
+                                call.number("edge")});
+}
+
+model::Facets facets(const std::string& file, bool closed) {
+  return model::facets_of(format::read_mesh(file), closed);
+}
+
+int surface(Call& call) {
+  if (call.has("mesh") == call.has("file"))
+    call.refuse("mesh", std::string("expected either a mesh or file=, got ") +
+                            (call.has("mesh") ? "both" : "neither"));
+  const bool closed = call.flag("closed");
+  return make(call, call.has("mesh") ? model::facets_of(*call.object<mesh::Mesh>("mesh"), closed)
+                                     : facets(call.text("file"), closed));
+}
+
+// The shapes of a moving surface, from files or meshes.
+std::vector<model::Facets> read_shapes(const Call& call) {
+  if (call.has("files") == call.has("meshes"))
+    call.refuse("files", std::string("expected either files or meshes={...}, got ") +
+                             (call.has("files") ? "both" : "neither"));
+  const char* const field = call.has("files") ? "files" : "meshes";
+  lua_State* L = call.L();
+  std::vector<model::Facets> shapes;
+  call.push(field);
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    const auto mesh = to_object<mesh::Mesh>(L, -1);
+    if (call.has("files") && lua_type(L, -1) == LUA_TSTRING)
+      shapes.push_back(facets(lua_tostring(L, -1), false));
+    else if (mesh != nullptr)
+      shapes.push_back(model::facets_of(*mesh, false));
+    else
+      call.refuse(field, "expected a list of " + std::string(call.has("files") ? "file names" : "meshes") +
+                             ", got " + describe(L, -1) + " at place " + std::to_string(i));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (shapes.empty()) call.refuse(field, "expected at least one shape, got an empty table");
+  for (std::size_t i = 1; i < shapes.size(); ++i)
+    if (shapes[i].vertices.size() == shapes[0].vertices.size() && shapes[i].triangles != shapes[0].triangles)
+      call.refuse(field,
+                  "expected the same facets in every shape, got others in shape " + std::to_string(i + 1));
+  return shapes;
+}
+
+int motion(Call& call) {
+  model::MovingFacets moving;
+  const auto shapes = read_shapes(call);
+  moving.first = shapes.front();
+  moving.times = call.numbers("times");
+  for (const auto& shape : shapes) moving.shapes.push_back(shape.vertices);
+  return make(call, std::move(moving));
+}
+
+int body_text(lua_State* L) {
+  const auto body = to_object<const Rigid>(L, 1);
+  const std::string words = "<" + (body->name().empty() ? "" : body->name() + ": ") + body->describe() + ">";
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+// --- contact
+
+model::Party party_at(const Call& call, lua_State* L, const char* field, lua_Integer place) {
+  if (lua_type(L, -1) == LUA_TSTRING) return {lua_tostring(L, -1), nullptr};
+  if (auto body = to_object<const Rigid>(L, -1)) return {"", std::move(body)};
+  call.refuse(field, "expected a rigid body or the name of a set, got " + describe(L, -1) +
+                         (place > 0 ? " at place " + std::to_string(place) : ""));
+}
+
+int contact(Call& call) {
+  lua_State* L = call.L();
+  if (call.has("self") == call.has("between"))
+    call.refuse("between", std::string("expected either between={...} or self=, got ") +
+                               (call.has("self") ? "both" : "neither"));
+  model::ContactGiven given;
+  if (call.has("self")) {
+    given.between.push_back({call.text("self"), nullptr});
+  } else {
+    call.push("between");
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+      lua_rawgeti(L, -1, i);
+      given.between.push_back(party_at(call, L, "between", i));
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    if (count < 2) call.refuse("between", "expected two sides or more, got " + std::to_string(count));
+  }
+  given.friction = call.number("friction");
+  if (call.has("thickness")) given.thickness = call.number("thickness");
+  if (call.has("stiffness")) given.stiffness = call.number("stiffness");
+  call.self<Model>()->contact(std::move(given));
+  return return_self(call);
+}
+
+// --- reading
+
+int body(Call& call) {
+  const auto state = run::body_state(*call.self<Run>()->analysis, *call.object<const Rigid>("body"));
+  lua_State* L = call.L();
+  for (const Vec3& v : {state.place, state.velocity, Vec3(state.spin / kDegree)})
+    for (int i = 0; i < 3; ++i) lua_pushnumber(L, v[i]);
+  return 9;
+}
+
+int gap(Call& call) {
+  const auto nearest = run::nearest_pair(*call.self<Run>()->analysis);
+  lua_pushnumber(call.L(), nearest.gap);
+  if (nearest.words.empty()) return 1;
+  lua_pushlstring(call.L(), nearest.words.data(), nearest.words.size());
+  return 2;
+}
+
+// --- rows
+
+Argument place_row(const char* name, const char* sentence) {
+  Argument row = value_(name, numbers, std::string("{x, y, z}: ") + sentence, "m");
+  return row;
+}
+Argument direction_row(const char* sentence) {
+  return value_("normal", numbers, std::string("{x, y, z}: ") + sentence);
+}
+Argument mass_row() {
+  return number_("mass", "kg", positive, "with it the body moves freely under contact and gravity")
+      .optional();
+}
+Argument name_row() { return value_("name", text, "for messages and files; default the shape's").optional(); }
+
+std::vector<Entry> body_rows() {
+  const std::string use = "local fabric = require 'fabric'\n";
+  return {
+      {"fabric.rigid.sphere",
+       Style::fields,
+       {number_("radius", "m", positive, "of the ball"), place_row("centre", "at time 0"), mass_row(),
+        name_row()},
+       "A rigid ball, that cloth may touch: it stands, is moved (m:move), or has a mass and is free.",
+       use + "local ball = fabric.rigid.sphere{ radius=0.03, centre={0.1, 0.1, 0.031}, mass=0.1 }",
+       sphere},
+      {"fabric.rigid.plane",
+       Style::fields,
+       {place_row("point", "of the plane"), direction_row("out of the solid, towards the cloth"), name_row()},
+       "A rigid plane: all that lies behind it is solid.",
+       use + "local floor = fabric.rigid.plane{ point={0, 0, -0.1}, normal={0, 0, 1} }",
+       plane},
+      {"fabric.rigid.cylinder",
+       Style::fields,
+       {number_("radius", "m", positive, "of the rod"), place_row("from", "one end of its axis"),
+        place_row("to", "the other end"), mass_row(), name_row()},
+       "A rigid rod, whose ends are round.",
+       use + "local rod = fabric.rigid.cylinder{ radius=0.01, from={-0.1, 0, 0}, to={0.1, 0, 0} }",
+       cylinder},
+      {"fabric.rigid.disc",
+       Style::fields,
+       {number_("radius", "m", positive, "over all"), place_row("centre", "of the disc"),
+        direction_row("of its faces"),
+        number_("edge", "m", positive, "radius of its rounded edge: half of its thickness"), mass_row(),
+        name_row()},
+       "A rigid flat disc with a rounded edge, such as the pedestal of a drape tester.",
+       use + "local support = fabric.rigid.disc{ radius=0.09, centre={0, 0, -0.003}, normal={0, 0, 1}, "
+             "edge=0.002 }",
+       disc},
+      {"fabric.rigid.surface",
+       Style::fields,
+       {object_("mesh", "mesh", "its facets, counter-clockwise from outside").optional(),
+        value_("file", text, "a mesh file in its place").optional(),
+        value_("closed", boolean, "is it the border of a solid: then a hole in it is an error")
+            .or_else(false),
+        mass_row(), name_row()},
+       "A rigid surface of triangles; quadrilaterals are cut along their shorter diagonal.",
+       use + "local ridge = fabric.rigid.surface{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, "
+             "ny=2 } }",
+       surface},
+      {"fabric.rigid.motion",
+       Style::fields,
+       {value_("files", table, "{ 'file', ... }: mesh files with the same facets at other places").optional(),
+        value_("meshes", table, "{ mesh, ... }: in their place").optional(),
+        value_("times", numbers, "at which it has these shapes, ascending", "s"), name_row()},
+       "A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time "
+       "and after the last it stands.",
+       use + "local function at(z) return fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 "
+             "}:map(function(x, y) return x, y, z end) end\n"
+             "local press = fabric.rigid.motion{ meshes={ at(0.01), at(0.005) }, times={0, 1} }",
+       motion},
+  };
+}
+
+std::vector<Entry> model_rows() {
+  return {
+      {"model:contact",
+       Style::fields,
+       {value_("between", table, "{ body or set, ... }: every two of them touch (\"all\": the whole cloth)")
+            .optional(),
+        value_("self", text, "a set whose cloth touches itself").optional(),
+        number_("friction", "", not_negative, "friction coefficient").or_else(0.0),
+        number_("thickness", "m", positive, "of the cloth as contact sees it; default the cloth's own")
+            .optional(),
+        number_("stiffness", "Pa/m", positive,
+                "pressure per gap; default what the cloth's own stable step carries")
+            .optional()},
+       "Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.",
+       sample_model() + "local floor = fabric.rigid.plane{ point={0, 0, -0.001}, normal={0, 0, 1} }\n"
+                        "m:contact{ between={floor, 'all'}, friction=0.3 }:contact{ self='all' }",
+       contact},
+  };
+}
+
+std::vector<Entry> run_rows() {
+  const std::string falls = sample_model() +
+                            "local floor = fabric.rigid.plane{ point={0, 0, -0.001}, normal={0, 0, 1} }\n"
+                            "m:contact{ between={floor, 'all'} }:gravity{0, 0, -9.81}\n"
+                            "local a = fabric.dynamic{ model=m, duration=1e-4 }\n";
+  return {
+      {"analysis:body",
+       Style::positional,
+       {object_("body", "body", "that touches something in the model")},
+       "Where a rigid body is and how it moves: nine numbers, x y z of its centre (m), its velocity (m/s), "
+       "its spin (degrees/s); a moved body's "
+       "by differences of its histories.",
+       falls + "local x, y, z = a:solve():body(floor)\nassert(z == -0.001)",
+       body},
+      {"analysis:gap",
+       Style::positional,
+       {},
+       "How far the nearest of all that touch is from its floor, m, and which that is; with nothing near "
+       "what contact reaches, and nil.",
+       falls + "assert(a:solve():gap() > 0)",
+       gap},
+  };
+}
+
+}  // namespace
+
+void bind_contact(Session& session) {
+  install(session, body_rows());
+  install(session, model_rows());
+  install(session, run_rows());
+  set_meta(session, "body", "__tostring", body_text);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,202 @@
+// fabric.version, fabric.units, fabric.poly, fabric.globals, and helpers that the other bindings share.
+#include "base/version.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+#include "script/show/transcript.hpp"
+
+namespace fabricsh::script {
+
+void push_numbers(lua_State* L, const std::vector<double>& values) {
+  lua_createtable(L, static_cast<int>(values.size()), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    lua_pushnumber(L, values[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+void push_ids(lua_State* L, const std::vector<mesh::Index>& ids) {
+  lua_createtable(L, static_cast<int>(ids.size()), 0);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    lua_pushinteger(L, ids[i] + 1);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+void set_number(lua_State* L, const char* name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
+void set_text(lua_State* L, const char* name, const std::string& value) {
+  lua_pushlstring(L, value.data(), value.size());
+  lua_setfield(L, -2, name);
+}
+
+void set_text_of(lua_State* L, const char* name, lua_CFunction text) {
+  if (luaL_newmetatable(L, name) != 0) {
+    lua_pushcfunction(L, text);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+  }
+  lua_setmetatable(L, -2);
+}
+
+std::string raw_text(lua_State* L, int index, const char* name) {
+  index = lua_absindex(L, index);
+  lua_pushstring(L, name);
+  std::string words;
+  if (lua_rawget(L, index) == LUA_TSTRING) words = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  return words;
+}
+
+void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f) {
+  lua_State* L = session.lua();
+  push_class(L, cls, nullptr);
+  lua_pushcfunction(L, f);
+  lua_setfield(L, -2, name);
+  lua_pop(L, 1);
+}
+
+namespace {
+
+struct Unit {
+  const char* name;
+  double factor;
+};
+constexpr double gravity = 9.80665;
+constexpr double degrees_per_radian = 57.295779513082320877;
+constexpr Unit units[] = {{"m", 1},     {"mm", 1e-3}, {"cm", 1e-2},     {"inch", 0.0254},
+                          {"Pa", 1},    {"kPa", 1e3}, {"MPa", 1e6},     {"GPa", 1e9},
+                          {"N", 1},     {"kN", 1e3},  {"kgf", gravity}, {"gf", gravity * 1e-3},
+                          {"kg", 1},    {"g", 1e-3},  {"gsm", 1e-3},    {"s", 1},
+                          {"ms", 1e-3}, {"us", 1e-6}, {"deg", 1},       {"rad", degrees_per_radian}};
+
+void push_units(lua_State* L) {
+  lua_newtable(L);
+  for (const Unit& unit : units) set_number(L, unit.name, unit.factor);
+}
+
+int poly(Call& call) {
+  auto values = call.numbers("coefficients");
+  for (double& value : values) value *= call.number("unit");
+  push_numbers(call.L(), values);
+  return 1;
+}
+
+// Copies string-keyed fields of the table on top into the globals that are free, and pops it.
+void spill(lua_State* L) {
+  lua_pushglobaltable(L);
+  lua_pushnil(L);
+  while (lua_next(L, -3) != 0) {
+    lua_pushvalue(L, -2);
+    const bool free = lua_rawget(L, -4) == LUA_TNIL;
+    lua_pop(L, 1);
+    if (free) {
+      lua_pushvalue(L, -2);
+      lua_insert(L, -2);
+      lua_rawset(L, -4);
+    } else {
+      lua_pop(L, 1);
+    }
+  }
+  lua_pop(L, 2);
+}
+
+int globals(Call& call) {
+  lua_State* L = call.L();
+  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  lua_pushliteral(L, "units");
+  lua_rawget(L, -2);
+  want_table(L, -1, "fabric.units");
+  lua_insert(L, -2);
+  spill(L);
+  spill(L);
+  lua_getglobal(L, "fabric");
+  if (lua_isnil(L, -1)) {
+    lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+    lua_setglobal(L, "fabric");
+  }
+  return 0;
+}
+
+int checking(Call& call) {
+  lua_pushboolean(call.L(), call.session().options().check);
+  return 1;
+}
+
+int warn(Call& call) {
+  const std::string words = position(call.L()) + call.text("text");
+  call.session().notices().once(words, "warning: " + words);
+  return 0;
+}
+
+std::vector<Entry> rows() {
+  return {
+      {"fabric.poly",
+       Style::positional,
+       {{"coefficients", numbers, "", everything, "ascending powers"},
+        number_("unit", "", everything, "a multiplier of fabric.units").or_else(1.0)},
+       "A table of coefficients times a unit: fabric.poly({8, 826}, MPa).",
+       "local fabric = require 'fabric'; assert(fabric.poly({8, 826}, fabric.units.MPa)[2] == 826e6)",
+       poly},
+      {"fabric.globals",
+       Style::positional,
+       {},
+       "Makes the fields of fabric and fabric.units global, without covering what is there.",
+       "require 'fabric'.globals(); assert(3*inch > 76*mm)",
+       globals},
+      {"fabric.checking",
+       Style::positional,
+       {},
+       "True under --check, where analyses run nothing and no file is written.",
+       "assert(require 'fabric'.checking() == false)",
+       checking},
+      {"fabric.warn",
+       Style::positional,
+       {value_("text", text, "what to say")},
+       "Says a warning on stderr with the deck's line, each text once.",
+       "require 'fabric'.warn 'the strip is narrower than one repeat of the weave'",
+       warn},
+  };
+}
+
+}  // namespace
+
+void bind_core(Session& session) {
+  install(session, rows());
+  lua_State* L = session.lua();
+  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  set_text(L, "version", version());
+  push_units(L);
+  lua_setfield(L, -2, "units");
+  watch_module(L, "fabric");
+  lua_pop(L, 1);
+}
+
+void bind_all(Session& session) {
+  bind_core(session);
+  bind_history(session);
+  bind_mesh(session);
+  bind_card(session);
+  bind_point(session);
+  bind_model(session);
+  bind_files(session);
+  bind_plot(session);
+  bind_render(session);
+  bind_analysis(session);
+  bind_static(session);
+  bind_dynamic(session);
+  bind_outputs(session);
+  bind_keep(session);
+  bind_check(session);
+  bind_table(session);
+  bind_lab(session);
+  bind_track(session);
+  bind_identify(session);
+  bind_sample(session);
+  bind_prompt(session);
+}
+
+}  // namespace fabricsh::script

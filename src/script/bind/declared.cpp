@@ -1,0 +1,329 @@
+// model:list: what a model was told, call by call.
+#include <algorithm>
+#include <numbers>
+
+#include "base/number.hpp"
+#include "model/model.hpp"
+#include "script/bind/model.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+#include "script/show/show.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+
+namespace {
+
+std::string brief_number(double x) { return fabricsh::number(x, 7); }
+
+constexpr const char* model_key = "model";
+constexpr const char* axes[] = {"x", "y", "z"};
+
+// number: of its kind, from 0; -1: what a model is made of, which stays.
+struct Declared {
+  std::string kind, set, what;
+  Model::Told told = Model::Told::fix;
+  int number = -1;
+};
+
+// Rows of one kind, numbered as they come.
+class Rows {
+ public:
+  Rows(std::vector<Declared>& all, std::string kind, Model::Told told)
+      : all_(all), kind_(std::move(kind)), told_(told) {}
+  void add(const std::string& set, const std::string& what) {
+    all_.push_back({kind_, set, what, told_, count_++});
+  }
+
+ private:
+  std::vector<Declared>& all_;
+  std::string kind_;
+  Model::Told told_;
+  int count_ = 0;
+};
+
+void add_word(std::string& words, const std::string& more) { words += (words.empty() ? "" : ", ") + more; }
+
+std::string history_words(const model::History& h, const std::string& unit) {
+  if (h.is_constant()) return brief_number(h.value(0)) + " " + unit;
+  if (h.kinks().empty()) return "function of time";
+  return brief_number(h.value(h.kinks().front())) + " to " + brief_number(h.value(h.kinks().back())) + " " +
+         unit + " at " + brief_number(h.kinks().back()) + " s";
+}
+
+// The unit once where all of them are plain numbers, else behind each number.
+std::string component_words(const model::Components& components, const std::string& unit) {
+  std::string words;
+  const bool plain =
+      std::all_of(components.begin(), components.end(), [](const auto& h) { return !h || h->is_constant(); });
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!components[i]) continue;
+    add_word(words,
+             std::string(axes[i]) + " " +
+                 (plain ? brief_number(components[i]->value(0)) : history_words(*components[i], unit)));
+  }
+  return plain ? words + " " + unit : words;
+}
+
+std::string oblique(const Mat3& frame) {
+  if (frame.isApprox(model::global_frame())) return "";
+  std::string words = " along {";
+  for (int row = 0; row < 2; ++row)
+    words += std::string(row > 0 ? ", " : "") + "{" + brief_number(frame(row, 0)) + ", " +
+             brief_number(frame(row, 1)) + ", " + brief_number(frame(row, 2)) + "}";
+  return words + "}";
+}
+
+std::string freedom_words(const model::Freedoms& freedoms) {
+  std::string words;
+  const auto add = [&words](bool held, const std::string& word) {
+    if (held) words += (words.empty() ? "" : " ") + word;
+  };
+  for (std::size_t i = 0; i < 3; ++i) add(freedoms.translation[i], axes[i]);
+  for (std::size_t i = 0; i < 3; ++i) add(freedoms.axis[i], std::string("r") + axes[i]);
+  add(freedoms.rotation, "rotation");
+  return words;
+}
+
+std::string vector_words(const Vec3& v) {
+  return "{" + brief_number(v.x()) + ", " + brief_number(v.y()) + ", " + brief_number(v.z()) + "}";
+}
+
+// Bodies and regions, where there is more than one sheet of one card.
+void add_sheets(const Model& m, std::vector<Declared>& all) {
+  if (m.regions().size() < 2) return;
+  for (std::size_t r = 0; r < m.regions().size(); ++r) {
+    const auto& region = m.regions()[r];
+    const bool is_body = r == 0 || m.regions()[r - 1].body != region.body;
+    all.push_back({is_body ? "body" : "region", region.name.empty() ? "all" : region.name,
+                   "card " + region.card.name + ", " + brief_number(m.sections()[r].thickness * 1e3) + " mm" +
+                       (region.options.warp ? ", warp " + region.options.warp_text : "")});
+  }
+}
+
+void add_supports(const Model& m, std::vector<Declared>& all) {
+  using Told = Model::Told;
+  Rows fixed(all, "fix", Told::fix);
+  for (const auto& s : m.supports()) fixed.add(s.set, freedom_words(s.fixed) + oblique(s.frame));
+  Rows moved(all, "move", Told::move);
+  for (const auto& s : m.motions()) moved.add(s.set, component_words(s.displacement, "m") + oblique(s.frame));
+  Rows turned(all, "turn", Told::turn);
+  for (const auto& t : m.turns())
+    turned.add(t.set, history_words(t.angle, "degrees") + " about " + vector_words(t.axis) +
+                          (t.centre ? " through " + vector_words(*t.centre) : ""));
+  Rows sprung(all, "spring", Told::spring);
+  for (const auto& s : m.springs()) {
+    std::string words;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (s.stiffness[i] != 0) add_word(words, std::string(axes[i]) + " " + brief_number(s.stiffness[i]));
+    sprung.add(s.set, words + " N/m" + oblique(s.frame));
+  }
+  constexpr const char* kinds[] = {"equal", "straight", "rigid", "periodic"};
+  Rows tied(all, "tie", Told::tie);
+  for (const auto& t : m.ties()) {
+    std::string words = kinds[static_cast<int>(t.kind)];
+    if (!t.partner.empty()) words += " with " + t.partner;
+    if (const std::string freedoms = freedom_words(t.freedoms); !freedoms.empty()) words += ", " + freedoms;
+    tied.add(t.set, words);
+  }
+}
+
+void add_loads(const Model& m, std::vector<Declared>& all) {
+  using Told = Model::Told;
+  Rows forces(all, "force", Told::force);
+  for (const auto& f : m.forces()) forces.add(f.set, component_words(f.total, "N") + oblique(f.frame));
+  Rows moments(all, "moment", Told::moment);
+  for (const auto& f : m.moments()) moments.add(f.set, component_words(f.total, "N m") + oblique(f.frame));
+  Rows tractions(all, "traction", Told::traction);
+  for (const auto& t : m.tractions())
+    tractions.add(t.set, component_words(t.intensity, "N/m^2 or N/m") + oblique(t.frame));
+  Rows pressures(all, "pressure", Told::pressure);
+  for (const auto& p : m.pressures()) pressures.add(p.set, history_words(p.value, "Pa"));
+  if (m.gravity()[0] || m.gravity()[1] || m.gravity()[2])
+    Rows(all, "gravity", Told::gravity).add("all", component_words(m.gravity(), "m/s^2"));
+  Rows velocities(all, "velocity", Told::velocity);
+  for (const auto& v : m.velocities()) {
+    std::string words = vector_words(v.linear) + " m/s";
+    if (!v.spin.isZero())
+      words += ", spin " + vector_words(v.spin * 180 / std::numbers::pi) + " degrees/s about " +
+               vector_words(v.centre);
+    velocities.add(v.set, v.place ? "function of place" : words);
+  }
+}
+
+void add_contacts(const Model& m, std::vector<Declared>& all) {
+  const auto& given = m.interactions();
+  int number = 0;
+  for (const auto& motion : given.motions()) {
+    std::string words = component_words(motion.displacement, "m");
+    if (motion.turn)
+      add_word(words, "turn " + history_words(motion.turn->angle, "degrees") + " about " +
+                          vector_words(motion.turn->axis));
+    all.push_back({"move", given.name_of(*motion.body), words, Model::Told::body_move, number++});
+  }
+  number = 0;
+  for (const auto& v : given.velocities())
+    all.push_back({"velocity", given.name_of(*v.body),
+                   vector_words(v.linear) + " m/s, spin " + vector_words(v.spin * 180 / std::numbers::pi) +
+                       " degrees/s",
+                   Model::Told::body_velocity, number++});
+  number = 0;
+  for (const auto& c : given.contacts()) {
+    std::string sides, words = "friction " + brief_number(c.friction);
+    for (const auto& party : c.between)
+      sides += (sides.empty() ? "" : " and ") + (party.body ? given.name_of(*party.body) : party.set);
+    if (c.between.size() == 1) sides += " on itself";
+    if (c.thickness) add_word(words, "thickness " + brief_number(*c.thickness) + " m");
+    if (c.stiffness) add_word(words, "stiffness " + brief_number(*c.stiffness) + " Pa/m");
+    all.push_back({"contact", sides, words, Model::Told::contact, number++});
+  }
+}
+
+std::vector<Declared> declared(const Model& m) {
+  std::vector<Declared> all;
+  add_sheets(m, all);
+  add_supports(m, all);
+  add_loads(m, all);
+  add_contacts(m, all);
+  return all;
+}
+
+int list_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const std::string words = rows_text(L, 1, {"kind", "set", "what"}, "no supports, no loads");
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+int list(Call& call) {
+  lua_State* L = call.L();
+  const std::vector<Declared> all = declared(*call.self<Model>());
+  lua_createtable(L, static_cast<int>(all.size()), 0);
+  lua_Integer place = 0;
+  for (const Declared& one : all) {
+    lua_newtable(L);
+    set_text(L, "kind", one.kind);
+    set_text(L, "set", one.set);
+    set_text(L, "what", one.what);
+    lua_rawseti(L, -2, ++place);
+  }
+  set_text_of(L, "fabricsh.declared", list_text);
+  return 1;
+}
+
+// The place in m:list() that the argument names: its number, or a row like it, the last of several.
+std::size_t place_of(const Call& call, const std::vector<Declared>& all) {
+  lua_State* L = call.L();
+  if (call.is("row", LUA_TNUMBER)) {
+    const auto number = call.integer("row");
+    if (number < 1 || number > static_cast<std::int64_t>(all.size()))
+      throw Error("remove: argument 'row': expected a number from 1 to " + std::to_string(all.size()) +
+                  " of m:list(), got " + std::to_string(number));
+    return static_cast<std::size_t>(number) - 1;
+  }
+  const Fields row = call.fields("row");
+  const std::string kind = row.text("kind"), set = row.text("set");
+  const bool any = !row.has("what");
+  for (std::size_t i = all.size(); i-- > 0;)
+    if (all[i].kind == kind && all[i].set == set && (any || all[i].what == row.text("what"))) {
+      lua_pop(L, 1);
+      return i;
+    }
+  throw Error("remove: the model has no " + kind + " of '" + set + "'" +
+              (any ? "" : " with '" + row.text("what") + "'") + " (m:list() shows what it has)");
+}
+
+int remove(Call& call) {
+  const auto model = call.self<Model>();
+  const auto all = declared(*model);
+  const Declared& one = all[place_of(call, all)];
+  if (one.number < 0) throw Error("remove: a " + one.kind + " is what the model is made of, it stays");
+  model->remove(one.told, static_cast<std::size_t>(one.number));
+  return return_self(call);
+}
+
+// The object refuses changes by itself once an analysis uses the mesh.
+void push_mesh(lua_State* L, const Model& model) {
+  push_object(L, std::const_pointer_cast<mesh::Mesh>(model.mesh_pointer()));
+}
+
+int mesh_of(Call& call) {
+  push_mesh(call.L(), *call.self<Model>());
+  return 1;
+}
+
+// The object that the deck made; with it the run keeps its hooks there.
+int model_of_run(Call& call) {
+  lua_getiuservalue(call.L(), 1, 1);
+  lua_getfield(call.L(), -1, model_key);
+  return 1;
+}
+
+int mesh_of_run(Call& call) {
+  push_mesh(call.L(), call.self<Run>()->analysis->model());
+  return 1;
+}
+
+std::vector<Entry> rows() {
+  const std::string sample = sample_model();
+  return {
+      {"model.mesh",
+       Style::property,
+       {},
+       "The mesh it was made of.",
+       sample + "assert(#m.mesh.nodes == 8)",
+       mesh_of},
+      {"model:list",
+       Style::positional,
+       {},
+       "What it was told, supports first (bodies and regions before them, where there are any): rows of kind "
+       "(the call's name), set and what, which print as a "
+       "table.",
+       sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nlocal told = m:list()\n"
+                "assert(told[1].kind == 'fix' and told[1].set == 'bottom' and told[1].what == 'x y z')\n"
+                "assert(told[2].what == 'x 0, y 0, z -9.81 m/s^2')",
+       list},
+      {"model:remove",
+       Style::positional,
+       {[] {
+         Argument row = fields_("row",
+                                {value_("kind", text, "the call's name"), value_("set", text, "its set"),
+                                 value_("what", text, "as listed; without it the last of them").optional()},
+                                "a row of m:list(), or its number");
+         row.kinds |= integer;
+         return row;
+       }()},
+       "Takes back a support or a load: a row of m:list() or its number.",
+       sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nm:remove(m:list()[2])\n"
+                "assert(#m:list() == 1)\nm:remove{ kind='fix', set='bottom' }\nassert(#m:list() == 0)",
+       remove},
+      {"analysis.model",
+       Style::property,
+       {},
+       "The model that it computes.",
+       sample_run() + "assert(a.model == m and #a.model:list() == 4)",
+       model_of_run},
+      {"analysis.mesh",
+       Style::property,
+       {},
+       "The mesh of its model, as it was before the run.",
+       sample_run() + "assert(#a.mesh.elements == #a:field 'E11')",
+       mesh_of_run},
+  };
+}
+
+}  // namespace
+
+void keep_model(const Call& call) {
+  lua_State* L = call.L();
+  lua_getiuservalue(L, -1, 1);
+  call.push("model");
+  lua_setfield(L, -2, model_key);
+  lua_pop(L, 1);
+}
+
+void bind_declared(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,253 @@
+// require "fabric.define": a function written in Lua gets a row in the registry, and with it argument checks.
+//
+//   define{ name="fabric.lab.uniaxial", sentence="...", example="...", arguments={ {name="card", of="card",
+//   ...} },
+//           run=function(t) ... end }
+//
+// An argument has name, sentence, kind ("number|text", "object" is implied by of), unit, low, high, above,
+// default, optional, choices, rows. define.fail(message) raises an error at the deck's line; define.registry
+// holds rows, name_of, class_of, card_of, nearest and show of bind/registry.cpp. run gets one table with
+// every default filled in; with positional=true, the values in order.
+#include <cmath>
+
+#include "script/bind/rooms.hpp"
+#include "script/call/words.hpp"
+#include "script/show/show.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+constexpr const char* functions_key = "fabricsh.defined";
+
+constexpr int deepest_rows = 8;  // rows in rows
+
+std::string get_text(lua_State* L, int index, const char* name) {
+  const bool is_text = lua_getfield(L, index, name) == LUA_TSTRING;
+  const std::string value = is_text ? lua_tostring(L, -1) : "";
+  lua_pop(L, 1);
+  return value;
+}
+
+unsigned kind_named(const std::string& word) {
+  for (const auto& [name, kind] : kind_names)
+    if (word == name) return kind;
+  throw Error("unknown kind '" + word + "'");
+}
+
+unsigned read_kinds(const std::string& words) {
+  unsigned kinds = 0;
+  for (std::size_t from = 0; from <= words.size();) {
+    const std::size_t bar = std::min(words.find('|', from), words.size());
+    kinds |= kind_named(words.substr(from, bar - from));
+    from = bar + 1;
+  }
+  return kinds;
+}
+
+void read_range(lua_State* L, Argument& row) {
+  if (lua_getfield(L, -1, "low") == LUA_TNUMBER) row.range.low = lua_tonumber(L, -1);
+  if (lua_getfield(L, -2, "high") == LUA_TNUMBER) row.range.high = lua_tonumber(L, -1);
+  if (lua_getfield(L, -3, "above") == LUA_TNUMBER) {
+    row.range.low = lua_tonumber(L, -1);
+    row.range.low_open = true;
+  }
+  lua_pop(L, 3);
+}
+
+void read_default(lua_State* L, Argument& row) {
+  switch (lua_getfield(L, -1, "default")) {
+    case LUA_TNUMBER:
+      row = row.or_else(lua_tonumber(L, -1));
+      break;
+    case LUA_TSTRING:
+      row = row.or_else(lua_tostring(L, -1));
+      break;
+    case LUA_TBOOLEAN:
+      row = row.or_else(lua_toboolean(L, -1) != 0);
+      break;
+    default:
+      break;
+  }
+  if (lua_getfield(L, -2, "optional") == LUA_TBOOLEAN) row.required = row.required && !lua_toboolean(L, -1);
+  lua_pop(L, 2);
+}
+
+std::vector<Argument> read_rows(lua_State* L, int index, int depth);
+
+// The argument row on top of the stack.
+Argument read_row(lua_State* L, int depth) {
+  want_table(L, -1, "a row of arguments");
+  Argument row;
+  row.name = get_text(L, -1, "name");
+  row.sentence = get_text(L, -1, "sentence");
+  row.unit = get_text(L, -1, "unit");
+  row.of = get_text(L, -1, "of");
+  const std::string kinds = get_text(L, -1, "kind");
+  row.kinds = kinds.empty() ? 0u : read_kinds(kinds);
+  if (!row.of.empty()) row.kinds |= object;
+  if (row.kinds == 0) row.kinds = any;
+  if (row.name.empty()) throw Error("a row of arguments: field 'name': expected a name, got none");
+  read_range(L, row);
+  read_default(L, row);
+  if (lua_getfield(L, -1, "choices") == LUA_TTABLE)
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) == LUA_TSTRING || (lua_pop(L, 1), false); ++i) {
+      row.choices.emplace_back(lua_tostring(L, -1));
+      lua_pop(L, 1);
+    }
+  lua_pop(L, 1);
+  if (lua_getfield(L, -1, "rows") == LUA_TTABLE) row.rows = read_rows(L, -1, depth + 1);
+  lua_pop(L, 1);
+  return row;
+}
+
+std::vector<Argument> read_rows(lua_State* L, int index, int depth) {
+  if (depth > deepest_rows)
+    throw Error("rows of arguments lie more than " + std::to_string(deepest_rows) + " deep in one another");
+  luaL_checkstack(L, 10, "define");
+  std::vector<Argument> rows;
+  index = lua_absindex(L, index);
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
+  for (lua_Integer i = 1; i <= n; ++i) {
+    lua_rawgeti(L, index, i);
+    rows.push_back(read_row(L, depth));
+    lua_pop(L, 1);
+  }
+  return rows;
+}
+
+void push_default(lua_State* L, const Argument& row) {
+  if (const double* x = std::get_if<double>(&row.fallback);
+      x && (row.kinds & integer) != 0 && std::abs(*x) < 0x1p63)
+    lua_pushinteger(L, static_cast<lua_Integer>(*x));
+  else if (x)
+    lua_pushnumber(L, *x);
+  else if (const std::string* word = std::get_if<std::string>(&row.fallback))
+    lua_pushstring(L, word->c_str());
+  else if (const bool* flag = std::get_if<bool>(&row.fallback))
+    lua_pushboolean(L, *flag);
+  else
+    lua_pushnil(L);
+}
+
+void push_value(Call& call, const Argument& row) {
+  if (call.push(row.name) != LUA_TNIL) return;
+  lua_pop(call.L(), 1);
+  push_default(call.L(), row);
+}
+
+// Runs the Lua function of the row with checked arguments.
+int run_defined(Call& call) {
+  lua_State* L = call.L();
+  const Entry& entry = call.entry();
+  lua_getfield(L, LUA_REGISTRYINDEX, functions_key);
+  const int base = lua_gettop(L),
+            given = base - 2;  // the named arguments and the table of functions lie on top
+  luaL_checkstack(L, static_cast<int>(entry.arguments.size()) + 20, "too many arguments");
+  lua_rawgetp(L, base, &entry);
+  if (entry.style == Style::fields) lua_newtable(L);
+  for (const Argument& row : entry.arguments) {
+    push_value(call, row);
+    if (entry.style == Style::fields) lua_setfield(L, -2, row.name.c_str());
+  }
+  // What was not given and has no default is not passed, so that a nil that was given can be told from it.
+  if (entry.style != Style::fields)
+    while (lua_gettop(L) > base + 1 + given && lua_isnil(L, -1)) lua_pop(L, 1);
+  lua_call(L, lua_gettop(L) - base - 1, LUA_MULTRET);
+  const int results = lua_gettop(L) - base;
+  if (results == 1 && lua_istable(L, -1)) name_result(L, entry.name);
+  return results;
+}
+
+// "fabric.lab.uniaxial" or "card:fit": names with a full stop or one colon between them, of which the first
+// is fabric or a class.
+void check_name(const std::string& name) {
+  const std::size_t colon = std::min(name.find(':'), name.size());
+  const bool method = colon < name.size();
+  bool good = method ? is_name(name.substr(0, colon)) : name.starts_with("fabric.");
+  for (std::size_t from = method ? colon + 1 : 7; good && from <= name.size();) {
+    const std::size_t dot = method ? name.size() : std::min(name.find('.', from), name.size());
+    good = is_name(name.substr(from, dot - from));
+    from = dot + 1;
+  }
+  if (!good) throw Error("field 'name': expected one like fabric.lab.uniaxial, got '" + name + "'");
+}
+
+void remember(lua_State* L, const Entry& entry) {
+  if (lua_getfield(L, LUA_REGISTRYINDEX, functions_key) != LUA_TTABLE) {
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, LUA_REGISTRYINDEX, functions_key);
+  }
+  lua_getfield(L, 1, "run");
+  luaL_checktype(L, -1, LUA_TFUNCTION);
+  lua_rawsetp(L, -2, &entry);
+  lua_pop(L, 1);
+}
+
+int define(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  std::string problem;
+  try {
+    Session& session = Session::of(L);
+    Entry entry;
+    entry.name = get_text(L, 1, "name");
+    check_name(entry.name);
+    lua_getfield(L, 1, "run");
+    if (!lua_isfunction(L, -1)) throw Error("field 'run': expected a function, got " + describe(L, -1));
+    lua_pop(L, 1);
+    lua_getfield(L, 1, "positional");
+    entry.style = lua_toboolean(L, -1) ? Style::positional : Style::fields;
+    if (lua_getfield(L, 1, "arguments") == LUA_TTABLE) entry.arguments = read_rows(L, -1, 1);
+    lua_pop(L, 2);
+    entry.sentence = get_text(L, 1, "sentence");
+    entry.example = get_text(L, 1, "example");
+    entry.run = run_defined;
+    const Entry& kept = session.registry().add(std::move(entry));
+    remember(L, kept);
+    place(L, kept);
+    return 0;
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  return luaL_error(L, "define: %s", problem.c_str());
+}
+
+}  // namespace
+
+namespace {
+
+// fail(message): an error at the line of the deck, not at that of the library.
+int fail(lua_State* L) {
+  const char* message = luaL_checkstring(L, 1);
+  lua_pushstring(L, position(L).c_str());
+  lua_pushstring(L, message);
+  lua_concat(L, 2);
+  return lua_error(L);
+}
+
+int call_define(lua_State* L) {
+  luaL_checkany(L, 1);
+  lua_remove(L, 1);
+  return define(L);
+}
+
+}  // namespace
+
+int open_define(lua_State* L) {
+  lua_newtable(L);
+  lua_pushcfunction(L, fail);
+  lua_setfield(L, -2, "fail");
+  push_registry(L);
+  lua_setfield(L, -2, "registry");
+  lua_newtable(L);
+  lua_pushcfunction(L, call_define);
+  lua_setfield(L, -2, "__call");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+  return 1;
+}
+
+}  // namespace fabricsh::script

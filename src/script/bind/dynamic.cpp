@@ -1,0 +1,137 @@
+// fabric.dynamic: a run in motion.
+#include "run/dynamic.hpp"
+
+#include "script/bind/model.hpp"
+#include "script/bind/run.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+void read_damping(const Call& call, run::DynamicOptions& options) {
+  if (!call.has("damping")) return;
+  const Fields damping = call.fields("damping");
+  if (damping.has("mass")) options.mass_damping = damping.number("mass");
+  if (damping.has("stiffness")) options.stiffness_damping = damping.number("stiffness");
+}
+
+void read_method(const Call& call, run::DynamicOptions& options) {
+  if (call.text("scheme") == "implicit") options.scheme = run::Scheme::implicit_steps;
+  if (call.is("step", LUA_TNUMBER)) options.step = call.number("step");
+  if (call.has("gamma")) options.gamma = call.number("gamma");
+  if (call.has("beta")) options.beta = call.number("beta");
+  options.hht = call.number("hht");
+  if (call.has("inertia")) options.scaled = call.text("inertia") == "scaled";
+  options.force = call.flag("force");
+  options.ledger_limit = call.number("ledger_limit");
+}
+
+int make(Call& call) {
+  run::DynamicOptions options;
+  options.duration = call.number("duration");
+  read_method(call, options);
+  read_damping(call, options);
+  if (options.scheme == run::Scheme::explicit_steps)
+    for (const char* field : {"tolerance", "max_iterations", "max_cuts"})
+      if (call.has(field)) call.refuse(field, "unknown for scheme=\"explicit\", which does not iterate");
+  options.tolerance = call.number("tolerance");
+  options.max_iterations = call.count("max_iterations");
+  options.max_cuts = call.count("max_cuts");
+  Session& session = call.session();
+  const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
+  const auto model = call.object<model::Model>("model");
+  const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
+  auto run = run::make_dynamic(model, options, notices);
+  if (call.text("limit") == "stop") run->stop_beyond();
+  push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
+  keep_model(call);
+  return 1;
+}
+
+const run::Dynamic& dynamic(Call& call) {
+  const auto* run = dynamic_cast<const run::Dynamic*>(call.self<Run>()->analysis.get());
+  if (run == nullptr) throw Error("a static analysis has no stable step");
+  return *run;
+}
+
+int stable_step(Call& call) {
+  lua_pushnumber(call.L(), dynamic(call).stable_step());
+  return 1;
+}
+
+int step_size(Call& call) {
+  lua_pushnumber(call.L(), dynamic(call).step_size());
+  return 1;
+}
+
+std::string sample() {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.4, height=0.1, nx=4, ny=1 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend' }\n"
+         "m:fix('left', 'x y z rotation'):gravity{0, 0, -9.81}\n"
+         "local a = fabric.dynamic{ model=m, duration=0.01 }\n";
+}
+
+std::vector<Argument> arguments() {
+  return {
+      object_("model", "model", "what is computed"),
+      number_("duration", "s", positive, "time to run to"),
+      Argument{"step",
+               number | text,
+               "s",
+               positive,
+               "of time; auto: explicit 0.7 of the stable step, implicit duration/200",
+               true,
+               {},
+               {"auto"}}
+          .optional(),
+      value_("scheme", text, "explicit (central differences) or implicit (Newmark with Newton)")
+          .or_else("explicit")
+          .one_of({"explicit", "implicit"}),
+      number_("gamma", "", Range{0.5, 1}, "of Newmark; above 1/2 it damps; default 1/2").optional(),
+      number_("beta", "", Range{0, 1}, "of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit")
+          .optional(),
+      number_("hht", "", Range{-1.0 / 3, 0}, "alpha of Hilbert, Hughes and Taylor: damps high frequencies")
+          .or_else(0.0),
+      fields_("damping",
+              {number_("mass", "1/s", not_negative, "a of the damping matrix a M + b K_M").optional(),
+               number_("stiffness", "s", not_negative, "b of the damping matrix a M + b K_M").optional()},
+              "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
+          .optional(),
+      value_("inertia", text,
+             "rotary, of the cloth: true, or scaled up where it would limit the explicit step")
+          .optional()
+          .one_of({"scaled", "true"}),
+      value_("force", boolean, "take the step even above the stable one").or_else(false),
+      number_("ledger_limit", "", positive, "energy made, over the external work, at which the run stops")
+          .or_else(0.05),
+      number_("tolerance", "", Range{0, 1, true, true}, "implicit: residual over the largest nodal force")
+          .or_else(1e-8),
+      integer_("max_iterations", from_one, "implicit: of one step, before it is cut").or_else(30),
+      integer_("max_cuts", not_negative, "implicit: halvings of one step").or_else(12),
+      limit_row()};
+}
+
+std::vector<Entry> rows() {
+  return {{"fabric.dynamic", Style::fields, arguments(),
+           "A run in motion with Newmark's method, explicit or implicit, and a ledger of its energies.",
+           sample() + "assert(a:solve().energy.error < 1e-3)", make},
+          {"analysis.stable_step",
+           Style::property,
+           {},
+           "The largest stable step of central differences in the reference configuration, s.",
+           sample() + "assert(a.stable_step > 7e-5 and a.stable_step < 8e-5)",
+           stable_step},
+          {"analysis.step_size",
+           Style::property,
+           {},
+           "The step that a run in motion goes by, landings apart, s.",
+           sample() + "assert(math.abs(a.step_size / a.stable_step - 0.7) < 1e-12)",
+           step_size}};
+}
+
+}  // namespace
+
+void bind_dynamic(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

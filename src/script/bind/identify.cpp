@@ -1,0 +1,274 @@
+// fabric.lab: least squares and parallel work for the identification through simulation.
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "lab/least_squares.hpp"
+#include "lab/parallel.hpp"
+#include "lab/settle.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+#include "script/called_off.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// The numbers of the table on top of the stack, which is popped.
+std::vector<double> pop_numbers(lua_State* L, const std::string& what) {
+  const Argument row{"", numbers, "", everything, ""};
+  if (!lua_istable(L, -1)) throw Error(what + ": expected a list of numbers, got " + describe(L, -1));
+  check_value(L, -1, row, what, false);
+  auto values = read_numbers(L, -1);
+  lua_pop(L, 1);
+  return values;
+}
+
+// Calls the function with one value on the stack above it; a Lua error becomes an Error of its words.
+void call_one(lua_State* L) {
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK) return;
+  const int kind = lua_type(L, -1);
+  const bool words = kind != LUA_TTABLE || luaL_getmetafield(L, -1, "__tostring") != LUA_TNIL;
+  if (kind == LUA_TTABLE && words) lua_pop(L, 1);
+  const std::string message = words ? luaL_tolstring(L, -1, nullptr) : "an error that is a table";
+  lua_pop(L, words ? 2 : 1);
+  throw Error(message);
+}
+
+std::vector<double> work_on(const Function& work, std::size_t i) {
+  lua_State* L = work.push();
+  lua_pushinteger(L, static_cast<lua_Integer>(i + 1));
+  call_one(L);
+  return pop_numbers(L, "work");
+}
+
+// Items that were finished, and those of them that failed or whose process ended without an answer.
+struct Finished {
+  std::size_t all = 0, failed = 0, lost = 0;
+};
+
+// "study: 3 of 12 done, 1 failed, 1 without an answer, 40 s, about 120 s more"
+std::string progress_words(const std::string& title, std::size_t count, const Finished& finished,
+                           double seconds) {
+  char times[80];
+  const double more = seconds / static_cast<double>(finished.all) * static_cast<double>(count - finished.all);
+  std::snprintf(times, sizeof times, ", %.0f s, about %.0f s more", seconds, more);
+  return title + ": " + std::to_string(finished.all - finished.lost) + " of " + std::to_string(count) +
+         " done" + (finished.failed > 0 ? ", " + std::to_string(finished.failed) + " failed" : "") +
+         (finished.lost > 0 ? ", " + std::to_string(finished.lost) + " without an answer" : "") + times;
+}
+
+// Says how far it is, at most every other second and at the end.
+class Progress {
+ public:
+  Progress(Session& session, std::string title, std::size_t count)
+      : session_(session), title_(std::move(title)), count_(count) {}
+  void done(const lab::Answer& answer) {
+    ++finished_.all;
+    finished_.lost += answer.died ? 1 : 0;
+    finished_.failed += !answer.died && !answer.trouble.empty() ? 1 : 0;
+    const double seconds = seconds_since(begin_);
+    if (title_.empty() || session_.options().quiet || !session_.options().notice) return;
+    if (finished_.all < count_ && seconds < said_ + 2) return;
+    said_ = seconds;
+    session_.options().notice(progress_words(title_, count_, finished_, seconds));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+  Session& session_;
+  std::string title_;
+  std::size_t count_;
+  Finished finished_;
+  Clock::time_point begin_ = Clock::now();
+  double said_ = 0;
+};
+
+// Under --safe: memory is limited for each process, so there is one for a thread at most, and they start
+// none.
+void bound_processes(const Session& session, lab::Processes& how) {
+  if (session.forked() && how.always)
+    throw Error("--safe: a process of fabric.lab.parallel or fabric.study starts no others");
+  how.at_a_time = std::min(how.at_a_time, omp_get_max_threads());
+}
+
+int parallel(Call& call) {
+  lua_State* L = call.L();
+  const Function work = call.function("work"), done = call.function("done");
+  const bool tell = call.has("done");
+  const auto count = static_cast<std::size_t>(call.integer("count"));
+  Session& session = call.session();
+  Progress progress(session, call.text("progress"), count);
+  lab::Processes how;
+  how.at_a_time = call.has("processes") ? call.count("processes") : omp_get_max_threads();
+  how.always = call.flag("isolated");
+  if (session.limits() != nullptr) bound_processes(session, how);
+  how.stop = [&session] { return session.interrupted(); };
+  how.done = [&](std::size_t i, const lab::Answer& answer) {
+    progress.done(answer);
+    if (!tell) return;
+    lua_State* on = done.push();
+    lua_pushinteger(on, static_cast<lua_Integer>(i + 1));
+    call_one(on);
+    lua_pop(on, 1);
+  };
+  const auto answers = lab::in_processes(
+      count, [&](std::size_t i) { return work_on(work, i); }, how);
+  if (session.take_interrupt()) {
+    session.rest_hook(session.active());
+    call_off(session);
+    throw Error("interrupted");
+  }
+  lua_createtable(L, static_cast<int>(answers.size()), 0);
+  lua_Integer place = 0;
+  for (const lab::Answer& answer : answers) {
+    push_numbers(L, answer.values);
+    if (!answer.trouble.empty()) set_text(L, "trouble", answer.trouble);
+    if (answer.died) {
+      lua_pushboolean(L, 1);
+      lua_setfield(L, -2, "died");
+    }
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+void push_points(lua_State* L, const lab::Points& points) {
+  lua_createtable(L, static_cast<int>(points.size()), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    push_numbers(L, points[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+// expected: residuals at every point; 0: as many as the first one has.
+lab::Points evaluated(const Function& evaluate, const lab::Points& points, std::size_t& expected) {
+  lua_State* L = evaluate.push();
+  push_points(L, points);
+  call_one(L);
+  want_table(L, -1, "evaluate");
+  lab::Points out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(i + 1));
+    out.push_back(pop_numbers(L, "evaluate"));
+    if (expected == 0) expected = out.back().size();
+    if (out.back().size() != expected)
+      throw Error("evaluate: expected as many residuals at every point (" + std::to_string(expected) +
+                  "), got " + std::to_string(out.back().size()));
+  }
+  lua_pop(L, 1);
+  return out;
+}
+
+void set_list(lua_State* L, const char* name, const std::vector<double>& values) {
+  push_numbers(L, values);
+  lua_setfield(L, -2, name);
+}
+
+int least_squares(Call& call) {
+  lua_State* L = call.L();
+  const auto start = call.numbers("start"), low = call.numbers("low"), high = call.numbers("high");
+  if (low.size() != start.size() || high.size() != start.size())
+    call.refuse("low", "expected low and high for each of " + std::to_string(start.size()) + " parameters");
+  std::vector<lab::Bounds> bounds;
+  for (std::size_t i = 0; i < low.size(); ++i) bounds.push_back({low[i], high[i]});
+  const Function evaluate = call.function("evaluate");
+  std::size_t count = 0;
+  const std::function<lab::Points(const lab::Points&)> residuals = [&](const lab::Points& points) {
+    return evaluated(evaluate, points, count);
+  };
+  const auto found = lab::settle(
+      lab::least_squares(start, bounds, residuals,
+                         {call.count("iterations"), call.number("tolerance"), call.number("difference")}),
+      bounds, residuals, call.count("settle"));
+  lua_newtable(L);
+  set_list(L, "x", found.x);
+  set_list(L, "residuals", found.residuals);
+  set_list(L, "jacobian", found.jacobian);
+  set_number(L, "iterations", found.iterations);
+  set_text(L, "reason", found.reason);
+  lua_pushboolean(L, found.converged);
+  lua_setfield(L, -2, "converged");
+  return 1;
+}
+
+int identifiability(Call& call) {
+  lua_State* L = call.L();
+  const auto scale = call.numbers("scale"), jacobian = call.numbers("jacobian");
+  if (jacobian.size() % scale.size() != 0 || jacobian.size() < scale.size() * scale.size())
+    call.refuse("jacobian", "expected at least " + std::to_string(scale.size()) + " rows of " +
+                                std::to_string(scale.size()));
+  const auto found = lab::identifiability(jacobian, scale);
+  lua_newtable(L);
+  set_list(L, "deviation", found.deviation);
+  set_list(L, "correlation", found.correlation);
+  set_list(L, "weakest", found.weakest);
+  set_number(L, "weakest_deviation", found.weakest_deviation);
+  return 1;
+}
+
+Argument list(const char* name, const char* sentence) { return {name, numbers, "", everything, sentence}; }
+
+std::vector<Entry> rows() {
+  return {
+      {"fabric.lab.parallel",
+       Style::fields,
+       {integer_("count", Range{1, 1e7}, "of items"),
+        value_("work", function, "work(i) returns a list of numbers"),
+        integer_("processes", {1, 4096},
+                 "at a time, each a copy of this one with one thread; default: the threads "
+                 "that the program may use")
+            .optional(),
+        value_("done", function, "done(i) is called here as each is finished").optional(),
+        value_("isolated", boolean, "a process of its own even where they come one at a time").or_else(false),
+        value_("progress", text, "led by this word it is said how far the work is").or_else("")},
+       "Work for items 1 to count in processes side by side: the lists in order; one whose work failed is "
+       "empty and has trouble, the message, and died=true when its process ended without an answer.",
+       "local r = require 'fabric'.lab.parallel{ count=3, work=function(i) return { i, i*i } end "
+       "}\nassert(r[3][2] == 9)",
+       parallel},
+      {"fabric.lab.least_squares",
+       Style::fields,
+       {list("start", "parameters to begin with"), list("low", "bounds"), list("high", "bounds"),
+        value_("evaluate", function, "evaluate(points) returns one list of residuals per point"),
+        integer_("iterations", from_one, "at most").or_else(50.0),
+        number_("tolerance", "", positive, "relative, of the sum of squares and of the parameters")
+            .or_else(1e-8),
+        number_("difference", "", positive, "step of the differences, over high - low").or_else(1e-4),
+        integer_(
+            "settle", not_negative,
+            "rounds of differences to both sides along combinations that the data fix independently; for "
+            "residuals in units of their deviation")
+            .or_else(0.0)},
+       "Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, "
+       "converged, reason.",
+       "local f = require 'fabric'.lab.least_squares{ start={0.5}, low={0}, high={3}, "
+       "evaluate=function(points)\n"
+       "  local out = {}\n  for i, p in ipairs(points) do out[i] = { p[1]^2 - 2, 0 } end\n  return out\nend "
+       "}\n"
+       "assert(math.abs(f.x[1] - 2^0.5) < 1e-6)",
+       least_squares},
+      {"fabric.lab.identifiability",
+       Style::fields,
+       {list("jacobian", "of residuals in units of their deviation, by rows"),
+        list("scale", "a size of each parameter")},
+       "What data fix: deviation of each parameter, correlation (by rows), weakest (the combination fixed "
+       "least, of length one in units of "
+       "scale) and weakest_deviation.",
+       "local i = require 'fabric'.lab.identifiability{ jacobian={2, 0, 0, 4}, scale={1, 1} }\n"
+       "assert(math.abs(i.deviation[1] - 0.5) < 1e-12 and math.abs(i.weakest[1]) > 0.99)",
+       identifiability},
+  };
+}
+
+}  // namespace
+
+void bind_identify(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,167 @@
+// a:checkpoint, a:restart, a:set, a:why, fabric.why: what outlives a run, what may change while it is under
+// way, why it failed.
+#include "script/checkpoint.hpp"
+#include "script/values/lua_table.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+int chain(const Call& call) {
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+// Error: what can't be kept, said at once.
+void check_table(const Fields& options) {
+  options.push("keep");
+  pack_table(options.L(), -1, "keep");
+  lua_pop(options.L(), 1);
+}
+
+// The deck's table goes along with the checkpoint, and is filled from the one that the run begins from.
+void keep_table(Run& run, const std::string& path, const Fields& options, run::Keeper& keeper) {
+  if (const std::string* kept = run.job.claims().take("keep", path)) {
+    options.push("keep");
+    fill_table(options.L(), -1, *kept);
+    lua_pop(options.L(), 1);
+  }
+  keeper.keep_also([table = Hook(options, "keep", &run), path](std::vector<run::Checkpoint::Part>& parts) {
+    lua_State* L = table.push();
+    parts.push_back({"keep", path, pack_table(L, -2, "keep")});
+    lua_pop(L, 2);
+  });
+}
+
+int checkpoint(Call& call) {
+  const auto run = call.self<Run>();
+  const std::string path = call.text("path");
+  std::optional<Fields> options;
+  if (call.has("options")) options.emplace(call.fields("options"));
+  std::optional<double> every, minutes;
+  if (options && options->has("every"))
+    every = options->is("every", LUA_TSTRING) ? 0 : options->number("every");
+  if (options && options->has("minutes")) minutes = options->number("minutes");
+  const bool keeps = options && options->has("keep");
+  if (keeps) check_table(*options);
+  if (call.session().options().check) return chain(call);
+  const auto keeper = run->job.checkpoint(path, every, minutes);
+  if (keeps) keep_table(*run, path, *options, *keeper);
+  // In a restarted deck the analyses before the one that is taken up are behind it: the file is not theirs.
+  const auto& begun = call.session().restart();
+  if (begun && run->number() < begun->number) keeper->write_nothing();
+  return chain(call);
+}
+
+int restart_run(Call& call) {
+  restart(*call.self<Run>(), load_checkpoint(call.text("path")));
+  return chain(call);
+}
+
+int set(Call& call) {
+  run::Run::Settings settings;
+  if (call.has("tolerance")) settings.tolerance = call.number("tolerance");
+  if (call.has("step")) settings.step = call.number("step");
+  if (call.has("max_iterations")) settings.max_iterations = call.count("max_iterations");
+  if (call.has("max_cuts")) settings.max_cuts = call.count("max_cuts");
+  call.self<Run>()->analysis->set(settings);
+  return chain(call);
+}
+
+int why(Call& call) {
+  const std::string& text = call.self<Run>()->analysis->why();
+  lua_pushstring(call.L(), text.empty() ? "this run has not failed" : text.c_str());
+  return 1;
+}
+
+int last_why(Call& call) {
+  if (lua_getfield(call.L(), LUA_REGISTRYINDEX, why_key) != LUA_TSTRING)
+    lua_pushliteral(call.L(), "no run has failed");
+  return 1;
+}
+
+// A strip pushed to nothing in one step of one try.
+std::string failing_sample() {
+  return sample_run() +
+         "a = fabric.static{ model=fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 "
+         "}:fix('bottom', 'x y "
+         "z rotation'):move('top', { y=-0.07 }), duration=1, step=1, max_cuts=0, max_iterations=4 }\n"
+         "local ok, e = pcall(a.solve, a)\nassert(not ok and e.kind == 'numerical')\n";
+}
+
+std::vector<Entry> rows() {
+  const std::string sample = sample_run() + "local name = os.tmpname()\n";
+  return {
+      {"analysis:checkpoint",
+       Style::positional,
+       {value_("path", text, "of the file, which is replaced each time; its folder is made"),
+        fields_(
+            "options",
+            {Argument{"every",
+                      number | text,
+                      "s",
+                      positive,
+                      "simulated time between two of them, or 'step'; no step is made shorter for it",
+                      true,
+                      {},
+                      {"step"}}
+                 .optional(),
+             number_("minutes", "min", positive,
+                     "time on the clock between two of them; 10 where neither it nor 'every' is given")
+                 .optional(),
+             value_("keep", table,
+                    "a table of the deck's (numbers, texts, booleans, tables) that is kept along and filled "
+                    "again on restart")
+                 .optional()},
+            "how often, and what besides the run")
+            .optional()},
+       "Keeps all of the run in one file as it goes, and when it ends, a step fails or it is interrupted; "
+       "--restart "
+       "and "
+       "analysis:restart go on from there with the same bits.",
+       sample + "local seen = { n=0 }\na:every('step', function() seen.n = seen.n + 1 end)\n"
+                "a:checkpoint(name, { every='step', keep=seen })\na:advance(0.5)\n"
+                "local b, again = fabric.static{ model=m, duration=1, step=0.25 }, { n=0 }\n"
+                "b:restart(name):checkpoint(name, { keep=again })\n"
+                "assert(b.time == 0.5 and again.n == 3)\nos.remove(name)",
+       checkpoint},
+      {"analysis:restart",
+       Style::positional,
+       {value_("path", text, "of a checkpoint of the same problem")},
+       "Goes to where a checkpoint was written; 'record', 'vtk' and 'checkpoint' called after it go on with "
+       "their files.",
+       sample + "a:checkpoint(name)\na:solve()\n"
+                "local b = fabric.static{ model=m, duration=1, step=0.25 }:restart(name)\n"
+                "assert(b.time == 1 and b:mean 'S11' == a:mean 'S11')\nos.remove(name)",
+       restart_run},
+      {"analysis:set",
+       Style::fields,
+       {number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force").optional(),
+        number_("step", "s", positive, "largest step").optional(),
+        integer_("max_iterations", from_one, "of one step, before it is cut").optional(),
+        integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").optional()},
+       "Changes settings of a run, also one that is under way or has failed.",
+       sample_run() + "a:advance(0.5):set{ tolerance=1e-6, step=0.1 }\nassert(a:solve().time == 1)",
+       set},
+      {"analysis:why",
+       Style::positional,
+       {},
+       "Why the run failed last: the steps tried with their residuals, the node, the element with its strain "
+       "and "
+       "the branches of its yarns, and what to try; as text. The error has it as e.why.",
+       failing_sample() + "assert(a:why():find 'element' and e.why == a:why())",
+       why},
+      {"fabric.why",
+       Style::positional,
+       {},
+       "Why the last run that failed did: what analysis:why() of it says.",
+       failing_sample() + "assert(fabric.why() == a:why())",
+       last_why},
+  };
+}
+
+}  // namespace
+
+void bind_keep(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

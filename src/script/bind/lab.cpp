@@ -1,0 +1,445 @@
+// fabric.lab: the measuring parts that the library's Lua stands on.
+#include <cmath>
+
+#include "base/number.hpp"
+#include "lab/backbone.hpp"
+#include "lab/markers.hpp"
+#include "lab/pull.hpp"
+#include "lab/statistics.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+void same_length(const Call& call, const char* a, const char* b) {
+  const auto n = call.numbers(a).size(), m = call.numbers(b).size();
+  if (n != m)
+    call.refuse(b, "expected as many numbers as in '" + std::string(a) + "' (" + std::to_string(n) +
+                       "), got " + std::to_string(m));
+}
+
+void set_numbers(lua_State* L, const char* name, const std::vector<double>& values) {
+  push_numbers(L, values);
+  lua_setfield(L, -2, name);
+}
+
+int reduce(Call& call) {
+  lua_State* L = call.L();
+  same_length(call, "displacement", "force");
+  const auto force = call.numbers("force");
+  const lab::Specimen specimen{call.number("gauge_length"), call.number("width"), call.number("thickness"),
+                               call.count("plies")};
+  const auto u = lab::end_displacement(call.numbers("displacement"), force,
+                                       {call.number("compliance"), call.number("slip"), 0});
+  double slack = call.number("slack");
+  if (call.has("contact")) {
+    const auto found = lab::first_contact(u, force, call.number("contact"));
+    if (!found) call.refuse("contact", "the force never rises above it");
+    slack = *found;
+  }
+  const auto tension = lab::stress_strain(u, force, specimen, slack);
+  lua_newtable(L);
+  set_number(L, "slack", slack);
+  set_number(L, "area", specimen.area());
+  set_numbers(L, "displacement", u);
+  set_numbers(L, "E", tension.E);
+  set_numbers(L, "S", tension.S);
+  return 1;
+}
+
+const char* word(lab::BranchKind kind) {
+  switch (kind) {
+    case lab::BranchKind::loading:
+      return "loading";
+    case lab::BranchKind::unloading:
+      return "unloading";
+    case lab::BranchKind::hold:
+      return "hold";
+    default:
+      return "reloading";
+  }
+}
+
+int branches(Call& call) {
+  lua_State* L = call.L();
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const lab::Branch& b : lab::branches(call.numbers("displacement"), call.number("tolerance"))) {
+    lua_createtable(L, 0, 3);
+    set_text(L, "kind", word(b.kind));
+    lua_pushinteger(L, static_cast<lua_Integer>(b.begin + 1));
+    lua_setfield(L, -2, "first");
+    lua_pushinteger(L, static_cast<lua_Integer>(b.end));
+    lua_setfield(L, -2, "last");
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+void set_row(lua_State* L, const char* name, const std::optional<std::size_t>& row) {
+  if (!row) return;
+  lua_pushinteger(L, static_cast<lua_Integer>(*row + 1));
+  lua_setfield(L, -2, name);
+}
+
+int marks(Call& call) {
+  same_length(call, "E", "S");
+  const auto E = call.numbers("E"), S = call.numbers("S");
+  const auto marks = lab::yield_and_failure(E, S, E.size(), call.number("kept"), call.number("softening"));
+  lua_newtable(call.L());
+  set_row(call.L(), "yield", marks.yield);
+  set_row(call.L(), "failure", marks.failure);
+  return 1;
+}
+
+const std::vector<Argument>& curve_rows() {
+  static const std::vector<Argument> rows = {
+      {"E", numbers, "", everything, "Green-Lagrange strains"},
+      {"S", numbers, "Pa", everything, "second Piola-Kirchhoff stresses"}};
+  return rows;
+}
+
+// The list of {E=, S=} in the argument `curves`.
+std::vector<lab::Tension> tensions(const Call& call) {
+  lua_State* L = call.L();
+  std::vector<lab::Tension> out;
+  call.push("curves");
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= n; ++i) {
+    const std::string path = "curves[" + std::to_string(i) + "]";
+    if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
+      throw Error("field '" + path + "': expected {E=, S=}, got " + describe(L, -1));
+    const Fields f(L, -1, curve_rows(), path + ".");
+    out.push_back({f.numbers("E"), f.numbers("S")});
+    if (out.back().E.size() != out.back().S.size())
+      throw Error("field '" + path + "': expected E and S of one length");
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (out.empty()) call.refuse("curves", "expected at least one curve {E=, S=}");
+  return out;
+}
+
+void push_candidate(lua_State* L, const lab::Candidate& c) {
+  lua_newtable(L);
+  set_number(L, "degree", c.degree);
+  set_number(L, "criterion", c.criterion);
+  set_number(L, "initial", c.initial);
+  set_number(L, "least", c.least);
+  lua_pushboolean(L, c.admissible);
+  lua_setfield(L, -2, "admissible");
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const lab::SpecimenFit& s : c.specimens) {
+    lua_newtable(L);
+    set_numbers(L, "loading", s.d);
+    set_number(L, "slack", s.slack);
+    set_number(L, "reach", s.reach);
+    set_number(L, "residual", s.residual);
+    lua_rawseti(L, -2, ++place);
+  }
+  lua_setfield(L, -2, "specimens");
+}
+
+std::vector<int> degrees(const Call& call) {
+  if (!call.has("degrees")) return {2, 4};
+  std::vector<int> out;
+  for (const double d : call.numbers("degrees")) {
+    if (!(d >= 1 && d <= 20) || d != std::floor(d))
+      call.refuse("degrees", "expected whole numbers from 1 to 20, got " + exact_number(d));
+    out.push_back(static_cast<int>(d));
+  }
+  if (out.empty()) call.refuse("degrees", "expected at least one degree");
+  return out;
+}
+
+int backbone(Call& call) {
+  lua_State* L = call.L();
+  const auto candidates = lab::fit_backbones(tensions(call), {degrees(call), call.flag("find_slack")});
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const lab::Candidate& c : candidates) {
+    push_candidate(L, c);
+    lua_rawseti(L, -2, ++place);
+  }
+  if (const auto best = lab::choose(candidates)) {
+    lua_pushinteger(L, static_cast<lua_Integer>(*best + 1));
+    lua_setfield(L, -2, "chosen");
+  }
+  return 1;
+}
+
+int monotone(Call& call) {
+  lua_State* L = call.L();
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const auto& [E, S] : lab::monotone_points(tensions(call), call.count("bins"))) {
+    push_numbers(L, {E, S});
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+int unloading(Call& call) {
+  same_length(call, "E", "S");
+  const auto modulus = lab::unloading_modulus(
+      call.numbers("E"), call.numbers("S"),
+      {call.text("rule") == "first" ? lab::UnloadingRule::first : lab::UnloadingRule::robust,
+       static_cast<std::size_t>(call.integer("count")), call.number("kept")});
+  if (!modulus) return 0;
+  lua_pushnumber(call.L(), *modulus);
+  return 1;
+}
+
+std::vector<std::vector<double>> number_lists(const Call& call, const char* name) {
+  lua_State* L = call.L();
+  std::vector<std::vector<double>> out;
+  call.push(name);
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  const Argument row{"", numbers, "", everything, ""};
+  for (lua_Integer i = 1; i <= n; ++i) {
+    lua_rawgeti(L, -1, i);
+    check_value(L, -1, row, std::string(name) + "[" + std::to_string(i) + "]", false);
+    out.push_back(read_numbers(L, -1));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (out.empty()) call.refuse(name, "expected at least one list of numbers");
+  return out;
+}
+
+int band(Call& call) {
+  lua_State* L = call.L();
+  const auto estimate =
+      lab::band_of(number_lists(call, "specimens"),
+                   {call.number("level"), call.count("draws"),
+                    static_cast<std::uint64_t>(call.integer("seed")), call.numbers("common")});
+  lua_newtable(L);
+  set_numbers(L, "value", estimate.value);
+  if (estimate.low.empty()) return 1;
+  set_numbers(L, "low", estimate.low);
+  set_numbers(L, "high", estimate.high);
+  set_numbers(L, "covariance", estimate.covariance);
+  return 1;
+}
+
+int student(Call& call) {
+  lua_pushnumber(call.L(), lab::student_quantile(call.number("probability"), call.number("freedom")));
+  return 1;
+}
+
+// Rows that the marker functions share. A lost marker is nan, which Kind::numbers would refuse.
+std::vector<Argument> track_rows() {
+  return {integer_("rows", Range{2}, "of markers, following each other along the pull"),
+          integer_("columns", Range{2}, "of markers, across the pull"),
+          value_("x", table, "of every marker, row by row, frame after frame; nan: lost"),
+          value_("y", table, "likewise")};
+}
+
+lab::Tracks read_tracks(const Call& call) {
+  lab::Tracks t{static_cast<std::size_t>(call.integer("rows")),
+                static_cast<std::size_t>(call.integer("columns")), 0, call.numbers("x"), call.numbers("y")};
+  if (t.rows > (std::size_t{1} << 40) / t.columns)
+    call.refuse("x", "expected at least two frames of as many markers as rows times columns");
+  t.frames = t.x.size() / t.markers();
+  if (t.frames < 2 || t.frames * t.markers() != t.x.size() || t.y.size() != t.x.size())
+    call.refuse("x", "expected at least two frames of " + std::to_string(t.markers()) +
+                         " markers, and as many y, got " + std::to_string(t.x.size()) + " and " +
+                         std::to_string(t.y.size()));
+  return t;
+}
+
+int box_strains(Call& call) {
+  lua_State* L = call.L();
+  const auto tracks = read_tracks(call);
+  const auto strains = lab::box_strains(tracks);
+  std::vector<double> shear, warp, weft;
+  for (std::size_t f = 0; f < tracks.frames; ++f)
+    for (std::size_t b = 0; b < tracks.boxes(); ++b) {
+      const auto s = lab::yarn_shear(lab::box_gradient(tracks, b, f), call.number("warp") * M_PI / 180);
+      shear.push_back(s.E12);
+      warp.push_back(s.warp_stretch);
+      weft.push_back(s.weft_stretch);
+    }
+  lua_newtable(L);
+  set_number(L, "frames", static_cast<double>(tracks.frames));
+  set_number(L, "boxes", static_cast<double>(tracks.boxes()));
+  set_numbers(L, "along", strains.along);
+  set_numbers(L, "across", strains.across);
+  set_numbers(L, "E12", shear);
+  set_numbers(L, "warp_stretch", warp);
+  set_numbers(L, "weft_stretch", weft);
+  const auto zones = lab::bias_zones(lab::shear_shares(shear, tracks.boxes()));
+  set_numbers(L, "zones", {zones.begin(), zones.end()});
+  return 1;
+}
+
+int ratio(Call& call) {
+  const auto ratio = lab::contraction_ratio(read_tracks(call), call.has("noise") ? call.number("noise") : -1,
+                                            call.number("least"));
+  lua_newtable(call.L());
+  set_number(call.L(), "value", ratio.value);
+  set_number(call.L(), "plain", ratio.plain);
+  set_number(call.L(), "noise", ratio.noise);
+  set_number(call.L(), "uncertainty", ratio.uncertainty);
+  return 1;
+}
+
+Argument list(const char* name, const char* unit, const char* sentence) {
+  return {name, numbers, unit, everything, sentence};
+}
+
+std::vector<Entry> pull_entries() {
+  return {
+      {"fabric.lab.reduce",
+       Style::fields,
+       {list("displacement", "m", "of the crosshead"), list("force", "N", "of one length with it"),
+        number_("gauge_length", "m", positive, "between the grips").usually(1e-3, 2, "is it in m?"),
+        number_("width", "m", positive, "of the specimen").usually(1e-3, 2, "is it in m?"),
+        number_("thickness", "m", positive, "of one ply").usually(1e-5, 2e-2, "is it in m?"),
+        integer_("plies", from_one, "layers that carry: 2 for a sewn loop on two pins"),
+        number_("compliance", "m/N", not_negative, "of the frame, elastic").or_else(0.0),
+        number_("slip", "m/N", not_negative,
+                "in the grips over the largest force so far; it does not come back")
+            .or_else(0.0),
+        number_("slack", "m", everything, "displacement at first contact").or_else(0.0),
+        number_("contact", "N", positive, "find the slack: where the force rises above this for good")
+            .optional()},
+       "Stress and strain from displacement and force (eqs. 3.1, 3.2): returns displacement (of the "
+       "specimen's end), E, S, "
+       "slack, area. The specimen's length is gauge_length + slack.",
+       "local r = require 'fabric'.lab.reduce{ displacement={0, 0.0762}, force={0, 10}, gauge_length=0.0762, "
+       "width=0.0254,\n"
+       "  thickness=0.5e-3, plies=2 }\nassert(r.E[2] == 1.5 and math.abs(r.S[2] - 10/(r.area*2)) < 1e-9)",
+       reduce},
+      {"fabric.lab.branches",
+       Style::fields,
+       {list("displacement", "m", "of a cyclic test"),
+        number_("tolerance", "m", positive, "smallest way back that is a reversal")},
+       "Parts of a record between reversals: a list of {kind, first, last}; kind is loading, unloading, "
+       "reloading "
+       "(up to the largest displacement so far) or hold (five rows and more at a reversal).",
+       "local b = require 'fabric'.lab.branches{ displacement={0, 2, 1, 3}, tolerance=0.5 }\n"
+       "assert(#b == 3 and b[2].kind == 'unloading' and b[3].kind == 'loading')",
+       branches},
+      {"fabric.lab.marks",
+       Style::fields,
+       {list("E", "", "strains of a loading branch"), list("S", "Pa", "stresses"),
+        number_("kept", "", Range{0, 1, true, true},
+                "failed when the stress falls below this part of its peak")
+            .or_else(0.8),
+        number_("softening", "", Range{0, 1, true, true},
+                "yielded where the tangent falls below this part of its largest value")
+            .or_else(0.5)},
+       "Rows of yield and of failure (the largest stress), nil where there is none.",
+       "local E, S = {}, {}\nfor i = 1, 100 do E[i] = i/1000; S[i] = i < 90 and 1e6*i or 1e6 end\n"
+       "assert(require 'fabric'.lab.marks{ E=E, S=S }.failure == 89)",
+       marks},
+  };
+}
+
+Argument curves_row() { return value_("curves", table, "{ {E=, S=}, ... }, one per specimen"); }
+
+std::vector<Entry> fit_entries() {
+  return {
+      {"fabric.lab.backbone",
+       Style::fields,
+       {curves_row(), list("degrees", "", "of the stress polynomials to try; default {2, 4}").optional(),
+        value_("find_slack", boolean, "the stretch of first contact is found besides").or_else(false)},
+       "Stress polynomials through zero, one per specimen and degree: a list of {degree, criterion, initial, "
+       "least, admissible, "
+       "specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the best, nil if none "
+       "has a positive "
+       "tangent.",
+       "local E, S = {}, {}\nfor i = 1, 50 do E[i] = i/100; S[i] = 2e6*E[i] + 3e6*E[i]^2 end\n"
+       "local f = require 'fabric'.lab.backbone{ curves={ {E=E, S=S} }, degrees={2} }\n"
+       "assert(math.abs(f[f.chosen].specimens[1].loading[2] - 6e6) < 1)",
+       backbone},
+      {"fabric.lab.monotone",
+       Style::fields,
+       {curves_row(), integer_("bins", Range{2, 1000}, "of strain, equally wide").or_else(20.0)},
+       "Points {{0, 0}, {E, S}, ...} of a strictly rising curve through the means of bins: a card's loading.",
+       "local p = require 'fabric'.lab.monotone{ curves={ {E={0.1, 0.2, 0.3}, S={1, 3, 2}} }, bins=3 "
+       "}\nassert(#p == 3)",
+       monotone},
+      {"fabric.lab.unloading",
+       Style::fields,
+       {list("E", "", "strains from the first row after a reversal"), list("S", "Pa", "stresses"),
+        value_("rule", text, "first: line through the first points; robust: median slope of more of them")
+            .one_of({"first", "robust"})
+            .or_else("first"),
+        integer_("count", Range{2}, "of first points").or_else(3.0),
+        number_("kept", "", Range{0, 1, true, true}, "robust: points above this part of the first stress")
+            .or_else(0.7)},
+       "The unloading modulus in Pa; nothing when there are too few points.",
+       "assert(math.abs(require 'fabric'.lab.unloading{ E={0.3, 0.2, 0.1}, S={3, 2, 1} } - 10) < 1e-9)",
+       unloading},
+      {"fabric.lab.student",
+       Style::positional,
+       {number_("probability", "", Range{0, 1, true, true}, "of values below it"),
+        number_("freedom", "", positive, "degrees of freedom")},
+       "The quantile of Student's t distribution.",
+       "assert(math.abs(require 'fabric'.lab.student(0.975, 4) - 2.7764) < 1e-4)",
+       student},
+      {"fabric.lab.band",
+       Style::fields,
+       {value_("specimens", table, "one list of parameters per specimen"),
+        number_("level", "", Range{0, 1, true, true}, "of confidence").or_else(0.95),
+        integer_("draws", Range{100}, "of the bootstrap").or_else(2000.0),
+        integer_("seed", not_negative, "of the bootstrap").or_else(1.0),
+        list("common", "", "relative standard uncertainties that all specimens share, one per parameter")
+            .optional()},
+       "Mean parameters and their confidence band by the bootstrap over specimens: value, low, high, "
+       "covariance (row by row). "
+       "The last three are nil for one specimen.",
+       "local b = require 'fabric'.lab.band{ specimens={ {1}, {2}, {3} } }\nassert(b.value[1] == 2 and "
+       "b.low[1] < 1)",
+       band},
+  };
+}
+
+std::vector<Argument> with(std::vector<Argument> rows, std::initializer_list<Argument> more) {
+  rows.insert(rows.end(), more);
+  return rows;
+}
+
+std::vector<Entry> marker_entries() {
+  const std::string square = "{ rows=2, columns=2, x={0,1,0,1, 0,0.95,0,0.95}, y={0,0,1,1, 0,0,1.2,1.2}";
+  return {
+      {"fabric.lab.boxes", Style::fields,
+       with(track_rows(), {number_("warp", "degrees", everything, "from x to the warp").or_else(90.0)}),
+       "Strains of the boxes of a marker grid, box by box, frame after frame: along and across the pull (eq. "
+       "3.2), E12 between the "
+       "yarns, warp_stretch, weft_stretch; zones (1, 2, 3) of a bias specimen by each box's part in the "
+       "shear; frames, "
+       "boxes.",
+       "local b = require 'fabric'.lab.boxes" + square + " }\nassert(math.abs(b.along[2] - 0.22) < 1e-12)",
+       box_strains},
+      {"fabric.lab.ratio", Style::fields,
+       with(track_rows(),
+            {number_("noise", "", not_negative,
+                     "of a coordinate (standard deviation); default: from the scatter")
+                 .optional(),
+             number_("least", "", not_negative, "strain along the pull from which on boxes count")
+                 .or_else(0.01)}),
+       "Contraction ratio of one specimen (eq. 3.3), boxes pooled, corrected for noise in the positions: "
+       "value, plain (not "
+       "corrected), noise, uncertainty (standard, over the boxes).",
+       "local r = require 'fabric'.lab.ratio" + square +
+           ", noise=0 }\nassert(math.abs(r.value - 0.04875/0.22) < 1e-12)",
+       ratio},
+  };
+}
+
+}  // namespace
+
+void bind_lab(Session& session) {
+  install(session, pull_entries());
+  install(session, fit_entries());
+  install(session, marker_entries());
+}
+
+}  // namespace fabricsh::script

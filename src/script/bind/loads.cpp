@@ -1,0 +1,228 @@
+// fabric.model's loads and supports beyond fix, move and force: moment, traction, pressure, spring, turn,
+// symmetry; plies.
+#include <numbers>
+
+#include "base/number.hpp"
+#include "model/model.hpp"
+#include "script/bind/model.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+
+namespace {
+
+int moment(Call& call) {
+  call.self<Model>()->moment(call.text("set"), read_components(call), read_frame(call));
+  return return_self(call);
+}
+
+int traction(Call& call) {
+  call.self<Model>()->traction(call.text("set"), read_components(call), read_frame(call));
+  return return_self(call);
+}
+
+int pressure(Call& call) {
+  lua_State* L = call.L();
+  call.push("value");
+  model::History value =
+      read_history(call.session(), L, -1,
+                   "pressure '" + (call.has("set") ? call.text("set") : "all") + "': argument 'value'");
+  lua_pop(L, 1);
+  call.self<Model>()->pressure(call.has("set") ? call.text("set") : "all", std::move(value));
+  return return_self(call);
+}
+
+int spring(Call& call) {
+  const Fields given = call.fields("stiffness");
+  std::array<double, 3> k{};
+  const char* const axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (given.has(axes[i])) k[i] = given.number(axes[i]);
+  if (k[0] + k[1] + k[2] == 0) throw Error("spring: expected at least one of x, y, z above 0, got none");
+  call.self<Model>()->spring(call.text("set"), k, read_frame(call));
+  return return_self(call);
+}
+
+int turn(Call& call) {
+  const Fields given = call.fields("motion");
+  const Vec3 axis = read_vector(given.numbers("axis"), "turn: field 'axis'");
+  std::optional<Vec3> centre;
+  if (given.has("centre")) centre = read_vector(given.numbers("centre"), "turn: field 'centre'");
+  given.push("angle");
+  model::History angle =
+      read_history(call.session(), call.L(), -1, "turn '" + call.text("set") + "': field 'angle'");
+  lua_pop(call.L(), 1);
+  call.self<Model>()->turn(call.text("set"), axis, std::move(angle), centre);
+  return return_self(call);
+}
+
+// The fields of a velocity, in the call itself and in what a function of place returns.
+const std::vector<Argument>& velocity_rows() {
+  static const std::vector<Argument> rows{
+      number_("x", "m/s", everything, "along x").optional(),
+      number_("y", "m/s", everything, "along y").optional(),
+      number_("z", "m/s", everything, "along z").optional(),
+      value_("spin", numbers, "{wx, wy, wz}, degrees/s: beside it a rigid rotation").optional(),
+      value_("centre", numbers, "{x, y, z}, m: a point of its axis; default {0, 0, 0}").optional()};
+  return rows;
+}
+
+model::RigidVelocity read_velocity(const Fields& given, const std::string& what) {
+  model::RigidVelocity v;
+  const char* const axes[] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i)
+    if (given.has(axes[i])) v.linear[i] = given.number(axes[i]);
+  if (given.has("spin"))
+    v.spin = std::numbers::pi / 180 * read_vector(given.numbers("spin"), what + "field 'spin'");
+  if (given.has("centre")) v.centre = read_vector(given.numbers("centre"), what + "field 'centre'");
+  return v;
+}
+
+// What a function of place says at a node.
+model::RigidVelocity velocity_at(const Function& place, const std::string& set, const Vec3& X) {
+  lua_State* L = place.push();
+  for (int i = 0; i < 3; ++i) lua_pushnumber(L, X[i]);
+  lua_call(L, 3, 1);
+  const std::string what = "velocity '" + set + "': what the function returned at (" + exact_number(X.x()) +
+                           ", " + exact_number(X.y()) + ", " + exact_number(X.z()) + ") m: ";
+  if (!lua_istable(L, -1))
+    throw Error(what + "expected a table {x, y, z, spin, centre}, got " + describe(L, -1));
+  model::RigidVelocity v;
+  try {
+    v = read_velocity(Fields(L, -1, velocity_rows()), "");
+  } catch (const Error& error) {
+    throw Error(what + error.what());
+  }
+  lua_pop(L, 1);
+  return v;
+}
+
+// The start of a free body.
+int velocity_of_body(Call& call) {
+  if (call.is("velocity", LUA_TFUNCTION))
+    call.refuse("velocity", "expected {x=, y=, z=, spin=} of a rigid body, got a function");
+  const Fields given = call.fields("velocity");
+  if (given.has("centre"))
+    given.refuse("centre", "a rigid body spins about its centre of mass: expected nothing");
+  const model::RigidVelocity v = read_velocity(given, "velocity: ");
+  call.self<Model>()->velocity(model::BodyVelocity{call.object<const model::Rigid>("set"), v.linear, v.spin});
+  return return_self(call);
+}
+
+int velocity(Call& call) {
+  if (call.object<const model::Rigid>("set")) return velocity_of_body(call);
+  model::InitialVelocity v{call.text("set")};
+  if (const Function place = call.function("velocity")) {
+    v.place = [place, set = v.set](const Vec3& X) { return velocity_at(place, set, X); };
+  } else {
+    const model::RigidVelocity all = read_velocity(call.fields("velocity"), "velocity: ");
+    v.linear = all.linear;
+    v.spin = all.spin;
+    v.centre = all.centre;
+  }
+  call.self<Model>()->velocity(std::move(v));
+  return return_self(call);
+}
+
+int symmetry(Call& call) {
+  const std::string axis = call.text("normal");
+  if (axis != "x" && axis != "y" && axis != "z")
+    throw Error("symmetry: argument 'normal': expected \"x\", \"y\" or \"z\", got \"" + axis + "\"");
+  call.self<Model>()->symmetry(call.text("set"), axis[0] - 'x');
+  return return_self(call);
+}
+
+Argument velocity_row() {
+  Argument row =
+      fields_("velocity", velocity_rows(), "{x=, y=, z=, spin=, centre=}, or function(x, y, z) returning it");
+  row.kinds |= function;
+  return row;
+}
+
+Argument set_row() { return value_("set", text, "name of a node set"); }
+
+std::vector<Entry> rows() {
+  const std::string sample = sample_model();
+  return {
+      {"model:moment",
+       Style::positional,
+       {set_row(),
+        components_row("N m", "{x=, y=, z=}: the total moment about axes that stay fixed in space"),
+        frame_row()},
+       "Loads the directors of a node set with a moment, shared by length or area.",
+       sample + "m:moment('top', { x=fabric.ramp(1e-3, 1) })",
+       moment},
+      {"model:traction",
+       Style::positional,
+       {set_row(),
+        components_row("N/m^2 | N/m",
+                       "{x=, y=, z=}: per area where the set holds whole elements, else per edge length"),
+        frame_row()},
+       "Loads a node set with a dead traction on its reference area, or a line load on its reference edges.",
+       sample + "m:traction('top', { y=100 })",
+       traction},
+      {"model:pressure",
+       Style::positional,
+       {history_("value", "Pa", "pressure, positive along the shell normal"),
+        value_("set", text, "name of a node set; the elements all of whose nodes are in it").or_else("all")},
+       "Loads elements with a pressure that follows the surface (its load stiffness is in the tangent).",
+       sample + "m:pressure(fabric.ramp(50, 1))",
+       pressure},
+      {"model:spring",
+       Style::positional,
+       {set_row(),
+        fields_("stiffness",
+                {number_("x", "N/m", not_negative, "along x").optional(),
+                 number_("y", "N/m", not_negative, "along y").optional(),
+                 number_("z", "N/m", not_negative, "along z").optional()},
+                "{x=, y=, z=}: the total stiffness to ground, shared by length or area"),
+        frame_row()},
+       "Ties a node set to its reference position by springs.",
+       sample + "m:spring('top', { x=1000 })",
+       spring},
+      {"model:turn",
+       Style::positional,
+       {set_row(),
+        fields_("motion",
+                {value_("axis", numbers, "{x, y, z}: direction of the axis"),
+                 history_("angle", "degrees", "angle about the axis"),
+                 value_("centre", numbers, "{x, y, z}, m: with it the nodes turn about this point too")
+                     .optional()},
+                "{axis=, angle=, centre=}")},
+       "Turns the directors of a node set rigidly, and with a centre the nodes too: a rotating grip.",
+       sample + "m:turn('top', { axis={1,0,0}, angle=fabric.ramp(90, 1) })",
+       turn},
+      {"model:velocity",
+       Style::positional,
+       {set_or_body_row(), velocity_row()},
+       "Velocity of a node set, or of a free rigid body, at time 0, for fabric.dynamic: one for all, or a "
+       "function of place that "
+       "returns "
+       "it for each node.",
+       sample + "m:velocity('all', { z=-2, spin={0, 0, 360} })\n"
+                "m:velocity('top', function(x, y, z) return { z=0.1 * math.sin(x / 0.0254 * math.pi) } end)",
+       velocity},
+      {"model:symmetry",
+       Style::positional,
+       {set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},
+       "Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out "
+       "of the plane.",
+       sample + "m:symmetry('left', 'x')",
+       symmetry},
+  };
+}
+
+}  // namespace
+
+void bind_loads(Session& session) {
+  install(session, rows());
+  bind_ties(session);
+  bind_contact(session);
+  bind_declared(session);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,317 @@
+// fabric.mesh.rectangle; sets, and nodes and elements to read.
+#include "script/bind/mesh.hpp"
+
+#include <cmath>
+
+#include "base/number.hpp"
+#include "geometry/box.hpp"
+#include "script/call/words.hpp"
+#include "script/show/show.hpp"
+
+namespace fabricsh::script {
+
+using mesh::Index;
+using mesh::Mesh;
+
+namespace {
+
+// What mesh.nodes and mesh.elements are: a window on the mesh.
+struct NodeView {
+  std::shared_ptr<Mesh> mesh;
+};
+struct ElementView {
+  std::shared_ptr<Mesh> mesh;
+};
+
+}  // namespace
+
+template <>
+struct ClassName<NodeView> {
+  static constexpr const char* name = "nodes";
+};
+template <>
+struct ClassName<ElementView> {
+  static constexpr const char* name = "elements";
+};
+
+namespace {
+
+void push_vector(lua_State* L, const Vec3& v) { push_numbers(L, {v[0], v[1], v[2]}); }
+
+Vec3 origin_of(const Call& call) {
+  const auto numbers = call.numbers("origin");
+  if (numbers.empty()) return Vec3::Zero();
+  if (numbers.size() < 2 || numbers.size() > 3)
+    call.refuse("origin", "expected {x, y} or {x, y, z}, got " + counted(numbers.size(), "number"));
+  return {numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0};
+}
+
+int rectangle(Call& call) {
+  auto mesh = mesh::rectangle(call.number("width"), call.number("height"), call.integer("nx"),
+                              call.integer("ny"), origin_of(call));
+  if (call.flag("triangles")) mesh::split(mesh, call.integer("nx"));
+  push_object(call.L(), std::make_shared<Mesh>(std::move(mesh)));
+  return 1;
+}
+
+// Calls f(x, y, z) with that many results, which stay on the stack.
+lua_State* call_with(const Function& f, const Vec3& x, int results) {
+  lua_State* L = f.push();
+  for (int i = 0; i < 3; ++i) lua_pushnumber(L, x[i]);
+  lua_call(L, 3, results);
+  return L;
+}
+
+void define_inside(Mesh& mesh, const std::string& name, const Function& inside) {
+  mesh.define(name, [&inside](const Vec3& x) {
+    lua_State* L = call_with(inside, x, 1);
+    const bool in = lua_toboolean(L, -1) != 0;
+    lua_pop(L, 1);
+    return in;
+  });
+}
+
+void define_listed(Mesh& mesh, const std::string& name, const std::vector<double>& numbers) {
+  mesh::NodeSet ids;
+  for (const double number : numbers) {
+    if (!(number >= 1 && number <= static_cast<double>(mesh.nodes.size())) || number != std::floor(number))
+      throw Error("argument 'nodes': expected node numbers from 1 to " + std::to_string(mesh.nodes.size()) +
+                  ", got " + exact_number(number));
+    ids.push_back(static_cast<Index>(number) - 1);
+  }
+  mesh.define(name, std::move(ids));
+}
+
+int set(Call& call) {
+  const auto mesh = call.self<Mesh>();
+  const std::string name = call.text("name");
+  if (!call.has("nodes")) {
+    push_ids(call.L(), mesh->set(name));
+    return 1;
+  }
+  const Still still(call.session(), mesh.get());
+  if (const Function inside = call.function("nodes"))
+    define_inside(*mesh, name, inside);
+  else
+    define_listed(*mesh, name, call.numbers("nodes"));
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+int sets(Call& call) {
+  lua_State* L = call.L();
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const auto& [name, ids] : call.self<Mesh>()->sets) {
+    lua_pushstring(L, name.c_str());
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+int elements_in(Call& call) {
+  const auto mesh = call.self<Mesh>();
+  push_ids(call.L(), mesh->elements_in(mesh->set(call.text("set"))));
+  return 1;
+}
+
+int map(Call& call) {
+  const Function f = call.function("f");
+  const Still still(call.session(), call.self<Mesh>().get());
+  call.self<Mesh>()->map([&f](const Vec3& x) {
+    lua_State* L = call_with(f, x, 3);
+    Vec3 y;
+    for (int i = 0; i < 3; ++i) {
+      if (lua_type(L, i - 3) != LUA_TNUMBER)
+        throw Error("argument 'f': expected the function to return x, y, z in m, got " + describe(L, i - 3) +
+                    " in place " + std::to_string(i + 1));
+      y[i] = lua_tonumber(L, i - 3);
+    }
+    lua_pop(L, 3);
+    return y;
+  });
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+int nodes(Call& call) {
+  push_object(call.L(), std::make_shared<NodeView>(NodeView{call.self<Mesh>()}));
+  return 1;
+}
+
+int elements(Call& call) {
+  push_object(call.L(), std::make_shared<ElementView>(ElementView{call.self<Mesh>()}));
+  return 1;
+}
+
+int node_count(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(to_object<NodeView>(L, 1)->mesh->nodes.size()));
+  return 1;
+}
+
+int element_count(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(to_object<ElementView>(L, 1)->mesh->elements.size()));
+  return 1;
+}
+
+// Number at stack index 2 as an index from 0, or -1 when it is none of count.
+Index place_of(lua_State* L, std::size_t count) {
+  const lua_Integer i = lua_tointeger(L, 2);
+  return i >= 1 && i <= static_cast<lua_Integer>(count) ? i - 1 : -1;
+}
+
+int node_at(lua_State* L) {
+  const auto& list = to_object<NodeView>(L, 1)->mesh->nodes;
+  const Index i = place_of(L, list.size());
+  if (i < 0) return 0;
+  push_vector(L, list[static_cast<std::size_t>(i)]);
+  return 1;
+}
+
+int element_at(lua_State* L) {
+  const auto& list = to_object<ElementView>(L, 1)->mesh->elements;
+  const Index i = place_of(L, list.size());
+  if (i < 0) return 0;
+  std::vector<Index> corners;
+  for (const Index node : list[static_cast<std::size_t>(i)])
+    if (node >= 0) corners.push_back(node);
+  push_ids(L, corners);
+  return 1;
+}
+
+// mesh:elements("set") reads mesh.elements, then calls it.
+int call_elements(lua_State* L) {
+  push_class(L, "mesh", nullptr);
+  lua_getfield(L, -1, "methods");
+  lua_getfield(L, -1, "elements");
+  lua_replace(L, 1);
+  lua_settop(L, lua_gettop(L) - 2);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+// A size in the plane of x and y has two numbers, any other three.
+std::string size_text(const Vec3& size) {
+  return size[2] == 0 ? lengths_text({size[0], size[1]}) : lengths_text({size[0], size[1], size[2]});
+}
+
+// "20x20" of a rectangle, "disk 4+2"; a mesh from a file says its elements and where it lies.
+std::string mesh_words(const Mesh& mesh) {
+  const Box box = box_of(mesh.nodes);
+  const auto starts = [&mesh](const char* word) { return mesh.origin.rfind(word, 0) == 0; };
+  std::string words = "<mesh " +
+                      mesh.origin.substr(starts("rectangle ") ? 10
+                                         : starts("file ")    ? 5
+                                                              : 0) +
+                      ", " + std::to_string(mesh.nodes.size()) + " nodes, ";
+  if (!starts("file ")) return words + size_text(box.size()) + ">";
+  words += std::to_string(mesh.elements.size()) + " elements, ";
+  for (int i = 0; i < 3; ++i)
+    words += std::string(i > 0 ? ", " : "") + "xyz"[i] + " " +
+             (box.low[i] == box.high[i] ? lengths_text({box.low[i]})
+                                        : lengths_text({box.low[i], box.high[i]}, " to "));
+  return words + ">";
+}
+
+int push_words(lua_State* L, const std::string& words) {
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+int mesh_text(lua_State* L) { return push_words(L, mesh_words(*to_object<Mesh>(L, 1))); }
+
+int nodes_text(lua_State* L) {
+  const Mesh& mesh = *to_object<NodeView>(L, 1)->mesh;
+  const Box box = box_of(mesh.nodes);
+  return push_words(L, "<" + std::to_string(mesh.nodes.size()) + " x 3 numbers, " +
+                           lengths_text({box.low.minCoeff(), box.high.maxCoeff()}, " to ") + ">");
+}
+
+int elements_text(lua_State* L) {
+  const Mesh& mesh = *to_object<ElementView>(L, 1)->mesh;
+  return push_words(L, "<" + std::to_string(mesh.elements.size()) + " elements of node numbers 1 to " +
+                           std::to_string(mesh.nodes.size()) + ">");
+}
+
+constexpr const char* sample =
+    "local fabric = require 'fabric'\n"
+    "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n";
+
+std::vector<Entry> rows() {
+  const std::string with_mesh = sample;
+  const std::string ask = "are the lengths in m? (write 25.4*mm)";
+  return {
+      {"fabric.mesh.rectangle",
+       Style::fields,
+       {number_("width", "m", positive, "size along x").usually(1e-3, 20, ask),
+        number_("height", "m", positive, "size along y").usually(1e-3, 20, ask),
+        integer_("nx", from_one, "elements along x"), integer_("ny", from_one, "elements along y"),
+        Argument{"origin", numbers, "m", everything, "corner of smallest x and y, {x, y} or {x, y, z}"}
+            .optional(),
+        value_("triangles", boolean, "cut every cell into two triangles, the cuts turning from cell to cell")
+            .or_else(false)},
+       "A structured rectangle in the x-y plane, normal +z, nodes and elements row by row from the origin "
+       "corner; sets left, "
+       "right, bottom, top, boundary, corners, all.",
+       with_mesh + "assert(#mesh.nodes == 40 and #mesh.elements == 27)",
+       rectangle},
+      {"mesh:set",
+       Style::positional,
+       {value_("name", text, "of the set"),
+        Argument{"nodes", numbers | function, "", everything,
+                 "node numbers, or function(x, y, z) that says whether a node is inside"}
+            .optional()},
+       "Makes or replaces a named set of nodes; with the name alone gives its node numbers.",
+       with_mesh + "mesh:set('middle', function(x, y, z) return math.abs(y - 0.0381) < 0.01 end)\n"
+                   "assert(#mesh:set 'middle' == 8)",
+       set},
+      {"mesh:elements",
+       Style::positional,
+       {value_("set", text, "name of a node set")},
+       "Numbers of the elements all of whose nodes are in the set.",
+       with_mesh + "assert(#mesh:elements 'all' == 27)",
+       elements_in},
+      {"mesh:map",
+       Style::positional,
+       {value_("f", function, "function(x, y, z) that returns the new x, y, z")},
+       "Moves every node; on an error none is moved.",
+       with_mesh + "mesh:map(function(x, y, z) return x, y, 0.001*y end)\nassert(mesh.nodes[40][3] > 0)",
+       map},
+      {"mesh.nodes",
+       Style::property,
+       {},
+       "Reference positions {x, y, z}, m, by node number.",
+       with_mesh + "assert(mesh.nodes[4][1] == 0.0254)",
+       nodes},
+      {"mesh.elements",
+       Style::property,
+       {},
+       "Node numbers of each element, counter-clockwise.",
+       with_mesh + "assert(mesh.elements[1][3] == 6)",
+       elements},
+      {"mesh.sets",
+       Style::property,
+       {},
+       "Names of the node sets.",
+       with_mesh + "assert(mesh.sets[1] == 'all')",
+       sets},
+  };
+}
+
+}  // namespace
+
+void bind_mesh(Session& session) {
+  install(session, rows());
+  install(session, mesh_generator_rows());
+  install(session, mesh_file_rows());
+  set_meta(session, "mesh", "__tostring", mesh_text);
+  set_meta(session, "nodes", "__tostring", nodes_text);
+  set_meta(session, "elements", "__tostring", elements_text);
+  set_meta(session, "nodes", "__len", node_count);
+  set_meta(session, "nodes", "__index", node_at);
+  set_meta(session, "elements", "__len", element_count);
+  set_meta(session, "elements", "__index", element_at);
+  set_meta(session, "elements", "__call", call_elements);
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,167 @@
+// fabric.mesh.read, mesh:write, mesh:check, mesh:orient.
+#include "format/mesh_file.hpp"
+#include "mesh/check.hpp"
+#include "script/bind/mesh.hpp"
+#include "script/call/words.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
+
+namespace fabricsh::script {
+
+using mesh::Mesh;
+
+namespace {
+
+// A bare name that is no file here is one of the meshes that come with the program.
+std::string file_of(const std::string& path) {
+  const bool bare = path.find('/') == std::string::npos;
+  if (!bare || system::Gate::of_process().exists(path)) return path;
+  const std::string shipped = data_file("meshes/" + path);
+  return shipped.empty() ? path : shipped;
+}
+
+int read(Call& call) {
+  push_object(call.L(), std::make_shared<Mesh>(format::read_mesh(file_of(call.text("file")))));
+  return 1;
+}
+
+int write(Call& call) {
+  if (!call.session().options().check) {
+    system::make_folder_for(call.text("file"));
+    format::write_mesh(call.text("file"), *call.self<Mesh>());
+  }
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+int report_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_getfield(L, 1, "text");
+  return 1;
+}
+
+void push_finding(lua_State* L, const mesh::Finding& item) {
+  lua_newtable(L);
+  set_text(L, "key", item.key);
+  set_text(L, "severity", mesh::name(item.severity));
+  set_text(L, "text", item.text);
+  push_ids(L, item.elements);
+  lua_setfield(L, -2, "elements");
+  push_ids(L, item.nodes);
+  lua_setfield(L, -2, "nodes");
+}
+
+void set_measures(lua_State* L, const mesh::Measures& m) {
+  const std::pair<const char*, double> numbers[] = {{"area", m.area},       {"shortest", m.shortest},
+                                                    {"longest", m.longest}, {"aspect", m.aspect},
+                                                    {"warping", m.warping}, {"least_angle", m.least_angle}};
+  for (const auto& [name, value] : numbers) set_number(L, name, value);
+  const std::pair<const char*, mesh::Index> counts[] = {{"triangles", m.triangles},
+                                                        {"quadrilaterals", m.quadrilaterals},
+                                                        {"parts", m.parts},
+                                                        {"borders", m.borders}};
+  for (const auto& [name, value] : counts) {
+    lua_pushinteger(L, static_cast<lua_Integer>(value));
+    lua_setfield(L, -2, name);
+  }
+}
+
+int check(Call& call) {
+  lua_State* L = call.L();
+  const mesh::Report report = mesh::check(*call.self<Mesh>());
+  lua_newtable(L);
+  set_text(L, "mesh", report.mesh);
+  set_text(L, "text", report.text());
+  lua_pushboolean(L, report.ok());
+  lua_setfield(L, -2, "ok");
+  set_measures(L, report.measures);
+  lua_newtable(L);
+  for (std::size_t i = 0; i < report.items.size(); ++i) {
+    push_finding(L, report.items[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  lua_setfield(L, -2, "items");
+  set_text_of(L, "fabricsh.mesh_check", report_text);
+  return 1;
+}
+
+int orient(Call& call) {
+  Vec3 direction = Vec3::Zero();
+  if (call.has("direction")) {
+    const auto numbers = call.numbers("direction");
+    if (numbers.size() != 3)
+      call.refuse("direction", "expected {x, y, z}, got " + counted(numbers.size(), "number"));
+    direction = {numbers[0], numbers[1], numbers[2]};
+    if (direction.norm() == 0) call.refuse("direction", "expected a direction, got {0, 0, 0}");
+  }
+  lua_pushinteger(call.L(), static_cast<lua_Integer>(mesh::orient(*call.self<Mesh>(), direction)));
+  return 1;
+}
+
+constexpr const char* sample =
+    "local fabric = require 'fabric'\n"
+    "local mesh = fabric.mesh.disk{ radius=0.05, cells=4 }\n";
+
+Entry read_row() {
+  return {
+      "fabric.mesh.read",
+      Style::positional,
+      {value_("file", text, "ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh that comes along")},
+      "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
+      ".vtk, "
+      "Wavefront .obj. Physical groups and groups become node sets; so do integer arrays: those of 0 and 1 "
+      "by "
+      "their name, others as name_value. Nodes in no element are left out; the sets all and boundary are "
+      "added.",
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh.read 'disc.msh'\n"
+      "assert(#mesh:set 'centre' == 1 and mesh:check().ok)",
+      read};
+}
+
+Entry write_row() {
+  return {"mesh:write",
+          Style::positional,
+          {value_("file", text, "ends in .vtu or .msh (Gmsh 4.1)")},
+          "Writes the mesh with its sets, so that it reads back equal; the old file stays until the new one "
+          "is whole.",
+          std::string(sample) +
+              "local file = os.tmpname()..'.vtu'\nmesh:write(file)\n"
+              "assert(#fabric.mesh.read(file):set 'boundary' == 16)\nos.remove(file)",
+          write};
+}
+
+Entry check_row() {
+  return {"mesh:check",
+          Style::positional,
+          {},
+          "What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, "
+          "aspect, "
+          "warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an "
+          "item has key "
+          "(degenerate, inverted, repeated, orientation, one_sided, unused, duplicate, nonmanifold, aspect, "
+          "warping, "
+          "angle, free), severity (note, warning, error), text, elements, nodes.",
+          std::string(sample) +
+              "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
+              "assert(tostring(report) == report.text)",
+          check};
+}
+
+Entry orient_row() {
+  return {
+      "mesh:orient",
+      Style::positional,
+      {Argument{"direction", numbers, "", everything,
+                "{x, y, z}: the mean normal of each part points along it"}
+           .optional()},
+      "Turns elements around until neighbours agree on the normal, as few as that takes; returns how many.",
+      std::string(sample) + "assert(mesh:orient() == 0 and mesh:orient{0, 0, -1} == #mesh.elements)",
+      orient};
+}
+
+}  // namespace
+
+std::vector<Entry> mesh_file_rows() { return {read_row(), write_row(), check_row(), orient_row()}; }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,264 @@
+// fabric.model: supports, motions, loads.
+#include "script/bind/model.hpp"
+
+#include "base/number.hpp"
+#include "geometry/box.hpp"
+#include "model/model.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+#include "script/values/body_rows.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+
+Vec3 read_vector(const std::vector<double>& v, const std::string& what) {
+  if (v.size() != 3) throw Error(what + ": expected {x, y, z}, got " + counted(v.size(), "number"));
+  return {v[0], v[1], v[2]};
+}
+
+Mat3 read_frame(const Call& call) {
+  if (!call.has("options")) return model::global_frame();
+  const Fields options = call.fields("options");
+  if (!options.has("frame")) return model::global_frame();
+  lua_State* L = call.L();
+  options.push("frame");
+  Vec3 axis[2];
+  for (int i = 0; i < 2; ++i) {
+    const Argument row{std::to_string(i + 1), numbers, "", everything, ""};
+    lua_rawgeti(L, -1, i + 1);
+    check_value(L, -1, row, "options.frame.", true);
+    axis[i] = read_vector(read_numbers(L, -1), "argument 'options.frame'");
+    lua_pop(L, 1);
+  }
+  return model::frame_from(axis[0], axis[1]);
+}
+
+int return_self(const Call& call) {
+  lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+model::Components read_components(const Call& call) {
+  model::Components components;
+  const std::string what = last_word(call.entry().name) + " '" + call.text("set") + "': field '";
+  const Fields given = call.fields("components");
+  const char* const axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (given.push(axes[i]) != LUA_TNIL)
+      components[i] = read_history(call.session(), call.L(), -1, what + axes[i] + "'");
+    lua_pop(call.L(), 1);
+  }
+  return components;
+}
+
+std::string sample_model() {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n";
+}
+
+Argument set_or_body_row() { return object_("set", "body", "name of a node set, or a rigid body", text); }
+
+Argument frame_row() {
+  return fields_("options",
+                 {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
+                 "frame = {e1, e2} for oblique directions")
+      .optional();
+}
+
+Argument components_row(const char* unit, const char* sentence) {
+  return fields_("components",
+                 {history_("x", unit, "history along x"), history_("y", unit, "history along y"),
+                  history_("z", unit, "history along z")},
+                 sentence);
+}
+
+namespace {
+
+int fix(Call& call) {
+  call.self<Model>()->fix(call.text("set"), model::parse_freedoms(call.text("freedoms")), read_frame(call));
+  return return_self(call);
+}
+
+// A motion many times as long as the mesh is a wrong unit more often than a flight.
+void ask_about_motion(const Call& call, const model::Components& components) {
+  constexpr double many = 10;
+  const double length = box_of(call.self<Model>()->mesh().nodes).size().norm();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!components[i]) continue;
+    const auto& history = *components[i];
+    double farthest = history.is_constant() ? std::abs(history.value(0)) : 0;
+    for (const double t : history.kinks()) farthest = std::max(farthest, std::abs(history.value(t)));
+    if (farthest <= many * length) continue;
+    const std::string words = position(call.L()) + "move '" + call.text("set") + "': field '" + "xyz"[i] +
+                              "': " + exact_number(farthest) + " m is " +
+                              fabricsh::number(farthest / length, 7) + " times the size of the mesh (" +
+                              fabricsh::number(length, 7) + " m): is it in m?";
+    call.session().notices().once(words, "warning: " + words);
+  }
+}
+
+// Place and turn of a rigid body.
+int move_body(Call& call, model::RigidPointer body) {
+  model::BodyMotion motion{std::move(body), {}, {}};
+  const Fields given = call.fields("components");
+  const char* const axes[] = {"x", "y", "z"};
+  const std::string what = "field '";
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (given.push(axes[i]) != LUA_TNIL)
+      motion.displacement[i] = read_history(call.session(), call.L(), -1, what + axes[i] + "'");
+    lua_pop(call.L(), 1);
+  }
+  if (call.has("options")) call.refuse("options", "a rigid body moves along global axes: expected nothing");
+  if (given.has("turn")) {
+    const Fields turn = given.fields("turn");
+    turn.push("angle");
+    motion.turn = model::BodyTurn{read_vector(turn.numbers("axis"), "move: field 'turn.axis'"),
+                                  read_history(call.session(), call.L(), -1, "field 'turn.angle'"),
+                                  {}};
+    if (turn.has("centre"))
+      motion.turn->centre = read_vector(turn.numbers("centre"), "move: field 'turn.centre'");
+  }
+  call.self<Model>()->move(std::move(motion));
+  return return_self(call);
+}
+
+// What a set cannot do.
+void refuse_turn(const Call& call) {
+  const Fields given = call.fields("components");
+  if (given.has("turn"))
+    given.refuse("turn",
+                 "expected a rigid body, got the set '" + call.text("set") + "' (m:turn turns a set)");
+}
+
+Argument turn_row() {
+  return fields_("turn",
+                 {value_("axis", numbers, "{x, y, z}: direction of the axis"),
+                  history_("angle", "degrees", "angle about the axis"),
+                  value_("centre", numbers, "{x, y, z}, m: a point of the axis; default the body's centre")
+                      .optional()},
+                 "of a rigid body: {axis=, angle=, centre=}")
+      .optional();
+}
+
+Argument motion_row() {
+  Argument row = components_row("m", "{x=, y=, z=, turn=}: displacement from the reference position");
+  row.rows.push_back(turn_row());
+  return row;
+}
+
+int move(Call& call) {
+  if (auto body = call.object<const model::Rigid>("set")) return move_body(call, std::move(body));
+  refuse_turn(call);
+  auto components = read_components(call);
+  ask_about_motion(call, components);
+  call.self<Model>()->move(call.text("set"), std::move(components), read_frame(call));
+  return return_self(call);
+}
+
+int force(Call& call) {
+  call.self<Model>()->force(call.text("set"), read_components(call), read_frame(call));
+  return return_self(call);
+}
+
+int gravity(Call& call) {
+  lua_State* L = call.L();
+  call.push("acceleration");
+  if (const auto n = lua_rawlen(L, -1); n != 3)
+    throw Error("gravity: argument 'acceleration': expected {gx, gy, gz}, got " + std::to_string(n) +
+                " values");
+  model::Components acceleration;
+  for (int i = 0; i < 3; ++i) {
+    lua_rawgeti(L, -1, i + 1);
+    acceleration[i] = read_history(call.session(), L, -1,
+                                   "gravity: argument 'acceleration[" + std::to_string(i + 1) + "]'");
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  call.self<Model>()->gravity(std::move(acceleration));
+  return return_self(call);
+}
+
+int thickness(Call& call) {
+  lua_pushnumber(call.L(), call.self<Model>()->thickness());
+  return 1;
+}
+
+int card_of(Call& call) {
+  push_object(call.L(), std::make_shared<card::Card>(call.self<Model>()->card()));
+  return 1;
+}
+
+int model_text(lua_State* L) {
+  const std::string words = "<" + to_object<Model>(L, 1)->describe() + ">";
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+Argument set_row() { return value_("set", text, "name of a node set"); }
+
+std::vector<Entry> rows() {
+  const std::string sample = sample_model();
+  return {
+      {"fabric.model", Style::fields, model_rows(),
+       "The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.",
+       sample + "assert(m.thickness == 0.38e-3)\n"
+                "local both = fabric.model{ bodies={ { name='front', mesh=mesh, card=fabric.card 'blend' },\n"
+                "  { name='back', mesh=mesh, card=fabric.card 'denim' } } }\n"
+                "both:fix('front.left', 'x y z')",
+       make_model},
+      {"model:fix",
+       Style::positional,
+       {set_row(),
+        value_("freedoms", text, "some of x y z rx ry rz rotation; rotation is both of the director's"),
+        frame_row()},
+       "Holds freedoms of a node set; fixing twice is harmless.",
+       sample + "m:fix('bottom', 'x y z rotation')",
+       fix},
+      {"model:move",
+       Style::positional,
+       {set_or_body_row(), motion_row(), frame_row()},
+       "Prescribes displacements of a node set, or of a rigid body, as histories (number, function(t), "
+       "fabric.history, "
+       "fabric.ramp).",
+       sample + "m:move('top', { y=fabric.ramp(0.018, 1) })",
+       move},
+      {"model:force",
+       Style::positional,
+       {set_row(), components_row("N", "{x=, y=, z=}: the total force, shared by length or area"),
+        frame_row()},
+       "Loads a node set with a total force; a single node takes it whole.",
+       sample + "m:force('top', { y=fabric.ramp(10, 1) })",
+       force},
+      {"model:gravity",
+       Style::positional,
+       {Argument{"acceleration", table, "m/s^2", everything, "{gx, gy, gz}, each a history"}},
+       "Lets gravity act on the whole sheet.",
+       sample + "m:gravity{0, 0, -9.81}",
+       gravity},
+      {"model.thickness",
+       Style::property,
+       {},
+       "Thickness of the sheet, m; of several bodies the first one's.",
+       sample + "assert(m.thickness > 0)",
+       thickness},
+      {"model.card",
+       Style::property,
+       {},
+       "The card it was made of; of several bodies the first one's.",
+       sample + "assert(m.card.name == 'blend')",
+       card_of},
+  };
+}
+
+}  // namespace
+
+void bind_model(Session& session) {
+  install(session, rows());
+  bind_loads(session);
+  set_meta(session, "model", "__tostring", model_text);
+}
+
+}  // namespace fabricsh::script

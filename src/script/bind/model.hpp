@@ -1,0 +1,30 @@
+// What the bindings of a model share: components, frames, directions read from a call.
+#pragma once
+#include "model/model.hpp"
+#include "script/call/call.hpp"
+#include "script/call/object.hpp"
+
+namespace fabricsh::script {
+
+template <>
+struct ClassName<const model::Rigid> {
+  static constexpr const char* name = "body";
+};
+
+Vec3 read_vector(const std::vector<double>& v, const std::string& what);  // Error unless three numbers
+model::Components read_components(const Call& call);                      // of argument "components"
+Mat3 read_frame(const Call& call);  // of argument "options", field frame
+Argument components_row(const char* unit, const char* sentence);
+Argument frame_row();
+Argument set_or_body_row();
+std::string sample_model();  // for examples: fabric, mesh and m, a strip of three elements
+// Keeps the field "model" of the call with the analysis object on top of the stack, as its property of that
+// name.
+void keep_model(const Call& call);
+int return_self(const Call& call);  // methods of a model can be chained
+void bind_loads(Session& session);
+void bind_declared(Session& session);
+void bind_ties(Session& session);
+void bind_contact(Session& session);
+
+}  // namespace fabricsh::script

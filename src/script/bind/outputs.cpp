@@ -1,0 +1,246 @@
+// a:record and a:vtk.
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "run/result_fields.hpp"
+#include "script/at_work.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// s; 0: every step.
+double interval_of(const Fields& options) {
+  return !options.has("every") || options.is("every", LUA_TSTRING) ? 0 : options.number("every");
+}
+
+std::vector<std::string> text_list(const Fields& fields, const char* name) {
+  std::vector<std::string> words;
+  lua_State* L = fields.L();
+  if (fields.push(name) == LUA_TTABLE)
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
+      if (lua_type(L, -1) != LUA_TSTRING)
+        fields.refuse(name, "expected a table of names, got " + describe(L, -1));
+      words.emplace_back(lua_tostring(L, -1));
+      lua_pop(L, 1);
+    }
+  else
+    lua_pushnil(L);
+  lua_pop(L, 2);
+  return words;
+}
+
+// Names of the columns: `order` first, the rest by the alphabet.
+std::vector<std::string> column_names(const Fields& options) {
+  lua_State* L = options.L();
+  std::vector<std::string> names = text_list(options, "order"), rest;
+  const std::set<std::string> ordered(names.begin(), names.end());
+  options.push("columns");
+  for (const std::string& name : names) {
+    if (lua_getfield(L, -1, name.c_str()) == LUA_TNIL) options.refuse("order", "no column '" + name + "'");
+    lua_pop(L, 1);
+  }
+  lua_pushnil(L);
+  while (lua_next(L, -2) != 0) {
+    if (lua_type(L, -2) != LUA_TSTRING ||
+        (!lua_isfunction(L, -1) && lua_type(L, -1) != LUA_TSTRING && !lua_istable(L, -1)))
+      options.refuse("columns", "expected name = function(a) or the name of a field, got " + describe(L, -1));
+    const std::string name = lua_tostring(L, -2);
+    if (ordered.count(name) == 0) rest.push_back(name);
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  std::sort(rest.begin(), rest.end());
+  names.insert(names.end(), rest.begin(), rest.end());
+  if (names.empty()) options.refuse("columns", "expected at least one column");
+  return names;
+}
+
+double called(const Hook& hook, const std::string& name) {
+  const Still still = hook.still();
+  lua_State* L = hook.push();
+  call_deck(L, 1, 1);
+  if (lua_type(L, -1) != LUA_TNUMBER)
+    throw Error("record: field 'columns." + name + "': expected the function to return a number, got " +
+                describe(L, -1));
+  const double result = lua_tonumber(L, -1);
+  lua_pop(L, 1);
+  return result;
+}
+
+// The mean of a field, whose unit it gives: "S11", or {"S11", "left"} over a set. The value is on top of the
+// stack.
+std::function<double(const run::Run&)> mean_of_field(const Fields& columns, const std::string& name,
+                                                     const run::Run& run, std::string& unit) {
+  lua_State* L = columns.L();
+  std::string words[2] = {"", "all"};
+  if (lua_type(L, -1) == LUA_TSTRING) words[0] = lua_tostring(L, -1);
+  for (int i = 0; lua_istable(L, -1) && i < 2; ++i) {
+    if (lua_rawgeti(L, -1, i + 1) != LUA_TSTRING)
+      columns.refuse(name, "expected a field's name or {name, set}, got " + describe(L, -1) + " at place " +
+                               std::to_string(i + 1));
+    words[i] = lua_tostring(L, -1);
+    lua_pop(L, 1);
+  }
+  const std::vector<std::string> known = run::scalar_names(run::Place::element);
+  if (std::find(known.begin(), known.end(), words[0]) == known.end())
+    columns.refuse(name, unknown("field", words[0], known));
+  run.model().mesh().set(words[1]);  // refuses an unknown one
+  unit = run::find_field(words[0]).field->unit;
+  return [field = words[0], set = words[1]](const run::Run& a) { return a.mean(field, set); };
+}
+
+// Columns that are called by a quantity hold it in SI, as everything does, unless the deck says otherwise.
+std::string usual_unit(const std::string& name) {
+  if (name == "displacement") return "m";
+  for (const char* force : {"force", "force_x", "force_y", "force_z"})
+    if (name == force) return "N";
+  return "";
+}
+
+// The column's function is taken out by itself: to look through all of them for each would cost the cube of
+// their number.
+run::Column read_column(const Fields& options, const std::string& name, Run* run) {
+  lua_State* L = options.L();
+  const std::vector<Argument> row = {value_(name, function | text | table, "a column")};
+  options.push("columns");
+  lua_newtable(L);
+  lua_getfield(L, -2, name.c_str());
+  lua_setfield(L, -2, name.c_str());
+  const Fields columns(L, -1, row, "options.columns.");
+  run::Column column{name, {}, {}};
+  if (columns.push(name) == LUA_TFUNCTION) {
+    column.value = [hook = Hook(columns, name, run), name](const run::Run&) { return called(hook, name); };
+    column.unit = usual_unit(name);
+  } else {
+    column.value = mean_of_field(columns, name, *run->analysis, column.unit);
+  }
+  lua_pop(L, 3);
+  return column;
+}
+
+// The unit of a column as `units` gives it; "": none. Before, it is the usual one.
+std::string unit_of(const Fields& options, const run::Column& column) {
+  lua_State* L = options.L();
+  const std::string& name = column.name;
+  std::string unit = column.unit;
+  if (options.push("units") == LUA_TTABLE) {
+    if (lua_getfield(L, -1, name.c_str()) == LUA_TSTRING)
+      unit = lua_tostring(L, -1);
+    else if (!lua_isnil(L, -1))
+      options.refuse("units",
+                     "expected name = 'unit' or '' for none, got " + describe(L, -1) + " for '" + name + "'");
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (unit.find_first_of("()[]<>{}\r\n") != std::string::npos)
+    options.refuse("units", "expected a unit without brackets, got '" + unit + "' for '" + name + "'");
+  return unit;
+}
+
+// Every name in `units` is that of a column.
+void check_units(const Fields& options, const std::vector<run::Column>& columns) {
+  lua_State* L = options.L();
+  if (options.push("units") == LUA_TTABLE)
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+      const bool known = lua_type(L, -2) == LUA_TSTRING &&
+                         std::any_of(columns.begin(), columns.end(), [&](const run::Column& column) {
+                           return column.name == lua_tostring(L, -2);
+                         });
+      if (!known) options.refuse("units", "no column " + describe(L, -2));
+    }
+  lua_pop(L, 1);
+}
+
+int record(Call& call) {
+  const auto run = call.self<Run>();
+  const Fields options = call.fields("options");
+  std::vector<run::Column> columns;
+  for (const std::string& name : column_names(options))
+    columns.push_back(read_column(options, name, run.get()));
+  check_units(options, columns);
+  for (run::Column& column : columns) column.unit = unit_of(options, column);
+  lua_pushvalue(call.L(), 1);
+  if (call.session().options().check) return 1;
+  run->job.record(call.text("path"), columns, interval_of(options));
+  return 1;
+}
+
+int vtk(Call& call) {
+  const auto run = call.self<Run>();
+  luaL_checkstack(call.L(), 10, "vtk");
+  if (!call.has("options")) {
+    lua_newtable(call.L());
+    lua_setfield(call.L(), -2, "options");
+  }
+  const Fields options = call.fields("options");
+  const std::vector<std::string> fields = text_list(options, "fields");
+  lua_pushvalue(call.L(), 1);
+  if (call.session().options().check) return 1;
+  std::string stem = call.text("stem");
+  if (stem.ends_with(".pvd")) stem.resize(stem.size() - 4);
+  run->job.vtk(stem, interval_of(options), fields);
+  return 1;
+}
+
+Argument every_row() {
+  return Argument{"every", number | text, "s", positive, "time between rows or frames, or 'step'", true,
+                  {},      {"step"}}
+      .optional();
+}
+
+std::vector<Entry> rows() {
+  const std::string sample = sample_run() + "local name = os.tmpname()\nos.remove(name)\n";
+  return {
+      {"analysis:record",
+       Style::positional,
+       {value_("path", text, "of the CSV file"),
+        fields_(
+            "options",
+            {every_row(),
+             value_("columns", table,
+                    "name = function(a) that returns a number; or a field's name, for its mean over the "
+                    "elements, or {field, set}"),
+             value_("order", table, "names in the order of the columns").optional(),
+             value_("units", table,
+                    "name = unit of what the function returns, '' for none; put behind the name in the "
+                    "heading. Default: that of the field; N for a column called force (or force_x, force_y, "
+                    "force_z), m for displacement")
+                 .optional()},
+            "columns, and how often")},
+       "Writes a table as the run goes: time, then the columns, with their units in the heading, so that "
+       "fabric.lab.tensile reads it.",
+       sample + "a:record(name..'/curve.csv', { columns={ force=function(run) return select(2, run:reaction "
+                "'top') end } })\n"
+                "a:solve()\nassert(io.open(name..'/curve.csv'):read 'l' == 'time (s),force (N)')\n"
+                "os.remove(name..'/curve.csv') os.remove(name..'/run.json') os.remove(name)",
+       record},
+      {"analysis:vtk",
+       Style::positional,
+       {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
+        fields_("options",
+                {every_row(),
+                 value_("fields", table,
+                        "names of fields, or of single numbers: see the table of fields of a run; default: "
+                        "displacement velocity director E S residual slack energy warp weft")
+                     .one_of(run::field_names())
+                     .optional()},
+                "how often, and what")
+            .optional()},
+       "Writes a series for ParaView as the run goes; the .pvd is valid at any moment.",
+       sample + "a:vtk(name..'/pull')\na:solve()\nassert(io.open(name..'/pull.pvd'):read 'a':find "
+                "'pull_00002.vtu')\n"
+                "for i = 0, 2 do os.remove(name..('/pull_%05d.vtu'):format(i)) end\n"
+                "os.remove(name..'/pull.pvd') os.remove(name..'/run.json') os.remove(name)",
+       vtk},
+  };
+}
+
+}  // namespace
+
+void bind_outputs(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,175 @@
+// The registry as Lua sees it: what help, the reference page and the editors' stubs are made from.
+#include <algorithm>
+
+#include "base/number.hpp"
+#include "base/suggest.hpp"
+#include "run/result_fields.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/call/words.hpp"
+#include "script/show/show.hpp"
+#include "script/values/card_table.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+const char* style_word(const Entry& entry) {
+  if (entry.style == Style::property) return "property";
+  return entry.style == Style::fields ? "fields" : "positional";
+}
+
+void push_kinds(lua_State* L, unsigned kinds) {
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const auto& [name, kind] : kind_names)
+    if ((kinds & kind) != 0) {
+      lua_pushstring(L, name);
+      lua_rawseti(L, -2, ++place);
+    }
+}
+
+void push_default(lua_State* L, const Argument& row) {
+  if (const double* x = std::get_if<double>(&row.fallback))
+    set_text(L, "default", exact_number(*x));
+  else if (const std::string* word = std::get_if<std::string>(&row.fallback))
+    set_text(L, "default", "\"" + *word + "\"");
+  else if (const bool* flag = std::get_if<bool>(&row.fallback))
+    set_text(L, "default", *flag ? "true" : "false");
+}
+
+void push_rows(lua_State* L, const std::vector<Argument>& rows);
+
+void push_row(lua_State* L, const Argument& row) {
+  luaL_checkstack(L, 10, "registry");
+  lua_newtable(L);
+  set_text(L, "name", row.name);
+  set_text(L, "unit", row.unit);
+  set_text(L, "sentence", row.sentence);
+  set_text(L, "expected", expected(row));
+  set_text(L, "of", row.of);
+  lua_pushboolean(L, row.required);
+  lua_setfield(L, -2, "required");
+  set_number(L, "low", row.range.low);
+  set_number(L, "high", row.range.high);
+  push_default(L, row);
+  push_kinds(L, row.kinds);
+  lua_setfield(L, -2, "kinds");
+  lua_newtable(L);
+  for (std::size_t i = 0; i < row.choices.size(); ++i) {
+    lua_pushstring(L, row.choices[i].c_str());
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+  lua_setfield(L, -2, "choices");
+  push_rows(L, row.rows);
+  lua_setfield(L, -2, "rows");
+}
+
+void push_rows(lua_State* L, const std::vector<Argument>& rows) {
+  lua_newtable(L);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    push_row(L, rows[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+// rows(): a list of {name, style, owner, sentence, example, arguments}, by name.
+int registry_rows(lua_State* L) {
+  std::vector<const Entry*> entries;
+  for (const Entry& entry : Session::of(L).registry().entries()) entries.push_back(&entry);
+  std::sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) { return a->name < b->name; });
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const Entry* entry : entries) {
+    lua_newtable(L);
+    set_text(L, "name", entry->name);
+    set_text(L, "style", style_word(*entry));
+    set_text(L, "owner", entry->owner());
+    set_text(L, "sentence", entry->sentence);
+    set_text(L, "example", entry->example);
+    push_rows(L, entry->arguments);
+    lua_setfield(L, -2, "arguments");
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+// fields(): a list of {name, unit, shape, place, sentence, components}, in the order of files.
+int result_fields(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer place = 0;
+  for (const auto& field : run::result_fields()) {
+    lua_newtable(L);
+    set_text(L, "name", field.name);
+    set_text(L, "unit", field.unit);
+    set_text(L, "shape", run::name(field.shape));
+    set_text(L, "place", run::name(field.place));
+    set_text(L, "sentence", field.sentence);
+    lua_pushboolean(L, field.usual);
+    lua_setfield(L, -2, "usual");
+    lua_newtable(L);
+    for (std::size_t i = 0; i < field.components.size(); ++i) {
+      lua_pushstring(L, field.components[i].c_str());
+      lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+    }
+    lua_setfield(L, -2, "components");
+    lua_rawseti(L, -2, ++place);
+  }
+  return 1;
+}
+
+// name_of(f): the row's name of a registered function, or nil.
+int name_of(lua_State* L) {
+  luaL_checkany(L, 1);
+  const Entry* entry = entry_of(L, 1);
+  if (entry == nullptr) return 0;
+  lua_pushstring(L, entry->name.c_str());
+  return 1;
+}
+
+// class_of(x): the class of a fabricsh object, or nil.
+int class_of(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TUSERDATA || luaL_getmetafield(L, 1, "__name") != LUA_TSTRING) return 0;
+  return 1;
+}
+
+// card_of(t): the card that a table of its fields was read off, or nil.
+int card_of(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  push_card_of(L, 1);
+  return 1;
+}
+
+// nearest(word, names): the name nearest to a misspelt one, or nil.
+int nearest_name(lua_State* L) {
+  const char* word = luaL_checkstring(L, 1);
+  luaL_checktype(L, 2, LUA_TTABLE);
+  std::vector<std::string> names;
+  for (lua_Integer i = 1; lua_rawgeti(L, 2, i) != LUA_TNIL; ++i) {
+    if (lua_type(L, -1) != LUA_TSTRING)
+      return luaL_error(L, "nearest: expected a list of names, got %s at place %I", luaL_typename(L, -1), i);
+    names.emplace_back(lua_tostring(L, -1));
+    lua_pop(L, 1);
+  }
+  const std::string found = nearest(word, names);
+  if (found.empty()) return 0;
+  lua_pushstring(L, found.c_str());
+  return 1;
+}
+
+int show_value(lua_State* L) {
+  luaL_checkany(L, 1);
+  const std::string words = show(L, 1);
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+}  // namespace
+
+void push_registry(lua_State* L) {
+  const luaL_Reg functions[] = {{"rows", registry_rows}, {"name_of", name_of},      {"class_of", class_of},
+                                {"card_of", card_of},    {"fields", result_fields}, {"nearest", nearest_name},
+                                {"show", show_value},    {nullptr, nullptr}};
+  luaL_newlib(L, functions);
+}
+
+}  // namespace fabricsh::script

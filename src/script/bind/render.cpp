@@ -1,0 +1,265 @@
+// fabric.render: pictures of sheets, from .vtu files or from a run as it stands.
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+
+#include "format/vtu.hpp"
+#include "plot/picture.hpp"
+#include "run/bodies.hpp"
+#include "run/result_fields.hpp"
+#include "run/vtk_series.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+#include "system/atomic.hpp"
+#include "system/gate.hpp"
+#include "system/paths.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// Where a field stands in the files that a:vtk writes, and how it is shown.
+struct Shown {
+  std::string array, component;
+  double factor = 1;
+  std::string bar;
+};
+
+// The unit that pictures use in the place of a unit of SI, and what it multiplies by.
+std::pair<std::string, double> picture_unit(const std::string& unit) {
+  if (unit == "m") return {"mm", 1e3};
+  if (unit == "Pa") return {"MPa", 1e-6};
+  if (unit == "J/m^3") return {"MJ/m3", 1e-6};
+  return {unit, 1};
+}
+
+Shown shown_of(const std::string& name) {
+  if (name == "none") return {};
+  const auto [field, number] = run::find_field(name);
+  const auto [unit, factor] = picture_unit(field->unit);
+  const std::string title = number < 0 ? "|" + field->letter + "|" : name;
+  Shown shown{field->name, "", factor, unit.empty() ? title : title + ", " + unit};
+  if (number >= 0 && field->size() > 1)
+    shown.component = field->labels.empty() ? std::string(1, "xyz"[number]) : field->labels[number];
+  return shown;
+}
+
+// Single numbers, and vectors by their length.
+std::vector<std::string> field_words() {
+  std::vector<std::string> words = {"none"};
+  for (const auto& field : run::result_fields()) {
+    if (!field.letter.empty()) words.push_back(field.name);
+    words.insert(words.end(), field.components.begin(), field.components.end());
+  }
+  return words;
+}
+
+std::vector<std::string> word_list(const Call& call, const char* name) {
+  std::vector<std::string> words;
+  lua_State* L = call.L();
+  const int type = call.push(name);
+  if (type == LUA_TSTRING) words.emplace_back(lua_tostring(L, -1));
+  for (lua_Integer i = 1; type == LUA_TTABLE && lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
+    if (lua_type(L, -1) != LUA_TSTRING) call.refuse(name, "expected a list of texts, got " + describe(L, -1));
+    words.emplace_back(lua_tostring(L, -1));
+    lua_pop(L, 1);
+  }
+  lua_settop(L, lua_gettop(L) - (type == LUA_TTABLE ? 2 : 1));
+  return words;
+}
+
+void read_view(const Call& call, plot::Picture& picture) {
+  if (call.is("view", LUA_TTABLE)) {
+    const std::vector<double> angles = call.numbers("view");
+    if (angles.size() != 2 || std::abs(angles[1]) > 90)
+      call.refuse("view", "expected {azimuth, elevation} in degrees, the elevation from -90 to 90");
+    picture.azimuth = angles[0], picture.elevation = angles[1];
+    return;
+  }
+  const std::string word = call.text("view");
+  picture.azimuth = word == "side" ? 90 : word == "oblique" ? 30 : 0;
+  picture.elevation = word == "above" ? 90 : word == "oblique" ? 25 : 0;
+}
+
+void read_range(const Call& call, plot::Picture& picture) {
+  if (!call.has("range")) return;
+  const std::vector<double> ends = call.numbers("range");
+  if (ends.size() != 2 || !(ends[0] < ends[1]))
+    call.refuse("range", "expected {low, high} of the colour bar, low below high");
+  picture.fixed_range = true;
+  picture.low = ends[0], picture.high = ends[1];
+}
+
+plot::Picture read_picture(const Call& call) {
+  plot::Picture p;
+  p.png = call.text("file");
+  if (std::filesystem::path(p.png).extension() != ".png")
+    call.refuse("file", "expected a name that ends in .png");
+  p.title = call.text("title");
+  const Shown shown = shown_of(call.text("field"));
+  p.array = shown.array, p.component = shown.component, p.bar = shown.bar;
+  p.factor = call.has("factor") ? call.number("factor") : shown.factor;
+  if (call.has("bar")) p.bar = call.text("bar");
+  read_range(call, p);
+  read_view(call, p);
+  if (call.has("columns")) p.columns = call.count("columns");
+  p.width = call.count("width");
+  p.height = call.count("height");
+  p.edges = call.flag("edges"), p.axes = call.flag("axes");
+  return p;
+}
+
+// A file in a folder that nobody else may enter and whose name nobody could know beforehand, gone with the
+// object: other users write into the folder of temporary files too, and a link planted there would be written
+// through.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::error_code trouble;
+    path_ = (std::filesystem::temp_directory_path(trouble) / "fabricsh-XXXXXX").string();
+    if (!trouble && mkdtemp(path_.data()) == nullptr) trouble = {errno, std::generic_category()};
+    if (trouble)
+      throw Error("render: no folder for a temporary file (TMPDIR, or /tmp): " + trouble.message());
+  }
+  ~PrivateFolder() {
+    const system::Gate& gate = system::Gate::of_process();
+    gate.discard(file());
+    try {
+      gate.remove(path_);
+    } catch (const std::exception&) {  // it stays, empty
+    }
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  std::string file() const { return path_ + "/frame.vtu"; }
+
+ private:
+  std::string path_;
+};
+
+// Rigid bodies beside the cloth; their fields are not numbers, which are drawn grey.
+void add_bodies(const run::Run& run, std::vector<Vec3>& points,
+                std::vector<std::array<mesh::Index, 4>>& cells) {
+  for (const run::BodyShown& body : run::shown_bodies(run)) {
+    const auto first = static_cast<mesh::Index>(points.size());
+    points.insert(points.end(), body.vertices.begin(), body.vertices.end());
+    for (const auto& t : body.triangles) cells.push_back({first + t[0], first + t[1], first + t[2], -1});
+  }
+}
+
+// The state of a run as a file, gone with the object.
+class Frame {
+ public:
+  Frame(const Run& run, const std::string& shown) {
+    const auto& a = *run.analysis;
+    const auto& mesh = a.model().mesh();
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      points.push_back(a.node(static_cast<mesh::Index>(i)).x);
+    auto cells = mesh.elements;
+    add_bodies(a, points, cells);
+    format::Grid grid{points, cells};
+    for (const auto& field : run::result_fields()) {
+      const bool wanted = shown != "none" && run::find_field(shown).field == &field;
+      if (!wanted && field.name != "displacement") continue;
+      const bool of_nodes = field.place == run::Place::node;
+      format::Array array = run::array_of(a, field);
+      array.values.resize((of_nodes ? points.size() : cells.size()) * field.size(),
+                          std::numeric_limits<double>::quiet_NaN());
+      (of_nodes ? grid.point_data : grid.cell_data).push_back(std::move(array));
+    }
+    format::write_vtu(path(), grid, system::Sync::no);
+  }
+  std::string path() const { return folder_.file(); }
+
+ private:
+  PrivateFolder folder_;
+};
+
+void add_panels(const Call& call, plot::Picture& picture) {
+  const std::vector<std::string> paths = word_list(call, "vtu"), labels = word_list(call, "labels");
+  if (labels.size() > paths.size()) call.refuse("labels", "expected no more labels than files");
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    picture.panels.push_back({paths[i], i < labels.size() ? labels[i] : ""});
+}
+
+// Drawing starts a program with a display of its own, which needs more rights than a deck under --safe has;
+// what was computed is not lost for that.
+int no_picture(Call& call) {
+  const std::string words = "render: no picture '" + call.text("file") +
+                            "': not available under --safe; draw from the .vtu files afterwards";
+  call.session().notices().once(words, "warning: " + words);
+  lua_pushboolean(call.L(), 0);
+  return 1;
+}
+
+int render(Call& call) {
+  if (call.has("vtu") == call.has("run"))
+    call.refuse("vtu",
+                std::string("expected either vtu or run, got ") + (call.has("vtu") ? "both" : "neither"));
+  plot::Picture picture = read_picture(call);
+  std::optional<Frame> frame;
+  add_panels(call, picture);
+  if (call.session().options().check) return 0;
+  if (system::Gate::of_process().closed()) return no_picture(call);
+  if (call.has("run")) {
+    frame.emplace(*call.object<Run>("run"), call.text("field"));
+    picture.panels = {{frame->path(), {}}};
+  }
+  system::make_folder_for(picture.png);
+  plot::render(picture, (std::filesystem::path(program_path()).parent_path() / "fabricsh-render").string());
+  lua_pushboolean(call.L(), 1);
+  return 1;
+}
+
+Argument many(std::string name, unsigned kinds, std::string sentence) {
+  return value_(std::move(name), kinds, std::move(sentence)).optional();
+}
+
+std::vector<Argument> arguments() {
+  const Range pixels{100, 8000};
+  return {
+      value_("file", text, "to write; ends in .png"),
+      many("vtu", text | table, "file of a:vtk, or a list of them: panels of one scale"),
+      object_("run", "analysis", "in place of files: the run as it stands").optional(),
+      value_("field", text, "what the colours show").or_else("none").one_of(field_words()),
+      value_("title", text, "on top").or_else(""),
+      many("labels", text | table, "above the panels"),
+      many("bar", text, "title of the colour bar; default: the field with its unit (MPa, mm)"),
+      number_("factor", "", everything, "the bar shows that much times the SI value; default: to the unit")
+          .optional(),
+      many("range", numbers, "{low, high} of the bar; default: those of all panels"),
+      many("view", text | numbers,
+           "above (from +z, y up), front (along +y), side (along -x), oblique, or {azimuth, elevation} in "
+           "degrees")
+          .or_else("above")
+          .one_of({"above", "front", "side", "oblique"}),
+      integer_("columns", from_one, "of panels").optional(),
+      integer_("width", pixels, "pixels").or_else(1200),
+      integer_("height", pixels, "pixels").or_else(900),
+      value_("edges", boolean, "of the elements").or_else(true),
+      value_("axes", boolean, "with a scale, in mm (m from 1.5 m on)").or_else(true),
+  };
+}
+
+}  // namespace
+
+void bind_render(Session& session) {
+  install(
+      session,
+      {{"fabric.render", Style::fields, arguments(),
+        "Draws deformed sheets with a field and its colour bar into a PNG, off-screen: on the virtual "
+        "display Xvfb, or where "
+        "that is not installed on the display of DISPLAY. Returns whether it was drawn: false, with a "
+        "warning, "
+        "under --safe.",
+        "local fabric = require 'fabric'\nlocal name = os.tmpname()\n"
+        "local test = fabric.lab.bias{ card=fabric.card 'blend', grips='clamped', unload=false, steps=4 }\n"
+        "pcall(fabric.render, { file=name..'.png', run=test.analysis, field='E12', title='bias, 20 mm' })\n"
+        "os.remove(name..'.png') os.remove(name)",
+        render}});
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,110 @@
+// The analysis object in Lua, and its hooks.
+#include "script/bind/run.hpp"
+
+#include "script/checkpoint.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// Registry table from the address of a Run to its userdata; weak, so that it keeps none alive.
+constexpr const char* runs_key = "fabricsh.runs";
+
+void push_runs(lua_State* L) {
+  if (lua_getfield(L, LUA_REGISTRYINDEX, runs_key) == LUA_TTABLE) return;
+  lua_pop(L, 1);
+  lua_newtable(L);
+  lua_newtable(L);
+  lua_pushliteral(L, "v");
+  lua_setfield(L, -2, "__mode");
+  lua_setmetatable(L, -2);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, runs_key);
+}
+
+void push_self(lua_State* L, const Run* run) {
+  push_runs(L);
+  lua_rawgetp(L, -1, run);
+  lua_remove(L, -2);
+}
+
+// In a finaliser of the deck's the weak table of runs has forgotten one that goes away with it.
+void want_alive(lua_State* L) {
+  if (lua_type(L, -1) != LUA_TUSERDATA) throw Error("this analysis is being collected");
+}
+
+}  // namespace
+
+Argument limit_row() {
+  return value_("limit", text,
+                "tell: says once where the cloth is strained beyond what the card was tested to; stop: and "
+                "stops there")
+      .or_else("tell")
+      .one_of({"tell", "stop"});
+}
+
+std::string sample_run() {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
+         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, "
+         "1) })\n"
+         "local a = fabric.static{ model=m, duration=1, step=0.25 }\n";
+}
+
+Run::Run(Session& s, std::shared_ptr<run::Run> a)
+    : session(s), job(a, s.journal(), s.count_analysis()), analysis(std::move(a)) {
+  job.caller = [this] {
+    Archive archive;
+    archive(calls);
+    return archive.bytes();
+  };
+  // Or was one in the part of the run that a restarted deck passes over.
+  job.replaceable = [this](const run::Output& output) {
+    return output.series->in_trouble() || calls.count < passing;
+  };
+}
+
+void push_run(lua_State* L, std::shared_ptr<Run> run) {
+  const Run* address = run.get();
+  if (const auto& checkpoint = run->session.restart()) {
+    const auto mine = part_of(checkpoint, run->number());
+    if (mine == checkpoint)
+      begin_from(*run, mine);
+    else if (mine)
+      begin_finished(*run, mine);
+  }
+  push_object(L, std::move(run));
+  lua_newtable(L);
+  lua_setiuservalue(L, -2, 1);
+  push_runs(L);
+  lua_pushvalue(L, -2);
+  lua_rawsetp(L, -2, address);
+  lua_pop(L, 1);
+}
+
+Hook::Hook(const Fields& fields, std::string_view name, Run* run) : run_(run) {
+  lua_State* L = fields.L();
+  push_self(L, run);
+  want_alive(L);
+  lua_getiuservalue(L, -1, 1);
+  slot_ = static_cast<int>(lua_rawlen(L, -1)) + 1;
+  fields.push(name);
+  lua_rawseti(L, -2, slot_);
+  lua_pop(L, 2);
+}
+
+lua_State* Hook::push() const {
+  if (run_->session.options().clear_progress) run_->session.options().clear_progress();
+  lua_State* L = run_->session.active();
+  luaL_checkstack(L, 8, "too many nested callbacks");
+  push_self(L, run_);
+  want_alive(L);
+  lua_getiuservalue(L, -1, 1);
+  lua_rawgeti(L, -1, slot_);
+  lua_replace(L, -2);
+  lua_insert(L, -2);
+  return L;
+}
+
+}  // namespace fabricsh::script

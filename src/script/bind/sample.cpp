@@ -1,0 +1,76 @@
+// card:sample.
+#include <algorithm>
+
+#include "card/fields.hpp"
+#include "lab/statistics.hpp"
+#include "law/check.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+using card::Band;
+using card::Woven;
+
+// Draws the parameters of one part, "warp", from their band.
+void draw(card::Card& card, const char* part, const Band& band, double level, std::mt19937_64& random) {
+  if (band.low.empty()) return;
+  const card::Field& group = *card::find_field(card::fields(card), part);
+  std::vector<double> half;
+  for (std::size_t i = 0; i < band.low.size(); ++i) half.push_back((band.high[i] - band.low[i]) / 2);
+  set_parameters(group, card,
+                 lab::draw_around(parameters(group, card), half, band.covariance, level, random));
+}
+
+// One usable card; the bands may reach into what a card cannot be.
+std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& random) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    auto copy = std::make_shared<card::Card>(from);
+    auto& law = std::get<Woven>(copy->law);
+    const card::Bands bands = *law.bands;
+    draw(*copy, "warp", bands.warp, bands.level, random);
+    draw(*copy, "weft", bands.weft, bands.level, random);
+    draw(*copy, "shear", bands.shear, bands.level, random);
+    law.bands.reset();
+    if (law::check(*copy, 0.1).ok()) return copy;
+  }
+  throw Error("sample: of 1000 cards within the bands none is usable; card:check() says what is wrong");
+}
+
+int sample(Call& call) {
+  lua_State* L = call.L();
+  const auto card = call.self<card::Card>();
+  const auto* law = std::get_if<Woven>(&card->law);
+  if (law == nullptr || !law->bands) throw Error("sample: expected a woven card with bands, got one without");
+  std::mt19937_64 random(static_cast<std::uint64_t>(call.integer("seed")));
+  const int n = call.count("n");
+  lua_createtable(L, std::min(n, 1000), 0);
+  for (lua_Integer i = 1; i <= n; ++i) {
+    push_object(L, drawn_card(*card, random));
+    lua_rawseti(L, -2, i);
+  }
+  return 1;
+}
+
+}  // namespace
+
+void bind_sample(Session& session) {
+  install(session,
+          {{"card:sample",
+            Style::positional,
+            {integer_("n", from_one, "of cards"), integer_("seed", not_negative, "of the draw").or_else(1.0)},
+            "Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards that "
+            "could not be are drawn "
+            "again.",
+            "local fabric = require 'fabric'\n"
+            "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
+            "852e6, 878e6, 0.3},\n"
+            "  covariance={2.6e11,0,0,0, 0,1.8e14,0,0, 0,0,5.1e13,0, 0,0,0,6.5e-4} } } }\n"
+            "local cards = card:sample(5)\nassert(#cards == 5 and cards[1].warp.poisson ~= 0.25 and "
+            "cards[1].shear.unloading == 12e6)",
+            sample}});
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,94 @@
+// fabric.static: a quasi-static run.
+#include "run/static.hpp"
+
+#include <algorithm>
+
+#include "script/bind/model.hpp"
+#include "script/bind/run.hpp"
+
+namespace fabricsh::script {
+
+using run::Static;
+
+namespace {
+
+// Place of a word in a list that the row has checked it against.
+template <class Choice>
+Choice chosen(const std::string& word, const std::vector<std::string>& words) {
+  return static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+const std::vector<std::string> linears{"auto", "symmetric", "unsymmetric"}, controls{"load", "arc"},
+    methods{"newton", "relaxation", "either"};
+
+void read_scheme(Call& call, run::StaticOptions& options) {
+  if (call.has("min_step")) options.min_step = call.number("min_step");
+  options.linear = chosen<run::Linear>(call.text("linear"), linears);
+  options.control = chosen<run::Control>(call.text("control"), controls);
+  options.method = chosen<run::Method>(call.text("method"), methods);
+  if (!call.has("stabilise")) return;
+  if (call.is("stabilise", LUA_TNUMBER))
+    options.stabilise = call.number("stabilise");
+  else if (call.flag("stabilise"))
+    options.stabilise = run::usual_stabilisation;
+}
+
+int make(Call& call) {
+  run::StaticOptions options;
+  options.duration = call.number("duration");
+  if (call.has("step")) options.step = call.number("step");
+  options.tolerance = call.number("tolerance");
+  options.max_iterations = call.count("max_iterations");
+  options.max_cuts = call.count("max_cuts");
+  options.line_search = call.flag("line_search");
+  read_scheme(call, options);
+  Session& session = call.session();
+  const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
+  const auto model = call.object<model::Model>("model");
+  const Still still_model(session, model.get()), still_mesh(session, &model->mesh());
+  auto run = std::make_shared<Static>(model, options, notices);
+  if (call.text("limit") == "stop") run->stop_beyond();
+  push_run(call.L(), std::make_shared<Run>(session, std::move(run)));
+  keep_model(call);
+  return 1;
+}
+
+std::vector<Entry> rows() {
+  return {
+      {"fabric.static",
+       Style::fields,
+       {object_("model", "model", "what is computed"),
+        number_("duration", "s", positive, "time to run to"),
+        number_("step", "s", positive, "largest step; default duration/20").optional(),
+        number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force")
+            .or_else(1e-10),
+        integer_("max_iterations", from_one, "of one step, before it is cut").or_else(50),
+        integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").or_else(12),
+        value_("line_search", boolean, "on the energy along the Newton step").or_else(true),
+        number_("min_step", "s", positive, "smallest step that cuts go down to").optional(),
+        value_("linear", text,
+               "direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric")
+            .or_else("auto")
+            .one_of(linears),
+        value_("control", text,
+               "load: steps in time; arc: steps along the path, past limit points, where time may go down")
+            .or_else("load")
+            .one_of(controls),
+        value_("method", text,
+               "newton; relaxation: every step by dynamic relaxation; either: it for a step that Newton "
+               "can't do")
+            .or_else("newton")
+            .one_of(methods),
+        limit_row(),
+        {"stabilise", boolean | number, "", Range{0, 1, false, true},
+         "viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4", false}},
+       "A quasi-static run: Newton's method through the histories' time.",
+       sample_run() + "assert(a.duration == 1)",
+       make},
+  };
+}
+
+}  // namespace
+
+void bind_static(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,68 @@
+// fabric.model's ties between nodes.
+#include "model/model.hpp"
+#include "script/bind/model.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+using model::TieKind;
+
+namespace {
+
+TieKind read_kind(const Call& call) {
+  const std::string kind = call.text("kind");
+  if (kind == "equal") return TieKind::equal;
+  if (kind == "straight") return TieKind::straight;
+  if (kind == "rigid") return TieKind::rigid;
+  if (kind == "periodic") return TieKind::periodic;
+  call.refuse("kind", "expected \"equal\", \"straight\", \"rigid\" or \"periodic\", got \"" + kind + "\"");
+}
+
+int tie(Call& call) {
+  model::Tie tie{read_kind(call), call.text("set"), {}, {}};
+  const bool periodic = tie.kind == TieKind::periodic;
+  if (periodic) {
+    if (!call.has("second")) call.refuse("second", "expected the name of the set that follows, got nil");
+    tie.partner = call.text("second");
+  }
+  const char* const place = periodic ? "freedoms" : "second";
+  if (tie.kind == TieKind::equal && !call.has(place)) call.refuse(place, "expected some of x y z, got nil");
+  const std::string words = call.has(place) ? call.text(place) : periodic ? "x y z rotation" : "x y z";
+  if (tie.kind != TieKind::rigid)
+    tie.freedoms = model::parse_freedoms(words, "tie");
+  else if (call.has("second"))
+    call.refuse("second", "a rigid set ties every freedom: expected nothing, got \"" + words + "\"");
+  if (!periodic && call.has("freedoms"))
+    call.refuse("freedoms", "only a periodic tie has a second set: name the freedoms in its place");
+  call.self<Model>()->tie(std::move(tie));
+  return return_self(call);
+}
+
+std::vector<Entry> rows() {
+  return {
+      {"model:tie",
+       Style::positional,
+       {value_("kind", text,
+               "\"equal\": the set's nodes share displacements; \"straight\": they stay on the line between "
+               "its ends; \"rigid\": nodes and directors move as one body; \"periodic\": two sets with one "
+               "displacement between the pairs, led by the first"),
+        value_("set", text, "name of a node set"),
+        value_("second", text, "periodic: the set that follows; else freedoms, some of x y z").optional(),
+        value_("freedoms", text, "periodic: some of x y z rotation; default all").optional()},
+       "Ties nodes to each other exactly, by elimination.",
+       "local fabric = require 'fabric'\n"
+       "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=2, ny=3 }\n"
+       "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
+       "m:tie('straight', 'top', 'y')\n"
+       "m:tie('rigid', 'bottom')",
+       tie},
+  };
+}
+
+}  // namespace
+
+void bind_ties(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,298 @@
+// Where C++ meets Lua: every binding is entered through enter(), which turns C++ exceptions into Lua errors.
+// Lua's own errors are C++ exceptions too, of a type that Lua keeps to itself: they pass through and run
+// destructors on their way.
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/call.hpp"
+#include "script/call/chain.hpp"
+#include "script/call/words.hpp"
+#include "script/called_off.hpp"
+#include "system/paths.hpp"
+
+namespace fabricsh::script {
+
+bool own_module(const char* source) {
+  if (source[0] != '@') return false;
+  for (const std::string& root : data_roots()) {
+    const std::string modules = root + "/lua/fabric";
+    if (std::strncmp(source + 1, modules.c_str(), modules.size()) == 0) return true;
+  }
+  return false;
+}
+
+std::string position(lua_State* L) {
+  lua_Debug frame;
+  std::string own;
+  for (int level = 0; lua_getstack(L, level, &frame) != 0; ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (frame.currentline <= 0) continue;
+    const char* file = frame.source[0] == '@' ? frame.source + 1 : frame.short_src;
+    const std::string here = std::string(file) + ":" + std::to_string(frame.currentline) + ": ";
+    if (!own_module(frame.source)) return here;
+    if (own.empty()) own = here;
+  }
+  return own;
+}
+
+namespace {
+
+int failure_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const std::string words = raw_text(L, 1, "where") + raw_text(L, 1, "message");
+  lua_pushlstring(L, words.data(), words.size());
+  return 1;
+}
+
+void push_failure(lua_State* L, const std::string& call, const NumericalFailure& failure) {
+  lua_newtable(L);
+  lua_pushstring(L, "numerical");
+  lua_setfield(L, -2, "kind");
+  lua_pushstring(L, (call + ": " + failure.what()).c_str());
+  lua_setfield(L, -2, "message");
+  lua_pushnumber(L, failure.time);
+  lua_setfield(L, -2, "time");
+  if (failure.element >= 0) {
+    lua_pushinteger(L, failure.element + 1);
+    lua_setfield(L, -2, "element");
+  }
+  if (!failure.yarn.empty()) {
+    lua_pushstring(L, failure.yarn.c_str());
+    lua_setfield(L, -2, "yarn");
+  }
+  if (!failure.why.empty()) {
+    lua_pushstring(L, failure.why.c_str());
+    lua_pushvalue(L, -1);
+    lua_setfield(L, LUA_REGISTRYINDEX, why_key);
+    lua_setfield(L, -2, "why");
+  }
+  lua_pushstring(L, position(L).c_str());
+  lua_setfield(L, -2, "where");
+  if (luaL_newmetatable(L, "fabricsh.failure") != 0) {
+    lua_pushcfunction(L, failure_text);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushstring(L, "numerical failure");
+    lua_setfield(L, -2, "__name");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+  }
+  lua_setmetatable(L, -2);
+}
+
+void push_error(lua_State* L, const std::string& call, const std::string& message) {
+  const bool named = message.compare(0, call.size() + 2, call + ": ") == 0;
+  lua_pushstring(L, (position(L) + (named ? "" : call + ": ") + message).c_str());
+}
+
+// Methods that change their object. A mesh's set may be asked for besides, with one argument.
+bool changes(const Entry& entry, int given) {
+  constexpr const char* names[] = {
+      "mesh:map",         "mesh:orient",      "analysis:solve",    "analysis:advance", "analysis:step",
+      "analysis:every",   "analysis:event",   "analysis:record",   "analysis:vtk",     "analysis:checkpoint",
+      "analysis:restart", "analysis:restore", "analysis:snapshot", "analysis:set"};
+  if (entry.name == "mesh:set") return given > 2;
+  return (entry.name.starts_with("model:") && entry.name != "model:list") ||
+         std::any_of(std::begin(names), std::end(names),
+                     [&](const char* name) { return entry.name == name; });
+}
+
+const void* changed_object(lua_State* L) {
+  if (const auto mesh = to_object<mesh::Mesh>(L, 1)) return mesh.get();
+  if (const auto model = to_object<model::Model>(L, 1)) return model.get();
+  return to_object<Run>(L, 1).get();
+}
+
+void refuse_within(lua_State* L, const Entry& entry) {
+  if (!entry.method() || !changes(entry, lua_gettop(L) - 1))
+    return;  // less the table of the gathered arguments
+  if (!Session::of(L).is_still(changed_object(L))) return;
+  throw Error(
+      "this " + entry.owner() +
+      " may not change while it asks a function for a value (a history, a direction, a column, an event's "
+      "value, a function of mesh:set or mesh:map)" +
+      (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
+}
+
+// What the system said of a file; without one it was asked where it is.
+std::string system_words(const std::filesystem::filesystem_error& trouble) {
+  const std::string path = trouble.path1().string();
+  return (path.empty() ? "the current folder" : "'" + path + "'") + ": " + trouble.code().message();
+}
+
+// Ctrl-C ends a program that draws as well: what that one said is not why the call came to nothing.
+bool interrupted_by_now(lua_State* L) {
+  Session& session = Session::of(L);
+  if (session.drives() || !session.take_interrupt()) return false;
+  session.rest_hook(L);
+  call_off(session);
+  return true;
+}
+
+int enter(lua_State* L) {
+  const Entry& entry = *static_cast<const Entry*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const std::string call = last_word(entry.name);
+  try {
+    const ActiveState active(Session::of(L), L);
+    Call arguments(L, entry);
+    refuse_within(L, entry);
+    return entry.run(arguments);
+  } catch (const Raised& raised) {
+    raised.push(L);
+  } catch (const NumericalFailure& failure) {
+    push_failure(L, call, failure);
+  } catch (const Error& error) {
+    push_error(L, call, interrupted_by_now(L) ? "interrupted" : error.what());
+  } catch (const std::bad_alloc&) {
+    push_error(L, call, "not enough memory");
+  } catch (const std::filesystem::filesystem_error& trouble) {
+    push_error(L, call, system_words(trouble));
+  } catch (const std::exception& bug) {
+    push_error(L, call, std::string("internal error: ") + bug.what());
+  }
+  return lua_error(L);
+}
+
+std::vector<std::string> keys_of(lua_State* L, int index) {
+  std::vector<std::string> names;
+  index = lua_absindex(L, index);
+  lua_pushnil(L);
+  while (lua_next(L, index) != 0) {
+    lua_pop(L, 1);
+    if (lua_type(L, -1) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -1));
+  }
+  return names;
+}
+
+// object.name: a property (its function is called with the object), else a method, else an error with the
+// nearest name. Upvalues: methods, properties, class name.
+int index_object(lua_State* L) {
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) {
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 1);
+    return 1;
+  }
+  lua_pop(L, 1);
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
+  std::string message = position(L) + lua_tostring(L, lua_upvalueindex(3)) + ": ";
+  {
+    auto known = keys_of(L, lua_upvalueindex(1));
+    for (auto& name : keys_of(L, lua_upvalueindex(2))) known.push_back(name);
+    message += unknown("field", luaL_tolstring(L, 2, nullptr), known);
+  }
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+int refuse_assignment(lua_State* L) {
+  const std::string message = position(L) + lua_tostring(L, lua_upvalueindex(1)) + ": field '" +
+                              luaL_tolstring(L, 2, nullptr) + "' cannot be assigned";
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+// module.x where x is unknown: an error with the nearest name. Upvalue: the module's name.
+int index_module(lua_State* L) {
+  std::string message = position(L) + lua_tostring(L, lua_upvalueindex(1)) + ": ";
+  message += unknown("field", luaL_tolstring(L, 2, nullptr),
+                     lua_istable(L, 1) ? keys_of(L, 1) : std::vector<std::string>{});
+  lua_pushstring(L, message.c_str());
+  return lua_error(L);
+}
+
+}  // namespace
+
+void watch_module(lua_State* L, const std::string& name) {
+  lua_newtable(L);
+  lua_pushstring(L, name.c_str());
+  lua_pushcclosure(L, index_module, 1);
+  lua_setfield(L, -2, "__index");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+}
+
+namespace {
+
+// Walks to the table that holds the last word of fabric.a.b, creating what is missing; leaves it on the
+// stack.
+void push_home(lua_State* L, const std::string& name) {
+  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  std::size_t from = name.find('.') + 1;
+  for (std::size_t dot = name.find('.', from); dot != std::string::npos; dot = name.find('.', from)) {
+    const std::string part = name.substr(from, dot - from);
+    lua_pushstring(L, part.c_str());
+    if (lua_rawget(L, -2) != LUA_TTABLE) {
+      lua_pop(L, 1);
+      lua_newtable(L);
+      watch_module(L, name.substr(0, dot));
+      lua_pushvalue(L, -1);
+      lua_setfield(L, -3, part.c_str());
+    }
+    lua_remove(L, -2);
+    from = dot + 1;
+  }
+}
+
+}  // namespace
+
+void place(lua_State* L, const Entry& entry) {
+  const std::string word = last_word(entry.name);
+  if (entry.owner().empty()) {
+    push_home(L, entry.name);
+  } else {
+    push_class(L, entry.owner(), nullptr);
+    lua_getfield(L, -1, entry.method() ? "methods" : "properties");
+    lua_remove(L, -2);
+  }
+  push_function(L, entry);
+  lua_setfield(L, -2, word.c_str());
+  lua_pop(L, 1);
+}
+
+void push_function(lua_State* L, const Entry& entry) {
+  lua_pushlightuserdata(L, const_cast<Entry*>(&entry));
+  lua_pushcclosure(L, enter, 1);
+}
+
+const Entry* entry_of(lua_State* L, int index) {
+  if (lua_tocfunction(L, index) != enter || lua_getupvalue(L, index, 1) == nullptr) return nullptr;
+  const auto* entry = static_cast<const Entry*>(lua_touserdata(L, -1));
+  lua_pop(L, 1);
+  return entry;
+}
+
+void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
+  if (luaL_newmetatable(L, class_key(name).c_str()) != 0) {
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -3, "methods");
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -4, "properties");
+    lua_pushstring(L, name.c_str());
+    lua_pushcclosure(L, index_object, 3);
+    lua_setfield(L, -2, "__index");
+    lua_pushstring(L, name.c_str());
+    lua_pushcclosure(L, refuse_assignment, 1);
+    lua_setfield(L, -2, "__newindex");
+    lua_pushstring(L, name.c_str());
+    lua_setfield(L, -2, "__name");
+    lua_pushstring(L, name.c_str());
+    lua_setfield(L, -2, "__metatable");
+  }
+  if (gc != nullptr) {
+    lua_pushcfunction(L, gc);
+    lua_setfield(L, -2, "__gc");
+  }
+}
+
+void install(Session& session, std::vector<Entry> entries) {
+  for (Entry& entry : entries) place(session.lua(), session.registry().add(std::move(entry)));
+}
+
+}  // namespace fabricsh::script

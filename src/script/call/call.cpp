@@ -1,0 +1,377 @@
+#include "script/call/call.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "base/number.hpp"
+#include "base/suggest.hpp"
+#include "script/call/words.hpp"
+#include "script/values/card_table.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Argument>& rows) {
+  std::vector<std::string> names;
+  for (const Argument& row : rows) names.push_back(row.name);
+  return names;
+}
+
+std::string label(const std::string& path, const std::string& name, bool positional) {
+  return (positional ? "argument '" : "field '") + path + name + "'";
+}
+
+// "{x, y, z}", of many fields the first ones.
+std::string field_words(const std::vector<Argument>& rows) {
+  std::string words;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i == 6) return "{" + words + ", ...}";
+    words += (i > 0 ? ", " : "") + rows[i].name;
+  }
+  return "{" + words + "}";
+}
+
+// " { {t, v}, ... }" where the sentence of a row begins with the shape of its table.
+std::string shape_words(const std::string& sentence) {
+  if (sentence.empty() || sentence.front() != '{') return "";
+  int depth = 0;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    depth += sentence[i] == '{' ? 1 : sentence[i] == '}' ? -1 : 0;
+    if (depth == 0) return " " + sentence.substr(0, i + 1);
+  }
+  return "";
+}
+
+std::string choice_words(const Argument& row) {
+  if (row.choices.empty()) return "a string";
+  std::string words;
+  for (const std::string& choice : row.choices) words += (words.empty() ? "'" : " or '") + choice + "'";
+  return words;
+}
+
+bool finite_number(lua_State* L, int index, const Range& range) {
+  const double x = lua_tonumber(L, index);
+  return std::isfinite(x) && range.holds(x);
+}
+
+bool whole_number(lua_State* L, int index) {
+  int whole = 0;
+  lua_tointegerx(L, index, &whole);  // 1e6 is one
+  return whole != 0;
+}
+
+bool holds_numbers(lua_State* L, int index, const Range& range) {
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
+  if (n == 0) return false;
+  for (lua_Integer i = 1; i <= n; ++i) {
+    const bool good = lua_rawgeti(L, index, i) == LUA_TNUMBER && finite_number(L, -1, range);
+    lua_pop(L, 1);
+    if (!good) return false;
+  }
+  return true;
+}
+
+// With the zero bytes that it may hold; empty for what is no text.
+std::string text_at(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = lua_tolstring(L, index, &length);
+  return text == nullptr ? std::string() : std::string(text, length);
+}
+
+bool chosen(lua_State* L, int index, const Argument& row) {
+  if (row.choices.empty()) return true;
+  const std::string word = text_at(L, index);
+  for (const std::string& choice : row.choices)
+    if (choice == word) return true;
+  return false;
+}
+
+bool is_object(lua_State* L, int index, const std::string& of) {
+  return luaL_testudata(L, index, class_key(of).c_str()) != nullptr;
+}
+
+// Is the value at the absolute index one that the row accepts? A table may fit several kinds.
+bool accepts(lua_State* L, int index, const Argument& row) {
+  const unsigned kinds = row.kinds;
+  if (kinds & any) return true;
+  switch (lua_type(L, index)) {
+    case LUA_TNUMBER:
+      if ((kinds & number) != 0) return finite_number(L, index, row.range);
+      return (kinds & integer) != 0 && whole_number(L, index) && finite_number(L, index, row.range);
+    case LUA_TSTRING:
+      return (kinds & text) != 0 && chosen(L, index, row);
+    case LUA_TBOOLEAN:
+      return (kinds & boolean) != 0;
+    case LUA_TFUNCTION:
+      return (kinds & function) != 0;
+    case LUA_TTABLE:
+      if (kinds & (fields | table)) return true;
+      return (kinds & numbers) != 0 && holds_numbers(L, index, row.range);
+    case LUA_TUSERDATA:
+      return (kinds & object) != 0 && is_object(L, index, row.of);
+    default:
+      return false;
+  }
+}
+
+std::string came(lua_State* L, int index, const Argument& row) {
+  if (lua_isnoneornil(L, index)) return "nil (missing, or a misspelt variable)";
+  if (lua_istable(L, index) && (row.kinds & numbers) != 0) {
+    const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
+    if (n == 0) return "an empty table";
+    for (lua_Integer i = 1; i <= n; ++i) {
+      lua_rawgeti(L, index, i);
+      const std::string entry = describe(L, -1);
+      const bool good = lua_type(L, -1) == LUA_TNUMBER && finite_number(L, -1, row.range);
+      lua_pop(L, 1);
+      if (!good) return entry + " at place " + std::to_string(i);
+    }
+  }
+  if (lua_type(L, index) == LUA_TSTRING && (row.kinds & text) != 0 && !row.choices.empty())
+    return describe(L, index) + did_you_mean(lua_tostring(L, index), row.choices);
+  return describe(L, index);
+}
+
+void warn_unusual(lua_State* L, int index, const Argument& row, const std::string& path, bool positional) {
+  if (lua_type(L, index) != LUA_TNUMBER || row.hint.empty()) return;
+  const double x = lua_tonumber(L, index);
+  if (x == 0 || row.usual.holds(std::abs(x))) return;
+  const std::string what = position(L) + label(path, row.name, positional) + ": " + exact_number(x) + " " +
+                           row.unit + " is far from what cloth is: " + row.hint;
+  Session::of(L).notices().once(what, "warning: " + what);
+}
+
+}  // namespace
+
+std::string expected(const Argument& row) {
+  std::string words;
+  const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : " or ") + more; };
+  if (row.kinds & any) add("a value");
+  if (row.kinds & number) add(number_words(row.range, row.unit));
+  if (row.kinds & integer) add(number_words(row.range, row.unit, "integer"));
+  if ((row.kinds & numbers) != 0 && (row.kinds & table) == 0)
+    add("a table of numbers" + range_words(row.range) + (row.unit.empty() ? "" : " in " + row.unit));
+  if (row.kinds & table)
+    add("a table" + shape_words(row.sentence));
+  else if (row.kinds & fields)
+    add("a table " + field_words(row.rows));
+  if (row.kinds & text) add(choice_words(row));
+  if (row.kinds & boolean) add("true or false");
+  if (row.kinds & function) add("a function");
+  if (row.kinds & object) add(with_article(row.of));
+  return words;
+}
+
+void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional) {
+  index = lua_absindex(L, index);
+  if (lua_isnoneornil(L, index) && !row.required) return;
+  if (lua_isnoneornil(L, index) || !accepts(L, index, row))
+    throw Error(label(path, row.name, positional) + ": expected " + expected(row) + ", got " +
+                came(L, index, row));
+  warn_unusual(L, index, row, path, positional);
+  if (lua_istable(L, index) && (row.kinds & fields) != 0 && (row.kinds & table) == 0 &&
+      !((row.kinds & numbers) != 0 && lua_rawlen(L, index) > 0))
+    Fields(L, index, row.rows, path + row.name + ".");
+}
+
+namespace {
+
+// Puts a table without a metatable in the place of the one at index: its own entries, and for the rows what
+// its metatable gives.
+void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
+  if (lua_getmetatable(L, index) == 0) return;
+  lua_pop(L, 1);
+  luaL_checkstack(L, 6, "fields");
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, index) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+  for (const Argument& row : rows) {
+    lua_pushstring(L, row.name.c_str());
+    lua_getfield(L, index, row.name.c_str());
+    lua_rawset(L, -3);
+  }
+  lua_replace(L, index);
+}
+
+}  // namespace
+
+Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::string path, bool positional)
+    : L_(L), index_(lua_absindex(L, index)), rows_(&rows), path_(std::move(path)), positional_(positional) {
+  luaL_checkstack(L, 10, "fields");
+  make_plain(L, index_, rows);
+  lua_pushnil(L);
+  while (lua_next(L, index_) != 0) {
+    lua_pop(L, 1);
+    if (lua_type(L, -1) != LUA_TSTRING)
+      throw Error(path_.empty()
+                      ? "expected named fields, got an entry without a name at " + describe(L, -1)
+                      : "field '" + path_.substr(0, path_.size() - 1) +
+                            "': expected named fields, got an entry without a name at " + describe(L, -1));
+    const std::string name = lua_tostring(L, -1);
+    bool found = false;
+    for (const Argument& row : rows) found = found || row.name == name;
+    if (!found)
+      throw Error(unknown("field", path_ + name, [&] {
+        auto names = names_of(rows);
+        for (auto& known : names) known = path_ + known;
+        return names;
+      }()));
+  }
+  for (const Argument& row : rows) {
+    lua_getfield(L, index_, row.name.c_str());
+    fabricsh::script::make_plain(L);
+    check_value(L, -1, row, path_, positional);
+    lua_pop(L, 1);
+  }
+}
+
+const Argument& Fields::row(std::string_view name) const {
+  for (const Argument& row : *rows_)
+    if (row.name == name) return row;
+  throw std::logic_error("no argument row '" + std::string(name) + "'");
+}
+
+int Fields::push(std::string_view name) const {
+  luaL_checkstack(L_, 10, "fields");
+  const int type = lua_getfield(L_, index_, std::string(name).c_str());
+  if (type == LUA_TTABLE) fabricsh::script::make_plain(L_);
+  return type;
+}
+
+bool Fields::is(std::string_view name, int lua_type) const {
+  const bool same = lua_getfield(L_, index_, std::string(name).c_str()) == lua_type;
+  lua_pop(L_, 1);
+  return same;
+}
+
+bool Fields::has(std::string_view name) const { return !is(name, LUA_TNIL); }
+
+double Fields::number(std::string_view name) const {
+  const bool given = push(name) != LUA_TNIL;
+  const double value = lua_tonumber(L_, -1);
+  lua_pop(L_, 1);
+  return given ? value : std::get<double>(row(name).fallback);
+}
+
+std::int64_t Fields::integer(std::string_view name) const {
+  const double value = number(name);
+  if (!(std::abs(value) < 0x1p63)) refuse(name, "expected a smaller integer, got " + exact_number(value));
+  return static_cast<std::int64_t>(value);
+}
+
+int Fields::count(std::string_view name) const {
+  const std::int64_t value = integer(name);
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (value > most || value < -most)
+    refuse(name, "expected an integer of at most " + std::to_string(most) + ", got " + std::to_string(value));
+  return static_cast<int>(value);
+}
+
+std::string Fields::text(std::string_view name) const {
+  const bool given = push(name) != LUA_TNIL;
+  const std::string value = text_at(L_, -1);
+  lua_pop(L_, 1);
+  if (given) return value;
+  const auto* fallback = std::get_if<std::string>(&row(name).fallback);
+  return fallback == nullptr ? "" : *fallback;
+}
+
+bool Fields::flag(std::string_view name) const {
+  const bool given = push(name) != LUA_TNIL;
+  const bool value = lua_toboolean(L_, -1) != 0;
+  lua_pop(L_, 1);
+  if (given) return value;
+  const auto* fallback = std::get_if<bool>(&row(name).fallback);
+  return fallback != nullptr && *fallback;
+}
+
+void want_table(lua_State* L, int index, const std::string& what) {
+  if (!lua_istable(L, index)) throw Error(what + ": expected a table, got " + describe(L, index));
+}
+
+std::vector<double> read_numbers(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  std::vector<double> values(lua_rawlen(L, index));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    lua_rawgeti(L, index, static_cast<lua_Integer>(i + 1));
+    values[i] = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+  }
+  return values;
+}
+
+std::vector<double> Fields::numbers(std::string_view name) const {
+  std::vector<double> values;
+  if (push(name) == LUA_TTABLE) {
+    const Argument& known = row(name);
+    // A function of the deck's may have changed the list since it was checked.
+    if ((known.kinds & (Kind::table | Kind::fields)) == 0) check_value(L_, -1, known, path_, positional_);
+    values = read_numbers(L_, -1);
+  }
+  lua_pop(L_, 1);
+  return values;
+}
+
+Fields Fields::fields(std::string_view name) const {
+  push(name);
+  return Fields(L_, -1, row(name).rows, path_ + std::string(name) + ".");
+}
+
+Function Fields::function(std::string_view name) const {
+  push(name);
+  Function result;
+  if (lua_isfunction(L_, -1)) result = Function(Session::of(L_), L_, -1);
+  lua_pop(L_, 1);
+  return result;
+}
+
+void Fields::refuse(std::string_view name, const std::string& why) const {
+  throw Error(label(path_, std::string(name), positional_) + ": " + why);
+}
+
+namespace {
+
+// Leaves the table of named arguments on the stack and returns its index.
+int gather(lua_State* L, const Entry& entry) {
+  const int first = entry.method() || entry.style == Style::property ? 2 : 1;
+  const int given = lua_gettop(L) - first + 1;
+  if (entry.style == Style::fields) {
+    if (given > 1)
+      throw Error("expected one table with named fields, got " + std::to_string(given) + " values");
+    if (!lua_istable(L, first)) {
+      throw Error("expected a table with named fields, got " + describe(L, first));
+    }
+    lua_pushvalue(L, first);
+    fabricsh::script::make_plain(L);
+    return lua_gettop(L);
+  }
+  const int most = static_cast<int>(entry.arguments.size());
+  if (entry.style == Style::positional && given > most)
+    throw Error("expected at most " + std::to_string(most) + " argument" + (most == 1 ? "" : "s") + ", got " +
+                std::to_string(given));
+  lua_createtable(L, 0, most);
+  for (int i = 0; i < most && i < given; ++i) {
+    lua_pushvalue(L, first + i);
+    lua_setfield(L, -2, entry.arguments[static_cast<std::size_t>(i)].name.c_str());
+  }
+  return lua_gettop(L);
+}
+
+int gathered(lua_State* L, const Entry& entry) {
+  const std::string owner = entry.owner();
+  if (!owner.empty() && !is_object(L, 1, owner))
+    throw Error("called without its " + owner + " (write x:" + last_word(entry.name) +
+                "(...), with a colon), got " + describe(L, 1));
+  return gather(L, entry);
+}
+
+}  // namespace
+
+Call::Call(lua_State* L, const Entry& entry)
+    : Fields(L, gathered(L, entry), entry.arguments, {}, entry.style != Style::fields), entry_(entry) {}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,83 @@
+// The one argument reader: checks a call against its row, then hands out what it was given.
+#pragma once
+#include <cstdint>
+#include <lua.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "script/call/entry.hpp"
+#include "script/call/object.hpp"
+#include "script/session.hpp"
+
+namespace fabricsh::script {
+
+// Named values in a Lua table, checked against their rows when made.
+class Fields {
+ public:
+  // path: what stands before a field's name in messages, "warp." inside the table warp.
+  // A table with a metatable is replaced on the stack by a plain copy of what it has for the rows: what is
+  // read later is what was checked here, whatever its __index says next time.
+  Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::string path = {},
+         bool positional = false);
+
+  lua_State* L() const { return L_; }
+  bool has(std::string_view name) const;
+  // Pushes the value (nil when absent, whatever the default is) and returns its type.
+  int push(std::string_view name) const;
+  double number(std::string_view name) const;
+  std::int64_t integer(std::string_view name) const;
+  int count(std::string_view name) const;  // the same; Error: more than an int holds
+  std::string text(std::string_view name) const;
+  bool flag(std::string_view name) const;
+  std::vector<double> numbers(std::string_view name) const;
+  Fields fields(std::string_view name) const;  // leaves its table on the stack
+  Function function(std::string_view name) const;
+  template <class T>
+  std::shared_ptr<T> object(std::string_view name) const {
+    push(name);
+    auto value = to_object<T>(L_, -1);
+    lua_pop(L_, 1);
+    return value;
+  }
+  bool is(std::string_view name, int lua_type) const;
+  // Error that names the field.
+  [[noreturn]] void refuse(std::string_view name, const std::string& why) const;
+  const Argument& row(std::string_view name) const;
+
+ protected:
+  lua_State* L_;
+  int index_;
+  const std::vector<Argument>* rows_;
+  std::string path_;
+  bool positional_;
+};
+
+// One call of a registered function.
+class Call : public Fields {
+ public:
+  Call(lua_State* L, const Entry& entry);
+  const Entry& entry() const { return entry_; }
+  Session& session() const { return Session::of(L_); }
+  template <class T>
+  std::shared_ptr<T> self() const {
+    return to_object<T>(L_, 1);
+  }
+  int none() const { return 0; }
+
+ private:
+  const Entry& entry_;
+};
+
+// Throws Error unless the value at index is what the row says; warns on an unusual number.
+void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional);
+
+// Numbers of the table at index, which was checked before.
+std::vector<double> read_numbers(lua_State* L, int index);
+
+// Error unless the value at index is a table: "what: expected a table, got 5".
+void want_table(lua_State* L, int index, const std::string& what);
+
+}  // namespace fabricsh::script

@@ -1,0 +1,191 @@
+#include "script/show/peek.hpp"
+
+#include <set>
+
+#include "script/bind/run.hpp"
+#include "script/values/card_table.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+using Names = std::set<std::string>;
+
+constexpr int longest_chain = 20;  // of tables that stand in for one another by __index
+
+void add_keys(lua_State* L, int index, bool functions_only, Names& names) {
+  index = lua_absindex(L, index);
+  lua_pushnil(L);
+  while (lua_next(L, index) != 0) {
+    if (lua_type(L, -2) == LUA_TSTRING && (!functions_only || lua_isfunction(L, -1)))
+      names.insert(lua_tostring(L, -2));
+    lua_pop(L, 1);
+  }
+}
+
+// Pushes a table of the class of the object at index: "methods", "properties".
+bool push_part(lua_State* L, int index, const char* part) {
+  if (lua_getmetatable(L, index) == 0) return false;
+  lua_pushstring(L, part);
+  lua_rawget(L, -2);
+  lua_remove(L, -2);
+  if (lua_istable(L, -1)) return true;
+  lua_pop(L, 1);
+  return false;
+}
+
+// Replaces the table on top by the one that its metatable's __index names; false (and popped) at the end.
+bool go_up(lua_State* L) {
+  if (lua_getmetatable(L, -1) != 0) {
+    lua_pushliteral(L, "__index");
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+    lua_remove(L, -2);
+    if (lua_istable(L, -1)) return true;
+  }
+  lua_pop(L, 1);
+  return false;
+}
+
+// What stands in for the value: of a string the table of its methods.
+void push_stand_in(lua_State* L, int index) {
+  lua_pushvalue(L, index);
+  if (lua_type(L, -1) == LUA_TSTRING && !go_up(L)) lua_pushnil(L);
+}
+
+// Replaces the key on top by the raw field of the table (or what its __index tables have).
+void table_field(lua_State* L, int index) {
+  lua_pushvalue(L, index);
+  for (int i = 0; i < longest_chain; ++i) {
+    lua_pushvalue(L, -2);
+    if (lua_rawget(L, -2) != LUA_TNIL) {
+      lua_replace(L, -3);
+      lua_pop(L, 1);
+      return;
+    }
+    lua_pop(L, 1);
+    if (!go_up(L)) {
+      lua_pop(L, 1);
+      lua_pushnil(L);
+      return;
+    }
+  }
+  lua_pop(L, 2);
+  lua_pushnil(L);
+}
+
+// Calls the program's own property of an object; its function is on top of the stack.
+void read_property(lua_State* L, int index) {
+  if (entry_of(L, -1) == nullptr) {
+    lua_pop(L, 1);
+    return lua_pushnil(L);
+  }
+  lua_pushvalue(L, index);
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK) return;
+  lua_pop(L, 1);
+  lua_pushnil(L);
+}
+
+bool part_field(lua_State* L, int index, const char* part, const std::string& key) {
+  if (!push_part(L, index, part)) return false;
+  lua_pushstring(L, key.c_str());
+  lua_rawget(L, -2);
+  lua_remove(L, -2);
+  if (!lua_isnil(L, -1)) return true;
+  lua_pop(L, 1);
+  return false;
+}
+
+void object_field(lua_State* L, int index, const std::string& key) {
+  if (part_field(L, index, "properties", key)) return read_property(L, index);
+  if (const auto card = to_object<card::Card>(L, index)) {
+    push_card_table(L, *card);
+    lua_pushstring(L, key.c_str());
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+    if (!lua_isnil(L, -1)) return;
+    lua_pop(L, 1);
+  }
+  if (!part_field(L, index, "methods", key)) lua_pushnil(L);
+}
+
+void table_names(lua_State* L, int index, bool methods, Names& names) {
+  push_stand_in(L, index);
+  if (!lua_istable(L, -1)) return lua_pop(L, 1);
+  for (int i = 0; i < longest_chain; ++i) {
+    add_keys(L, -1, methods, names);
+    if (!go_up(L)) return;
+  }
+  lua_pop(L, 1);
+}
+
+void object_names(lua_State* L, int index, bool methods, Names& names) {
+  if (push_part(L, index, methods ? "methods" : "properties")) {
+    add_keys(L, -1, false, names);
+    lua_pop(L, 1);
+  }
+  const auto card = methods ? nullptr : to_object<card::Card>(L, index);
+  if (card == nullptr) return;
+  push_card_table(L, *card);
+  add_keys(L, -1, false, names);
+  lua_pop(L, 1);
+}
+
+}  // namespace
+
+std::string class_of(lua_State* L, int index) {
+  if (lua_type(L, index) != LUA_TUSERDATA || lua_getmetatable(L, index) == 0) return {};
+  std::string name;
+  lua_pushliteral(L, "__name");
+  if (lua_rawget(L, -2) == LUA_TSTRING) name = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  luaL_getmetatable(L, class_key(name).c_str());
+  const bool own = lua_rawequal(L, -1, -2) != 0;
+  lua_pop(L, 2);
+  return own ? name : std::string();
+}
+
+void peek_field(lua_State* L, int index, const std::string& key) {
+  index = lua_absindex(L, index);
+  luaL_checkstack(L, 10, "peek");
+  if (!class_of(L, index).empty()) return object_field(L, index, key);
+  push_stand_in(L, index);
+  if (!lua_istable(L, -1)) {
+    lua_pop(L, 1);
+    return lua_pushnil(L);
+  }
+  lua_pushstring(L, key.c_str());
+  table_field(L, -2);
+  lua_remove(L, -2);
+}
+
+void peek_item(lua_State* L, int index, lua_Integer number) {
+  if (lua_istable(L, index))
+    lua_rawgeti(L, index, number);
+  else
+    lua_pushnil(L);
+}
+
+std::vector<std::string> names_in(lua_State* L, int index, bool methods) {
+  index = lua_absindex(L, index);
+  luaL_checkstack(L, 10, "peek");
+  Names names;
+  if (class_of(L, index).empty())
+    table_names(L, index, methods, names);
+  else
+    object_names(L, index, methods, names);
+  return {names.begin(), names.end()};
+}
+
+std::vector<std::string> sets_of(lua_State* L, int index) {
+  std::vector<std::string> names;
+  const auto add = [&names](const mesh::Mesh& mesh) {
+    for (const auto& [name, nodes] : mesh.sets) names.push_back(name);
+  };
+  if (const auto mesh = to_object<mesh::Mesh>(L, index)) add(*mesh);
+  if (const auto model = to_object<model::Model>(L, index)) add(model->mesh());
+  if (const auto run = to_object<Run>(L, index)) add(run->analysis->model().mesh());
+  return names;
+}
+
+}  // namespace fabricsh::script

@@ -1,0 +1,13 @@
+// What a model's bodies are made of, as fabric.model is told: one mesh, or several with names, each with a
+// card or plies, and with regions of another card.
+#pragma once
+#include <vector>
+
+#include "script/call/call.hpp"
+
+namespace fabricsh::script {
+
+std::vector<Argument> model_rows();  // of fabric.model
+int make_model(Call& call);          // pushes the model
+
+}  // namespace fabricsh::script

@@ -1,0 +1,383 @@
+// A card as tables of Lua: a plain one that is the reader's own, and the one behind card.warp.poisson, which
+// is made once per card and which nobody can change.
+#include "script/values/card_table.hpp"
+
+#include <cstring>
+
+#include "card/fields.hpp"
+#include "law/provenance.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/call/words.hpp"
+#include "script/values/card_rows.hpp"
+
+namespace fabricsh::script {
+
+using card::Card;
+using card::Field;
+using card::FieldTable;
+using card::Holds;
+using card::Points;
+using card::Value;
+
+namespace {
+
+// --- plain tables ---
+
+void push_points(lua_State* L, const double* xy, lua_Integer n) {
+  lua_createtable(L, static_cast<int>(n), 0);
+  for (lua_Integer i = 0; i < n; ++i) {
+    push_numbers(L, {xy[2 * i], xy[2 * i + 1]});
+    lua_rawseti(L, -2, i + 1);
+  }
+}
+
+const double* flat(const Points& points) {
+  static_assert(sizeof(Points::value_type) == 2 * sizeof(double));
+  return &points.front().first;
+}
+
+void push_plain(lua_State* L, const Value& value) {
+  if (const auto* x = std::get_if<double>(&value)) return lua_pushnumber(L, *x);
+  if (const auto* flag = std::get_if<bool>(&value)) return lua_pushboolean(L, *flag);
+  if (const auto* many = std::get_if<std::vector<double>>(&value)) return push_numbers(L, *many);
+  if (const auto* points = std::get_if<Points>(&value))
+    return push_points(L, flat(*points), static_cast<lua_Integer>(points->size()));
+  if (const auto* words = std::get_if<std::string>(&value))
+    lua_pushlstring(L, words->data(), words->size());
+  else
+    lua_pushnil(L);
+}
+
+void push_plain(lua_State* L, const FieldTable& table, const Card& card) {
+  luaL_checkstack(L, 10, "card");
+  lua_newtable(L);
+  for (const Field& field : table) {
+    if (field.holds == Holds::group && field.there(card))
+      push_plain(L, field.rows, card);
+    else
+      push_plain(L, field.get ? field.get(card) : Value());
+    lua_setfield(L, -2, field.name.c_str());
+  }
+}
+
+// --- parts ---
+//
+// What a deck gets for card.warp is a table that is empty as long as it is only read: its metatable leads to
+// what lies behind the card, tables made once (a block of numbers for points) that no deck ever holds.
+// Written to, it becomes a plain table with a copy of all of it, and the card forgets it: the next read gives
+// another one.
+
+char shown_key;  // in the metatable of a part: what it shows
+char card_key;   // the card
+char name_key;   // the card's field that the part belongs to
+
+// Leaves what the part at index shows on the stack; nothing where it is no part.
+bool push_shown(lua_State* L, int index) {
+  if (lua_type(L, index) != LUA_TTABLE || lua_getmetatable(L, index) == 0) return false;
+  const bool part = lua_rawgetp(L, -1, &shown_key) != LUA_TNIL;
+  lua_remove(L, -2);
+  if (!part) lua_pop(L, 1);
+  return part;
+}
+
+// Puts a part in the place of a metatable on top of the stack; other values stay.
+void make_part(lua_State* L) {
+  if (lua_type(L, -1) != LUA_TTABLE) return;
+  lua_newtable(L);
+  lua_insert(L, -2);
+  lua_setmetatable(L, -2);
+}
+
+// Number of points in the block at index.
+lua_Integer points_in(lua_State* L, int index) {
+  return static_cast<lua_Integer>(lua_rawlen(L, index) / (2 * sizeof(double)));
+}
+
+// Pushes entry i of the block at index.
+void push_point(lua_State* L, int index, lua_Integer i) {
+  const auto* xy = static_cast<const double*>(lua_touserdata(L, index));
+  push_numbers(L, {xy[2 * i - 2], xy[2 * i - 1]});
+}
+
+void make_own(lua_State* L, int index);
+
+// Upvalue: what is shown. A table in a part stays with it once it was read, so that what is written into it
+// is found again; a pair of points is a plain table that may be written to unseen, so that whoever reads one
+// gets them all.
+int part_index(lua_State* L) {
+  constexpr int shown = lua_upvalueindex(1);
+  lua_settop(L, 2);
+  if (lua_type(L, shown) != LUA_TTABLE) {
+    make_own(L, 1);
+    lua_rawget(L, 1);
+    return 1;
+  }
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, shown) != LUA_TTABLE) return 1;
+  make_part(L);
+  lua_pushvalue(L, 2);
+  lua_pushvalue(L, -2);
+  lua_rawset(L, 1);
+  return 1;
+}
+
+int part_length(lua_State* L) {
+  constexpr int shown = lua_upvalueindex(1);
+  const bool points = lua_type(L, shown) == LUA_TUSERDATA;
+  lua_pushinteger(L, points ? points_in(L, shown) : static_cast<lua_Integer>(lua_rawlen(L, shown)));
+  return 1;
+}
+
+// Fills the table at `to`, which has no metatable, with what is shown at `shown` and is not in it yet.
+void copy_shown(lua_State* L, int shown, int to) {
+  luaL_checkstack(L, 8, "card");
+  const bool points = lua_type(L, shown) == LUA_TUSERDATA;
+  for (lua_Integer i = 1; points && i <= points_in(L, shown); ++i) {
+    if (lua_rawgeti(L, to, i) == LUA_TNIL) {
+      push_point(L, shown, i);
+      lua_rawseti(L, to, i);
+    }
+    lua_pop(L, 1);
+  }
+  if (points) return;
+  for (lua_pushnil(L); lua_next(L, shown) != 0; lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    if (lua_rawget(L, to) == LUA_TNIL) {
+      lua_pushvalue(L, -3);
+      lua_pushvalue(L, -3);
+      make_part(L);
+      lua_rawset(L, to);
+    }
+    lua_pop(L, 1);
+  }
+}
+
+// With the metatable of a part on top of the stack: the card hands out another one from now on.
+void forget_part(lua_State* L) {
+  luaL_checkstack(L, 6, "card");
+  const int top = lua_gettop(L);
+  lua_rawgetp(L, top, &card_key);
+  lua_getiuservalue(L, -1, 1);
+  lua_rawgetp(L, top, &name_key);
+  lua_rawgeti(L, -2, 1);
+  lua_pushvalue(L, -2);
+  lua_rawget(L, -2);
+  lua_remove(L, -2);
+  lua_rawset(L, -3);
+  lua_settop(L, top);
+}
+
+// The table at index, a part so far, becomes the deck's own.
+void make_own(lua_State* L, int index) {
+  luaL_checkstack(L, 8, "card");
+  lua_getmetatable(L, index);
+  forget_part(L);
+  lua_rawgetp(L, -1, &card_key);
+  remember_part(L, index, lua_gettop(L));
+  lua_rawgetp(L, -2, &shown_key);
+  lua_pushnil(L);
+  lua_setmetatable(L, index);
+  copy_shown(L, lua_gettop(L), index);
+  lua_pop(L, 3);
+}
+
+int part_newindex(lua_State* L) {
+  lua_settop(L, 3);
+  make_own(L, 1);
+  lua_rawset(L, 1);
+  return 0;
+}
+
+// pairs, next, rawget, rawlen and rawset of a part: it is a table of the deck's own first.
+int part_pairs(lua_State* L) {
+  make_own(L, 1);
+  lua_getglobal(L, "next");
+  lua_pushvalue(L, 1);
+  lua_pushnil(L);
+  return 3;
+}
+
+int on_own(lua_State* L) {
+  if (push_shown(L, 1)) {
+    lua_pop(L, 1);
+    make_own(L, 1);
+  }
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+// Replaces what is on top of the stack, a table or a block of points, by the metatable of its parts. The card
+// is at 1; name: of its field.
+void make_metatable(lua_State* L, const std::string& name) {
+  const int shown = lua_gettop(L);
+  lua_createtable(L, 0, 7);
+  const std::pair<const char*, lua_CFunction> functions[] = {{"__index", part_index}, {"__len", part_length}};
+  for (const auto& [event, f] : functions) {
+    lua_pushvalue(L, shown);
+    lua_pushcclosure(L, f, 1);
+    lua_setfield(L, -2, event);
+  }
+  lua_pushcfunction(L, part_newindex);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushcfunction(L, part_pairs);
+  lua_setfield(L, -2, "__pairs");
+  lua_pushboolean(L, false);
+  lua_setfield(L, -2, "__metatable");
+  lua_pushvalue(L, shown);
+  lua_rawsetp(L, -2, &shown_key);
+  lua_pushvalue(L, 1);
+  lua_rawsetp(L, -2, &card_key);
+  lua_pushlstring(L, name.data(), name.size());
+  lua_rawsetp(L, -2, &name_key);
+  lua_replace(L, shown);
+}
+
+void push_shown(lua_State* L, const FieldTable& table, const Card& card, const std::string& top);
+
+// The field's value, lists and groups as metatables. top: the card's field that it belongs to.
+void push_field(lua_State* L, const Field& field, const Card& card, const std::string& top) {
+  if (field.holds == Holds::group) {
+    if (!field.there(card)) return lua_pushnil(L);
+    push_shown(L, field.rows, card, top);
+    return make_metatable(L, top);
+  }
+  const Value value = field.get ? field.get(card) : Value();
+  if (const auto* points = std::get_if<Points>(&value)) {
+    const std::size_t size = points->size() * sizeof(Points::value_type);
+    std::memcpy(lua_newuserdatauv(L, size, 0), flat(*points), size);
+    return make_metatable(L, top);
+  }
+  push_plain(L, value);
+  if (lua_istable(L, -1)) make_metatable(L, top);
+}
+
+void push_shown(lua_State* L, const FieldTable& table, const Card& card, const std::string& top) {
+  luaL_checkstack(L, 12, "card");
+  lua_createtable(L, 0, static_cast<int>(table.size()) + 2);
+  for (const Field& field : table) {
+    push_field(L, field, card, top.empty() ? field.name : top);
+    lua_setfield(L, -2, field.name.c_str());
+  }
+}
+
+// Kind, and the source without what is told of its fields, which has a table of its own.
+void set_origins(lua_State* L, const Card& card) {
+  set_text(L, "kind", card::kind(card));
+  set_text(L, "source", law::without_provenance(card.source));
+  const auto provenance = law::provenance_of(card.source);
+  if (provenance.empty()) return;
+  lua_newtable(L);
+  for (const auto& [field, words] : provenance) set_text(L, field.c_str(), words);
+  lua_setfield(L, -2, "provenance");
+}
+
+// What lies behind the card at 1: its fields, and for those that it does not have a mark that they are known.
+void push_card(lua_State* L, const Card& card) {
+  const FieldTable& table = card::fields(card);
+  push_shown(L, table, card, "");
+  set_origins(L, card);
+  if (lua_getfield(L, -1, "provenance") == LUA_TTABLE) {
+    make_metatable(L, "provenance");
+    lua_pushvalue(L, -1);
+    lua_setfield(L, -3, "provenance");
+  }
+  lua_pop(L, 1);
+  const auto mark = [L](const char* name) {
+    if (lua_getfield(L, -1, name) == LUA_TNIL) {
+      lua_pushlightuserdata(L, &shown_key);
+      lua_setfield(L, -3, name);
+    }
+    lua_pop(L, 1);
+  };
+  mark("provenance");
+  for (const Field& field : table) mark(field.name.c_str());
+  // The metatables by name, for when a part is forgotten.
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, -3) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+  lua_rawseti(L, -2, 1);
+}
+
+// Puts the part that the card holds, or a new one, in the place of its metatable on top of the stack; its
+// name is at 2, what lies behind the card below.
+void hold_part(lua_State* L) {
+  const bool fresh = lua_rawgetp(L, -1, &shown_key) != LUA_TNIL;
+  lua_pop(L, 1);
+  if (!fresh) return;
+  make_part(L);
+  lua_pushvalue(L, 2);
+  lua_pushvalue(L, -2);
+  lua_rawset(L, -4);
+}
+
+}  // namespace
+
+void push_card_table(lua_State* L, const Card& card) {
+  push_plain(L, card::fields(card), card);
+  set_origins(L, card);
+}
+
+bool push_card_field(lua_State* L, const Card* (*card_at)(lua_State*, int)) {
+  if (lua_type(L, 1) != LUA_TUSERDATA || lua_getiuservalue(L, 1, 1) != LUA_TTABLE) {
+    const Card* card = card_at(L, 1);
+    if (card == nullptr) return luaL_error(L, "expected a card, got %s", luaL_typename(L, 1)) != 0;
+    lua_settop(L, 2);
+    push_card(L, *card);
+    lua_pushvalue(L, -1);
+    lua_setiuservalue(L, 1, 1);
+  }
+  lua_pushvalue(L, 2);
+  const int type = lua_rawget(L, -2);
+  if (type == LUA_TLIGHTUSERDATA) lua_pushnil(L);
+  if (type == LUA_TTABLE) hold_part(L);
+  return type != LUA_TNIL;
+}
+
+void remember_part(lua_State* L, int part, int card) {
+  if (luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key) == 0) {
+    lua_createtable(L, 0, 1);
+    lua_pushstring(L, "k");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+  }
+  lua_pushvalue(L, part);
+  lua_pushvalue(L, card);
+  lua_rawset(L, -3);
+  lua_pop(L, 1);
+}
+
+void push_card_of(lua_State* L, int part) {
+  if (push_shown(L, part)) {
+    lua_pop(L, 1);
+    lua_getmetatable(L, part);
+    lua_rawgetp(L, -1, &card_key);
+  } else {
+    luaL_getsubtable(L, LUA_REGISTRYINDEX, parts_key);
+    lua_pushvalue(L, part);
+    lua_rawget(L, -2);
+  }
+  lua_remove(L, -2);
+}
+
+void make_plain(lua_State* L) {
+  const int top = lua_gettop(L);
+  if (!push_shown(L, top)) return;
+  lua_pop(L, 1);
+  make_own(L, top);
+  for (lua_pushnil(L); lua_next(L, top) != 0; lua_pop(L, 1)) make_plain(L);
+}
+
+void know_parts(lua_State* L) {
+  for (const char* name : {"next", "rawget", "rawlen", "rawset"}) {
+    lua_getglobal(L, name);
+    lua_pushcclosure(L, on_own, 1);
+    lua_setglobal(L, name);
+  }
+}
+
+}  // namespace fabricsh::script
