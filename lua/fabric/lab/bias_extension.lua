@@ -4,6 +4,7 @@
 --      /\/\/\        squares on their tips, halved at the rim;   warp at 45 degrees from x, pull along y,
 --      \/\/\/        `cells` of them across the width            both ends clamped
 --      /\/\/\
+local curves = require "fabric.columns"
 local fabric = require "fabric"
 local define = require "fabric.define"
 
@@ -55,7 +56,7 @@ local function run(t)
   model:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x")
   model:move("top", { y = fabric.ramp(t.displacement, 1) })
   local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, tolerance = t.tolerance }
-  local curve = {}
+  local curve = curves.made()
   a:every(1 / t.steps, function() -- at equal displacements, whatever steps had to be cut
     local _, force = a:reaction "top"
     local d = a.time * t.displacement

@@ -5,6 +5,7 @@
 --         |  /   \  |
 --      T1 v |     | v T2
 local define = require "fabric.define"
+local curves = require "fabric.columns"
 local fabric = require "fabric"
 
 -- Facets that touch the cylinder's surface where contact begins: corners a little outside, leads along the tangents.
@@ -46,7 +47,7 @@ local function run(t)
   model:force("left", { x = fabric.history { { 0, 0 }, { 1, -t.tension * t.width } } }, { frame = { first, { 0, 1, 0 } } })
   model:move("right", { x = fabric.history { { 0, 0 }, { 1, 0 }, { 2, t.draw * length } } }, { frame = { last, { 0, 1, 0 } } })
   local a = fabric.static { model = model, duration = 2, step = t.step, max_cuts = 20 }
-  local curve = {}
+  local curve = curves.made()
   a:every("step", function(r)
     local x, _, z = r:reaction "right"
     curve[#curve + 1] = { time = r.time, drawn = math.max(0, r.time - 1) * t.draw * length,

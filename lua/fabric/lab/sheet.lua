@@ -1,4 +1,5 @@
 -- What the virtual tests share: the path that is driven, the curve and its files, and stress in a direction.
+local curves = require "fabric.columns"
 local fabric = require "fabric"
 local sheet = {}
 
@@ -74,7 +75,7 @@ end
 -- Keeps reading(a) of every step, or every so many seconds; with a folder, in curve.csv and a VTK series named `stem` too.
 -- Returns the curve.
 function sheet.observe(a, names, out, stem, reading, every)
-  local curve, latest = {}, nil
+  local curve, latest = curves.made(), nil
   local function now()
     if not latest or latest.time ~= a.time then
       latest = reading(a)

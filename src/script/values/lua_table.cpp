@@ -55,10 +55,18 @@ class Packer {
   void put(Tag tag, T content) {
     out_(tag, content);
   }
+  // Curves and their columns (lua/fabric/columns.lua) are kept as the lists that they are.
+  bool is_plain(int index) const {
+    if (lua_getmetatable(L_, index) == 0) return true;
+    const bool named = lua_getfield(L_, -1, "__name") == LUA_TSTRING;
+    const std::string kind = named ? lua_tostring(L_, -1) : "";
+    lua_pop(L_, 2);
+    return kind == "fabric.curve" || kind == "fabric.column";
+  }
   void table(int index, const std::string& name) {
     const auto [known, fresh] = ids_.try_emplace(lua_topointer(L_, index), ids_.size());
     if (!fresh) return put(Tag::known, known->second);
-    if (lua_getmetatable(L_, index) != 0)
+    if (!is_plain(index))
       throw Error("field '" + name + "': expected a plain table, got one with a metatable");
     if (++depth_ > kDeepest) throw Error("field '" + name + "': tables lie too deep in one another");
     luaL_checkstack(L_, 8, "keep");

@@ -1,0 +1,269 @@
+-- fabric.columns: rows of a test, or lists of equal length, as columns that can be calculated with; fabric.show: such rows as a table.
+local define = require "fabric.define"
+local fail = define.fail
+
+local Column, Curve = {}, {}  -- methods
+local column_kind, curve_kind = { __name = "fabric.column" }, { __name = "fabric.curve" }
+
+local function column(values) return setmetatable(values, column_kind) end
+
+-- The operand at each place: a number is the same everywhere, a list has one for each.
+local function operand(value, count, sign)
+  if type(value) == "number" then return function() return value end end
+  if type(value) ~= "table" then fail(("column %s: expected a number or a list of numbers, got %s"):format(sign, type(value))) end
+  if #value ~= count then fail(("column %s: expected lists of equal length, got %d and %d numbers"):format(sign, count, #value)) end
+  return function(i)
+    if type(value[i]) ~= "number" then fail(("column %s: expected numbers, got %s at place %d"):format(sign, tostring(value[i]), i)) end
+    return value[i]
+  end
+end
+
+local function operator(sign, calculate)
+  return function(a, b)
+    local count = type(a) == "table" and #a or #b
+    local left, right, out = operand(a, count, sign), operand(b, count, sign), {}
+    for i = 1, count do out[i] = calculate(left(i), right(i)) end
+    return column(out)
+  end
+end
+
+column_kind.__index = Column
+column_kind.__metatable = "fabric.column"
+column_kind.__add = operator("+", function(a, b) return a + b end)
+column_kind.__sub = operator("-", function(a, b) return a - b end)
+column_kind.__mul = operator("*", function(a, b) return a * b end)
+column_kind.__div = operator("/", function(a, b) return a / b end)
+column_kind.__pow = operator("^", function(a, b) return a ^ b end)
+function column_kind.__unm(a) return a * -1 end
+
+-- The first extreme number and its place; gaps (nan) are passed over.
+local function extreme(values, better, name)
+  local best, place
+  for i, value in ipairs(values) do
+    if value == value and (not best or better(value, best)) then best, place = value, i end
+  end
+  if not best then fail(name .. ": expected at least one number, the column has none") end
+  return best, place
+end
+
+function Column:max() return extreme(self, function(a, b) return a > b end, "column:max") end
+function Column:min() return extreme(self, function(a, b) return a < b end, "column:min") end
+
+function Column:sum()
+  local total = 0
+  for _, value in ipairs(self) do total = total + value end
+  return total
+end
+
+function Column:mean()
+  if #self == 0 then fail "column:mean: expected at least one number, the column has none" end
+  return self:sum() / #self
+end
+
+function Column:map(change)
+  if type(change) ~= "function" then fail("column:map: expected a function of a number, got " .. type(change)) end
+  local out = {}
+  for i, value in ipairs(self) do out[i] = change(value, i) end
+  return column(out)
+end
+
+local function names_of(rows)
+  local names = {}
+  for name, value in pairs(rows[1] or {}) do
+    if type(name) == "string" and type(value) == "number" then names[#names + 1] = name end
+  end
+  table.sort(names)
+  return names
+end
+
+local function named(rows, name)
+  local out = {}
+  for i = 1, #rows do
+    local value = rawget(rows[i], name)
+    if type(value) ~= "number" then
+      fail(("columns: expected a number %s in each row, row %d of %d has %s; the columns are %s"):format(tostring(name), i, #rows,
+        value == nil and "none" or tostring(value), table.concat(names_of(rows), ", ")))
+    end
+    out[i] = value
+  end
+  return column(out)
+end
+
+function Curve:column(name) return named(self, name) end
+function Curve:names() return names_of(self) end
+
+function Curve:map(change)
+  if type(change) ~= "function" then fail("curve:map: expected a function of a row, got " .. type(change)) end
+  local out = {}
+  for i = 1, #self do out[i] = change(self[i], i) end
+  return column(out)
+end
+
+-- y where x first passes the value, on the straight line between two rows; nil where it never does.
+function Curve:interpolate(y, x, value)
+  if type(value) ~= "number" then
+    fail(("curve:interpolate: expected two names and a number, as in curve:interpolate('S', 'E', 0.1), got %s"):format(tostring(value)))
+  end
+  local xs, ys = named(self, x), named(self, y)
+  for i = 1, #xs do
+    if xs[i] == value then return ys[i] end
+    local before = i > 1 and xs[i - 1]
+    if before and (before - value) * (xs[i] - value) < 0 then
+      return ys[i - 1] + (ys[i] - ys[i - 1]) * (value - before) / (xs[i] - before)
+    end
+  end
+end
+
+function Curve:max(name)
+  local value, place = named(self, name):max()
+  return value, self[place]
+end
+
+function Curve:min(name)
+  local value, place = named(self, name):min()
+  return value, self[place]
+end
+
+-- curve.S is a column; a column that has the name of a method is had by curve:column.
+function curve_kind.__index(rows, name)
+  if Curve[name] then return Curve[name] end
+  if type(name) ~= "string" or not rawget(rows, 1) or rawget(rows[1], name) == nil then return nil end
+  return named(rows, name)
+end
+curve_kind.__metatable = "fabric.curve"
+
+-- Lists {E={...}, S={...}} as rows.
+local function rows_of_lists(lists)
+  local count, first
+  for name, values in pairs(lists) do
+    if type(name) ~= "string" or type(values) ~= "table" then
+      fail("columns: expected a list of rows, or a table of lists with names, got an entry " .. tostring(name) .. " = " .. tostring(values))
+    end
+    if count and #values ~= count then
+      fail(("columns: expected lists of equal length, got %d numbers in %s and %d in %s"):format(count, first, #values, name))
+    end
+    count, first = count or #values, first or name
+  end
+  if count == 0 then fail "columns: expected at least one row, got empty lists" end
+  local rows = {}
+  for i = 1, count or 0 do
+    rows[i] = {}
+    for name, values in pairs(lists) do rows[i][name] = values[i] end
+  end
+  return rows
+end
+
+-- Columns as fabric.table reads them from a file: {name=, unit=, values=}.
+local function rows_of_columns(columns)
+  local lists = {}
+  for _, each in ipairs(columns) do lists[each.name] = each.values end
+  return rows_of_lists(lists)
+end
+
+local function columns_of(rows)
+  if getmetatable(rows) == "fabric.curve" then return rows end
+  if getmetatable(rows) ~= nil then rows = table.move(rows, 1, #rows, 1, {}) end -- a result that has a name of its own
+  if next(rows) == nil then fail "columns: expected at least one row, got an empty table" end
+  if type(rows[1]) ~= "table" then return setmetatable(rows_of_lists(rows), curve_kind) end
+  if type(rows[1].values) == "table" and rows[1].name then return setmetatable(rows_of_columns(rows), curve_kind) end
+  for i = 1, #rows do
+    if type(rows[i]) ~= "table" then fail(("columns: expected a table in each row, row %d is %s"):format(i, tostring(rows[i]))) end
+  end
+  return setmetatable(rows, curve_kind)
+end
+
+define {
+  name = "fabric.columns",
+  positional = true,
+  arguments = { { name = "rows", kind = "table", sentence = "of a test, a record, or a fabric.table; or lists of equal length with names" } },
+  sentence = "Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), "
+    .. ":map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1, curve:map(f) a column of f(row).",
+  example = "local c = require 'fabric'.columns{ E={0, 0.1, 0.2}, S={0, 1e6, 3e6} }\n"
+    .. "assert((c.S / 1e6):max() == 3 and c:interpolate('S', 'E', 0.15) == 2e6)",
+  run = columns_of,
+}
+
+local function cell(value)
+  if math.type(value) == "integer" then return tostring(value) end
+  if type(value) == "number" then return ("%.6g"):format(value) end
+  return value == nil and "" or tostring(value)
+end
+
+-- The rows to show: all, or those of the beginning and the end.
+local function places(count, most)
+  local out = {}
+  for i = 1, count do
+    if count <= most or i <= most - most // 2 or i > count - most // 2 then out[#out + 1] = i end
+  end
+  return out
+end
+
+local function every_name(rows)
+  local names, known = {}, {}
+  for _, row in ipairs(rows) do
+    for name in pairs(row) do
+      if not known[name] then
+        known[name] = true
+        names[#names + 1] = name
+      end
+    end
+  end
+  table.sort(names, function(a, b) return tostring(a) < tostring(b) end)
+  return names
+end
+
+local function chosen(options, rows)
+  local names = options and options.columns or every_name(rows)
+  for _, name in ipairs(names) do
+    local found = false
+    for _, row in ipairs(rows) do found = found or row[name] ~= nil end
+    if not found then
+      fail(("show: field 'options.columns': no row has '%s'; they have %s"):format(tostring(name), table.concat(every_name(rows), ", ")))
+    end
+  end
+  return names
+end
+
+local function show(rows, options)
+  rows = columns_of(rows)
+  local names = chosen(options, rows)
+  local lines, widths = { {} }, {}
+  for k, name in ipairs(names) do lines[1][k] = tostring(name) end
+  local last = 0
+  for _, i in ipairs(places(#rows, options and options.rows or 40)) do
+    if i ~= last + 1 then
+      lines[#lines + 1] = {}
+      for k in ipairs(names) do lines[#lines][k] = "..." end
+    end
+    lines[#lines + 1] = {}
+    for k, name in ipairs(names) do lines[#lines][k] = cell(rawget(rows[i], name)) end
+    last = i
+  end
+  for _, line in ipairs(lines) do
+    for k, word in ipairs(line) do widths[k] = math.max(widths[k] or 0, #word) end
+  end
+  for _, line in ipairs(lines) do
+    local words = {}
+    for k, word in ipairs(line) do words[k] = (" "):rep(widths[k] - #word) .. word end
+    print("  " .. table.concat(words, "  "))
+  end
+end
+
+define {
+  name = "fabric.show",
+  positional = true,
+  arguments = {
+    { name = "rows", kind = "table", sentence = "of a test, a record, or a fabric.table; or lists of equal length with names" },
+    { name = "options", kind = "fields", optional = true, sentence = "what to show", rows = {
+      { name = "rows", kind = "integer", low = 2, default = 40, sentence = "at most, from the beginning and the end" },
+      { name = "columns", kind = "table", optional = true, sentence = "names, in their order; default: all, by the alphabet" } } },
+  },
+  sentence = "Prints rows as a table under their names.",
+  example = "require 'fabric'.show({ {E=0, S=0}, {E=0.1, S=1.5e6} }, { columns={'E', 'S'} })",
+  run = show,
+}
+
+-- An empty curve, whose rows are still to come.
+local function made() return setmetatable({}, curve_kind) end
+
+return { made = made }

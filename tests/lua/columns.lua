@@ -1,0 +1,80 @@
+-- Columns of a curve are calculated with; fabric.show prints rows as a table.
+local fabric = require "fabric"
+local MPa = fabric.units.MPa
+
+-- a parabola S = E^2, by rows and by lists
+local rows, lists = {}, { E = {}, S = {} }
+for i = 1, 11 do
+  local E = (i - 1) / 10
+  rows[i] = { E = E, S = E ^ 2 }
+  lists.E[i], lists.S[i] = E, E ^ 2
+end
+for _, c in ipairs { fabric.columns(rows), fabric.columns(lists) } do
+  assert(#c == 11 and #c.S == 11 and c.E[3] == 0.2 and c[3].E == 0.2)
+  assert(table.concat(c:names(), " ") == "E S" and c.nothing == nil)
+  local off = c.S - c.E ^ 2
+  assert(off:max() == 0 and off:min() == 0)
+  local other = (2 * c.S + c.E / 2 - 1) * -1
+  assert(other[11] == -1.5 and (-other)[11] == 1.5)
+  assert(math.abs(c.S:sum() - 3.85) < 1e-12 and math.abs(c.S:mean() - 0.35) < 1e-12)
+  local top, row = c:max "S"
+  assert(top == 1 and row.E == 1)
+  local value, place = c.S:min()
+  assert(value == 0 and place == 1)
+  assert(math.abs(c:interpolate("S", "E", 0.25) - 0.065) < 1e-15 and c:interpolate("S", "E", 0.3) == c.S[4])
+  assert(c:interpolate("S", "E", 1.5) == nil)
+  assert(c:map(function(r) return r.S / 2 end)[11] == 0.5 and c.E:map(math.sqrt)[11] == 1)
+end
+assert(fabric.columns(rows) == rows, "the rows themselves become a curve")
+assert(fabric.columns { E = { 0, 0 / 0, 2 } }.E:max() == 2, "a gap is passed over")
+
+-- a curve that has a column with the name of a method
+local odd = fabric.columns { { max = 1, E = 0 }, { max = 3, E = 1 } }
+assert(odd:column("max"):max() == 3 and odd:max "E" == 1)
+
+-- the curve of a virtual test, and a file's columns
+local r = fabric.lab.uniaxial { card = fabric.card "blend", displacement = 0.002, cells = { 1, 3 }, steps = 4 }
+assert((r.curve.S / MPa):max() == r.curve.S:max() / MPa and r.curve:max "force" == r.curve.force:max())
+local path = os.tmpname()
+local file = assert(io.open(path, "w"))
+file:write "time (s),force (N)\n0,0\n1,2.5\n2,5\n"
+file:close()
+local read = fabric.columns(fabric.table { file = path })
+os.remove(path)
+assert(read:interpolate("force", "time", 1.5) == 3.75)
+
+-- as a table, the middle of a long one left out
+local lines, print_ = {}, print
+print = function(text) lines[#lines + 1] = text end -- luacheck: ignore
+fabric.show(rows, { rows = 4, columns = { "S", "E" } })
+fabric.show { { name = "blend", E = 1 }, { name = "duck" } }
+print = print_ -- luacheck: ignore
+assert(table.concat(lines, "\n") == [[
+     S    E
+     0    0
+  0.01  0.1
+   ...  ...
+  0.81  0.9
+     1    1
+  E   name
+  1  blend
+      duck]], table.concat(lines, "\n"))
+
+-- what cannot be
+local function refused(words, call)
+  local ok, message = pcall(call)
+  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
+end
+local c = fabric.columns(rows)
+refused("column +: expected lists of equal length, got 11 and 2 numbers", function() return c.S + { 1, 2 } end)
+refused("column /: expected a number or a list of numbers, got string", function() return c.S / "MPa" end)
+refused("columns: expected a number Q in each row, row 1 of 11 has none; the columns are E, S", function() return c:max "Q" end)
+refused("column:map: expected a function of a number, got nil", function() return c.S:map() end)
+refused("curve:map: expected a function of a row, got number", function() return c:map(3) end)
+refused("curve:interpolate: expected two names and a number", function() return c:interpolate("S", "E") end)
+refused("columns: expected lists of equal length", function() return fabric.columns { E = { 1 }, S = { 1, 2 } } end)
+refused("columns: expected at least one row", function() return fabric.columns {} end)
+refused("columns: expected a table in each row, row 2 is 5", function() return fabric.columns { { E = 1 }, 5 } end)
+refused("column:max: expected at least one number", function() return fabric.columns { E = { 0 / 0 } }.E:max() end)
+refused("columns: expected at least one row, got empty lists", function() return fabric.columns { E = {} } end)
+refused("show: field 'options.columns': no row has 'Q'", function() fabric.show(rows, { columns = { "Q" } }) end)
