@@ -259,6 +259,11 @@ function fabric.cards() end
 ---@return boolean
 function fabric.checking() end
 
+---Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), :map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1, curve:map(f) a column of f(row).
+---@param rows table of a test, a record, or a fabric.table; or lists of equal length with names
+---@return any
+function fabric.columns(rows) end
+
 ---@class fabric_dynamic_fields.damping
 ---@field mass? number 1/s: a of the damping matrix a M + b K_M
 ---@field stiffness? number s: b of the damping matrix a M + b K_M
@@ -1515,6 +1520,16 @@ function fabric.rigid.sphere(fields) end
 ---@param fields fabric_rigid_surface_fields
 ---@return body
 function fabric.rigid.surface(fields) end
+
+---@class fabric_show_fields.options
+---@field rows? integer at most, from the beginning and the end (default 40)
+---@field columns? table names, in their order; default: all, by the alphabet
+
+---Prints rows as a table under their names.
+---@param rows table of a test, a record, or a fabric.table; or lists of equal length with names
+---@param options? fabric_show_fields.options what to show
+---@return any
+function fabric.show(rows, options) end
 
 ---@class fabric_static_fields
 ---@field model model what is computed
