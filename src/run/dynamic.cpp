@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/box.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/damping.hpp"
@@ -271,6 +273,17 @@ bool Dynamic::looks_after(std::int64_t steps, double time) const {
   return is_end(time) || (is_due(time) && steps >= now_.looked + kApart);
 }
 
+// J: an energy that nobody would call motion. Places are rounded to about 1e-16 of the cloth's size, a node
+// that is put right over one step gets a speed by it, and over many steps such speeds add up; here it is the
+// energy of all the mass at 1e5 times that speed, some um/s. A cloth that waits for a punch has no more.
+double energy_of_rounding(const mechanics::Assembly& assembly, double step) {
+  const auto& masses = assembly.nodal_mass();
+  const double mass = std::accumulate(masses.begin(), masses.end(), 0.0);
+  const double speed =
+      1e5 * std::numeric_limits<double>::epsilon() * box_of(assembly.reference()).size().norm() / step;
+  return mass * speed * speed / 2;
+}
+
 // What energy() has of it, without the rest.
 double Dynamic::moving_kinetic() const {
   const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
@@ -290,7 +303,9 @@ void Dynamic::check() {
   const Energy e = energy();
   weigh_inertia(e.kinetic, e.scaled);
   // A run begins with next to no work: an error is one of the run's only where it is of its largest energies.
-  const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal()});
+  // So that rounding is no error before anything moves, the scale is at least what rounding may stir up.
+  const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal(),
+                                 energy_of_rounding(*assembly_, now_.step) / kWarning});
   const double made = std::abs(e.surplus()) + e.created;
   // Supports that begin to move with a jump of their velocity do work that the trapezoid knows badly at
   // first.
@@ -338,7 +353,7 @@ double Dynamic::scaled_kinetic() const {
 
 void Dynamic::weigh_inertia(double kinetic, double scaled) {
   now_.kinetic = std::max(now_.kinetic, kinetic);
-  if (!(scaled > 0)) return;
+  if (!(scaled > 0) || kinetic <= energy_of_rounding(*assembly_, now_.step)) return;
   now_.scaled = std::max(now_.scaled, scaled / now_.kinetic);
   if (now_.told_scaled || now_.scaled <= kHeavy) return;
   now_.told_scaled = true;

@@ -65,3 +65,15 @@ assert(not talk:find("internal error", 1, true), talk)
 local long = ("x"):rep(300)
 says(fails(fabric.write, long, ""), "write: ")
 assert(not fails(fabric.write, long, ""):find("internal error", 1, true))
+
+-- A cloth that waits for its load moves by rounding alone: no error of the ledger, and nothing is said of its inertia.
+for _, scheme in ipairs { "explicit", "implicit" } do
+  local sleeve = fabric.mesh.cylinder { radius = 0.05, length = 0.1, around = 12, along = 4 }
+  local waiting = fabric.model { mesh = sleeve, card = fabric.card("muslin", { bending = "estimated" }), warp = { 0, 0, 1 } }
+  waiting:fix("bottom", "x y z"):move("top", { x = fabric.history { { 0, 0 }, { 0.01, 0 }, { 0.02, 1e-3 } } })
+  local run = fabric.dynamic { model = waiting, duration = 0.02, scheme = scheme, step = scheme == "implicit" and 2e-4 or nil }
+  run:advance(0.01)
+  assert(run.energy.kinetic < 1e-20, scheme)
+  run:solve()
+  assert(run.energy.error < 0.02, scheme .. run.energy.error)
+end
