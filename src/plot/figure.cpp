@@ -15,7 +15,7 @@ namespace fabricsh::plot {
 
 namespace {
 
-// Told apart by most colour-blind readers and in grey print.
+// These colours are distinguishable for most colour-blind readers and in grey print.
 constexpr std::array<const char*, 6> colours = {"#0072b2", "#d55e00", "#009e73",
                                                 "#cc79a7", "#e69f00", "#000000"};
 
@@ -27,7 +27,7 @@ std::string terminal(const std::string& path) {
   throw Error("figure: expected a file name that ends in .svg, .png or .pdf, got '" + path + "'");
 }
 
-// Bytes of the UTF-8 character that begins at `at`; 0: none begins there, or XML has no such character.
+// Length of the UTF-8 character at `at`; 0: invalid UTF-8, or a character that XML does not allow.
 std::size_t character(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) {
     return static_cast<unsigned char>(i < text.size() ? text[i] : '\0');
@@ -46,9 +46,9 @@ std::size_t character(const std::string& text, std::size_t at) {
   return too_long || no_character ? 0 : length;
 }
 
-// Between single quotes gnuplot takes every character for itself: no backslash, no command in backquotes, no
-// macro, no format. A single quote, doubled, would be the one exception, but some releases stumble over it at
-// the beginning; so that it is joined on between double quotes. What no reader of an SVG would take is
+// Between single quotes gnuplot interprets no character: no escapes, commands, macros or formats.
+// Only a single quote itself must be doubled, but some releases fail if a text begins with one;
+// so it is appended between double quotes instead. Characters that would make the SVG invalid are
 // replaced: control characters by blanks, bytes that are not UTF-8 by the replacement character.
 std::string quoted(const std::string& text) {
   std::string out = "'";
@@ -79,7 +79,7 @@ std::string with(CurveStyle style, bool letters) {
   }
 }
 
-// A number that is not finite leaves an empty line, which interrupts the curve.
+// A value that is not finite gives an empty line, which interrupts the curve.
 std::string block(std::size_t index, const Curve& curve) {
   std::string text = "$curve" + std::to_string(index) + " << END_OF_CURVE\n";
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -90,7 +90,7 @@ std::string block(std::size_t index, const Curve& curve) {
   return text + "END_OF_CURVE\n";
 }
 
-// In letters each line type has its own mark.
+// In text mode each line type has a different mark.
 std::string plot_item(std::size_t index, const Curve& curve, bool letters) {
   const std::string key = curve.label.empty() ? "notitle" : "title " + quoted(curve.label);
   const std::string look =
@@ -100,7 +100,7 @@ std::string plot_item(std::size_t index, const Curve& curve, bool letters) {
          key;
 }
 
-// Without blanks at the ends of lines, and without empty lines before the first.
+// Removes blanks at the ends of lines and empty lines at the beginning.
 std::string trimmed(const std::string& text) {
   std::string out;
   std::istringstream lines(text);
@@ -137,7 +137,7 @@ void check_curve(const Figure& f, const Curve& curve) {
               (logarithmic ? " and positive on the logarithmic axis" : ""));
 }
 
-// An axis without a range takes its own from the points inside the other's.
+// An axis without a given range is scaled by the points that lie within the range of the other axis.
 void check_ranges(const Figure& f) {
   for (const Curve& curve : f.curves)
     for (std::size_t i = 0; i < curve.x.size(); ++i)
@@ -163,7 +163,7 @@ std::string axis(const std::string& name, const Axis& a) {
          end(a.high) + "]\n" + (a.logarithmic ? "set logscale " + name + "\n" : "");
 }
 
-// All but the terminal and where it writes. In letters lines are told apart by their own marks.
+// Everything but the terminal and the output. In text mode lines are distinguished by their marks.
 std::string script_of(const Figure& f, bool letters) {
   check(f);
   std::string script = "set encoding utf8\nset title " + quoted(f.title) + "\n" + axis("x", f.x) +
@@ -178,8 +178,8 @@ std::string script_of(const Figure& f, bool letters) {
   return script + plot + "\n";
 }
 
-// XML wants the three characters that end a CDATA section escaped in any text; gnuplot, which makes no such
-// sections, leaves them as they are.
+// XML requires "]]>" to be escaped in any text; gnuplot
+// does not use CDATA sections and does not escape it.
 void escape_ends(std::string& svg) {
   for (std::size_t at = 0; (at = svg.find("]]>", at)) != std::string::npos;) svg.replace(at + 2, 1, "&gt;");
 }
@@ -193,7 +193,7 @@ void draw(const std::string& path, const Figure& figure) {
   system::write_file(path, drawn, system::Sync::no);
 }
 
-// The label of y, which letters can't turn, stands above the axis.
+// The label of y is placed above the axis, because text cannot be rotated in text mode.
 std::string drawn_in_letters(const Figure& figure, int columns, int lines) {
   Figure with_label = figure;
   if (!figure.y.label.empty()) with_label.title += (figure.title.empty() ? "" : ": ") + figure.y.label;

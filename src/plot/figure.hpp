@@ -1,4 +1,4 @@
-// Curves in a coordinate system as SVG, PNG, PDF or letters, drawn by gnuplot.
+// Curves in a coordinate system, drawn by gnuplot as SVG, PNG, PDF or text.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,14 +9,14 @@ namespace fabricsh::plot {
 enum class CurveStyle { line, dashed, points, line_points };
 
 struct Curve {
-  std::string label;         // in the key; empty: not in the key
-  std::vector<double> x, y;  // of one length; a value that is not finite interrupts the line
+  std::string label;         // for the legend; empty: no entry
+  std::vector<double> x, y;  // of equal length; a value that is not finite interrupts the line
   CurveStyle style = CurveStyle::line;
 };
 
 struct Axis {
   std::string label = {};
-  std::optional<double> low = {}, high = {};  // none: from the curves
+  std::optional<double> low = {}, high = {};  // empty: chosen from the curves
   bool logarithmic = false;
 };
 
@@ -26,12 +26,12 @@ struct Figure {
   std::vector<Curve> curves = {};
 };
 
-// Replaces the file; the ending of its name says the format. Text is taken as it is, no mark-up.
-// Error: another ending, no curve, x and y of different length, a curve without a point that can be drawn, no
-// point inside the range, gnuplot failing; NoGnuplot: it is not installed.
+// Replaces the file; its extension determines the format. Texts are not interpreted as markup.
+// Error: another extension, no curve, x and y of different lengths, a curve without a drawable
+// point, no point within the range, or a failure of gnuplot. NoGnuplot if it is not installed.
 void draw(const std::string& path, const Figure& figure);
 
-// The same in letters, for a terminal; columns x lines characters.
+// The figure as text for a terminal, columns x lines characters.
 std::string drawn_in_letters(const Figure& figure, int columns, int lines);
 
 }  // namespace fabricsh::plot

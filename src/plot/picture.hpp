@@ -1,5 +1,5 @@
-// A picture of sheets with a field on them: what is to be drawn. The drawing itself is the work of the
-// program fabricsh-render (room render), so that fabricsh starts without the rendering libraries.
+// Description of a picture of sheets with a field. The drawing is done by the program
+// fabricsh-render (room render), so that fabricsh starts without the rendering libraries.
 #pragma once
 #include <istream>
 #include <string>
@@ -9,31 +9,31 @@ namespace fabricsh::plot {
 
 struct Panel {
   std::string vtu;    // path of the file
-  std::string label;  // above the panel
+  std::string label;  // shown above the panel
 };
 
 struct Picture {
   std::string png;            // path of the file to write
-  std::vector<Panel> panels;  // side by side, in `columns` columns
-  int columns = 0;            // 0: as many as fit the picture's shape
+  std::vector<Panel> panels;  // arranged in `columns` columns
+  int columns = 0;            // 0: chosen by the shape of the picture
   std::string title;
   std::string array,
-      component;      // of cells, else of points; without a component its magnitude; empty: no field
-  double factor = 1;  // the bar shows factor times the value
+      component;      // field of cells, else of points; without a component its magnitude; empty: none
+  double factor = 1;  // the colour bar shows factor times the value
   std::string bar;    // title of the colour bar, with the unit
   bool fixed_range = false;
-  double low = 0, high = 0;            // of the bar, where fixed
-  double azimuth = 0, elevation = 90;  // degrees from which it is seen: 0, 90 from above; 0, 0 along +y
+  double low = 0, high = 0;            // range of the colour bar if fixed
+  double azimuth = 0, elevation = 90;  // viewing direction, degrees: 0, 90 from above; 0, 0 along +y
   int width = 1200, height = 900;      // pixels
-  bool edges = true, axes = true;      // of the elements; axes with a scale
+  bool edges = true, axes = true;      // of the elements; axes with tick labels
 };
 
-// The text that goes to fabricsh-render, and back. Error: a line that is not one of these.
+// The description as text for fabricsh-render, and the reverse. Error: a line that is not valid.
 std::string picture_text(const Picture& picture);
 Picture read_picture(std::istream& text);
 
-// Replaces the PNG. `program`: path of fabricsh-render. Error: no such program, no display and no Xvfb to
-// make one, a file or field that is not there, with the program's words.
+// Replaces the PNG. `program`: path of fabricsh-render. Error: the program is missing, there is no
+// display and no Xvfb to create one, or a file or field is missing, with the program's message.
 void render(const Picture& picture, const std::string& program);
 
 }  // namespace fabricsh::plot
