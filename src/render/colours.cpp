@@ -10,8 +10,8 @@ namespace fabricsh::render {
 namespace {
 
 using Colour = std::array<double, 3>;
-// viridis (S. van der Walt, N. Smith, public domain) and the red-blue scale of ColorBrewer, at even
-// distances.
+// viridis (S. van der Walt, N. Smith, public domain) and
+// the red-blue scale of ColorBrewer, at equal intervals.
 const std::vector<Colour> rising = {{68, 1, 84},    {72, 40, 120},  {62, 74, 137},  {49, 104, 142},
                                     {38, 130, 142}, {31, 158, 137}, {53, 183, 121}, {109, 205, 89},
                                     {180, 222, 44}, {253, 231, 37}};
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkLookupTable> colours(double low, double high) {
   const auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(count);
   table->SetTableRange(low, high);
-  table->SetNanColor(0.72, 0.72, 0.72, 1);  // rigid bodies, which have no field
+  table->SetNanColor(0.72, 0.72, 0.72, 1);  // rigid bodies have no field
   const double largest = std::max(std::abs(low), std::abs(high));
   const bool both = low < -0.02 * largest && high > 0.02 * largest;
   for (int i = 0; i < count; ++i) {

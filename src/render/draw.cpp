@@ -27,13 +27,13 @@ template <class T>
 using Ref = vtkSmartPointer<T>;
 using plot::Picture;
 
-constexpr double kTitlePart = 0.07;  // of the picture, on top
+constexpr double kTitlePart = 0.07;  // height of the title as a share of the picture
 
 struct Scene {
   const Picture& picture;
   std::vector<Sheet> sheets;
-  Ref<vtkLookupTable> table;  // none: no field
-  std::string unit;           // of lengths
+  Ref<vtkLookupTable> table;  // null: no field
+  std::string unit;           // unit of length
   Ref<vtkRenderWindow> window = Ref<vtkRenderWindow>::New();
 };
 
@@ -49,7 +49,7 @@ Ref<vtkRenderer> viewport(Scene& scene, double x0, double y0, double x1, double 
   return renderer;
 }
 
-// Common bounds, so that panels can be compared.
+// Common bounds of all sheets, so that the panels can be compared.
 Bounds common(const std::vector<Sheet>& sheets) {
   Bounds all{};
   for (std::size_t i = 0; i < sheets.size(); ++i) {
@@ -90,7 +90,7 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet) {
   return result;
 }
 
-// Parallel projection in which the bounds stand as the layout says, seen from outside of them.
+// Sets a parallel projection that places the bounds as the layout states, seen from outside the bounds.
 void aim(vtkRenderer* renderer, const Bounds& bounds, const View& view, const Layout& l, const Point& size) {
   double focus[3], eye[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -114,7 +114,7 @@ std::vector<std::string> bar_labels(const Scene& scene) {
   return even_labels(range[0], range[1], 6);
 }
 
-// The column of the colour bar: as wide as the bar and its widest label, or as its title, within limits.
+// Width of the column for the colour bar: the bar with its widest label, or its title, within limits.
 double bar_width(const Scene& scene) {
   if (!scene.table) return 0;
   const int letter = font_size(scene.picture);
@@ -140,10 +140,10 @@ void add_bar(Scene& scene) {
 }
 
 struct Place {
-  double x0, y0, x1, y1;  // parts of the picture
+  double x0, y0, x1, y1;  // shares of the picture
 };
 
-// Where panel i of the grid of panels stands.
+// The place of panel i.
 Place panel_place(const Scene& scene, int i) {
   const int n = static_cast<int>(scene.sheets.size());
   const int columns = scene.picture.columns > 0 ? std::min(scene.picture.columns, n)
@@ -165,7 +165,7 @@ void add_panel(Scene& scene, int i, const Bounds& bounds) {
   const std::string& label = p.panels[static_cast<std::size_t>(i)].label;
   const bool labelled = std::any_of(p.panels.begin(), p.panels.end(),
                                     [](const plot::Panel& panel) { return !panel.label.empty(); });
-  const double above = labelled ? 2 * letter : 0;  // room of the labels, the same in all panels
+  const double above = labelled ? 2 * letter : 0;  // space for labels, the same in all panels
   std::map<std::string, Point> known;
   const auto measure = [&](const std::string& text) {
     const auto [found, fresh] = known.try_emplace(text);
@@ -201,9 +201,9 @@ void make_table(Scene& scene) {
     for (const Sheet& sheet : scene.sheets) low = std::min(low, sheet.low), high = std::max(high, sheet.high);
   }
   if (!(low <= high)) throw Error("render: the field '" + scene.picture.array + "' holds no finite value");
-  if (std::abs(low) < 1e-9 * high) low = 0;  // rounding beside the rest
-  // A field that is the same everywhere gets one colour and a bar around it, not the noise of its last
-  // digits.
+  if (std::abs(low) < 1e-9 * high) low = 0;  // only rounding error compared with the range
+  // A constant field gets one colour and a bar around
+  // its value, instead of a scale for rounding errors.
   const double largest = std::max(std::abs(low), std::abs(high));
   if (largest == 0) low = -1, high = 1;
   if (high - low < 1e-6 * largest) low -= 0.05 * largest, high += 0.05 * largest;
@@ -232,7 +232,7 @@ void draw(const Picture& picture) {
   scene.window->SetOffScreenRendering(1);
   scene.window->SetMultiSamples(8);
   scene.window->SetSize(picture.width, picture.height);
-  viewport(scene, 0, 0, 1, 1);  // white behind everything
+  viewport(scene, 0, 0, 1, 1);  // white background
   add_panels(scene);
   if (scene.table) add_bar(scene);
   if (!picture.title.empty())

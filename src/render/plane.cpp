@@ -20,8 +20,8 @@ namespace {
 template <class T>
 using Ref = vtkSmartPointer<T>;
 
-constexpr int kSmallest = 7;      // letters that can just be read
-constexpr int kDotsPerInch = 72;  // of the window
+constexpr int kSmallest = 7;      // the smallest readable font size
+constexpr int kDotsPerInch = 72;  // assumed for the window
 
 void style(vtkTextProperty* text, int size) {
   text->SetColor(0, 0, 0);
@@ -32,7 +32,7 @@ void style(vtkTextProperty* text, int size) {
   text->ShadowOff();
 }
 
-// Without the last character; the bytes that continue it in UTF-8 go with it.
+// Removes the last character, with all its bytes in UTF-8.
 void shorten(std::string& text) {
   while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
   if (!text.empty()) text.pop_back();

@@ -1,4 +1,4 @@
-// Words, lines and colours flat on a part of a picture: places in pixels from its lower left corner.
+// Text, lines and colours in a part of a picture; positions in pixels from its lower left corner.
 #pragma once
 #include <vtkLookupTable.h>
 #include <vtkRenderer.h>
@@ -9,16 +9,16 @@
 
 namespace fabricsh::render {
 
-// Width and height of a text in letters of a size.
+// Width and height of a text in the given font size.
 Point text_size(const std::string& text, int size);
 
 void write(vtkRenderer* renderer, const std::string& text, int size, const Point& centre);
-// In smaller letters where the room is narrower than the text; what is too long even in the smallest ends in
-// three points.
+// Uses a smaller font if the room is too narrow; a text that is too
+// long in the smallest one is shortened and ends in three points.
 void write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre, double room);
 
 void add_line(vtkRenderer* renderer, const Point& from, const Point& to);
-// The table's colours from the lower end up, in the rectangle with these corners.
+// Fills the rectangle between these corners with the table's colours, from the lower end upwards.
 void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low, const Point& high);
 
 }  // namespace fabricsh::render
