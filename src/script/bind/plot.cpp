@@ -1,4 +1,4 @@
-// fabric.plot: curves of decks, tables and tests as figures.
+// fabric.plot: figures from the curves of decks, tables and tests.
 #include <algorithm>
 
 #include "plot/figure.hpp"
@@ -29,7 +29,7 @@ plot::CurveStyle style_of(const std::string& word) {
   return word == "line" ? plot::CurveStyle::line : plot::CurveStyle::line_points;
 }
 
-// The field `name` of every row of the table on top of the stack.
+// The field `name` of each row of the table on top of the stack.
 std::vector<double> column(lua_State* L, const std::string& path, const std::string& name) {
   std::vector<double> out;
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
@@ -46,10 +46,10 @@ std::vector<double> column(lua_State* L, const std::string& path, const std::str
   return out;
 }
 
-// Any numbers: one that is not finite is a gap.
+// A list of numbers; one that is not finite is a gap.
 std::vector<double> listed(const Fields& f, const char* name) {
   lua_State* L = f.L();
-  // Asked a second time, a metamethod may answer with another value than the one that was checked.
+  // At a second call a metamethod may return another value than the one that was checked.
   if (f.push(name) != LUA_TTABLE) f.refuse(name, "expected a list of numbers, got " + describe(L, -1));
   std::vector<double> out(lua_rawlen(L, -1));
   if (out.empty()) f.refuse(name, "expected a list of numbers, got an empty table");
@@ -85,7 +85,7 @@ plot::Curve read_curve(lua_State* L, lua_Integer place) {
   return curve;
 }
 
-// The size in SI of a unit that the axis is labelled with.
+// The size in SI of the unit in which an axis is labelled.
 double unit_size(const Call& call, const std::string& field) {
   const std::string name = call.text(field);
   if (name.empty()) return 1;
@@ -106,7 +106,7 @@ double unit_size(const Call& call, const std::string& field) {
   return size;
 }
 
-// Scales the axis to its unit, and says the unit behind its label.
+// Scales the axis to its unit, and appends the unit to its label.
 plot::Axis read_axis(const Call& call, const std::string& name, double unit) {
   plot::Axis axis{call.text(name + "label"), {}, {}, call.text("log").find(name) != std::string::npos};
   if (const std::string word = call.text(name + "unit"); !word.empty())
@@ -137,7 +137,7 @@ plot::Figure read_figure(const Call& call) {
   return figure;
 }
 
-// Without gnuplot what was computed is not lost: the figure is missing with a warning, and the deck goes on.
+// A missing gnuplot only gives a warning, because the results of the deck would otherwise be lost.
 bool drawn(const Call& call, const plot::Figure& figure) {
   const std::string path = call.text("file");
   system::make_folder_for(path);
