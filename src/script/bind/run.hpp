@@ -71,7 +71,7 @@ class Hook {
   Hook(const Fields& fields, std::string_view name, Run* run);
   // Pushes the function and the analysis object; returns the state on which to call it.
   lua_State* push() const;
-  // While such an object exists, the function may be asked for a value, or may change its analysis.
+  // For as long as the result exists, the function cannot (Still) or can (Free) change its analysis.
   Still still() const { return {run_->session, run_}; }
   Free free() const { return {run_->session, run_}; }
 

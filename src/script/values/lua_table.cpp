@@ -55,7 +55,7 @@ class Packer {
   void put(Tag tag, T content) {
     out_(tag, content);
   }
-  // Curves and their columns (lua/fabric/columns.lua) are kept as the lists that they are.
+  // Curves and their columns (lua/fabric/columns.lua) are stored as plain lists.
   bool is_plain(int index) const {
     if (lua_getmetatable(L_, index) == 0) return true;
     const bool named = lua_getfield(L_, -1, "__name") == LUA_TSTRING;
