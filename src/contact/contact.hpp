@@ -23,8 +23,9 @@ struct Motion {
 struct Totals {
   double contact = 0, guard = 0;  // J
   double lost = 0;                // W with a Motion, J with a start position: loss by friction
-  double gap = 0;  // m: smallest gap above the floor of all pairs within range of contact; if there is none,
-                   // the least distance from gap to floor of any pair, which is then a lower bound
+  // m: smallest gap above the floor of all pairs within range of contact; if there is none, the least
+  // distance from gap to floor of any pair, which is then a lower bound.
+  double gap = 0;
   std::size_t touching = 0;  // pairs
 };
 

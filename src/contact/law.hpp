@@ -1,5 +1,4 @@
-// The law of contact: energy and pressure as
-// functions of the gap d between two midsurfaces.
+// The law of contact: energy and pressure as functions of the gap d between two midsurfaces.
 //
 //   The stiffness -dp/dd is a piecewise linear function of d and zero for d >= d0, so that the energy
 //   has two continuous derivatives. Without a measured curve it rises from zero to kappa over the first

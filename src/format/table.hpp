@@ -15,8 +15,9 @@ struct TableForm {
 };
 
 struct TableColumn {
-  std::string name;             // from the header, without the unit; "1", "2", ... without a header
-  std::string unit;             // as written: in brackets after the name, or in a line of units; may be empty
+  std::string name;  // from the header, without the unit; "1", "2", ... without a header
+  // As written: in brackets after the name, or in a line of units; may be empty.
+  std::string unit;
   std::vector<double> values;   // finite, or NaN where the cell is not a number
   bool text = true;             // no cell is a number (dates, labels)
   std::string trouble;          // message for the first cell that is not a number; empty: none

@@ -41,9 +41,9 @@ struct Candidate {
 };
 
 // Weighted least squares for each specimen and degree. The variance of a point is that of the stress plus the
-// squared tangent times that of the strain (effective variance [orear1982]); both are found, by turns with
-// the fit, from the scatter about the curve of the highest degree, and serve all degrees. Candidates in the
-// order of degrees.
+// squared tangent times that of the strain (effective variance [orear1982]); both are found by turns, from
+// the scatter about the curve of the highest degree, and serve all degrees. Candidates in the order of
+// degrees.
 std::vector<Candidate> fit_backbones(const std::vector<Tension>& loading, const BackboneOptions& options);
 
 // The admissible candidate with the smallest criterion.

@@ -88,7 +88,8 @@ class Dofs {
   std::vector<Vec3> directors_;   // reference
   std::vector<Vec3> first_axes_;  // of the reference directors, for driven directors
   Freedoms freedoms_;
-  std::vector<double> iterate_;  // as in Configuration; not used while the iterate is the committed copy
+  // As in Configuration; not used while the iterate is the committed copy.
+  std::vector<double> iterate_;
   bool iterate_is_committed_ = true;
   std::vector<Index> driven_nodes_, unknown_node_;
   std::vector<bool> turns_;                              // per unknown

@@ -137,7 +137,9 @@ class Run {
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
   // Throws the failure and stores the report for why().
   [[noreturn]] void fail(NumericalFailure failure, const std::string& why);
-  virtual double scaled_kinetic() const { return 0; }  // J, kinetic energy in scaled rotary inertia
+  // J, the part of the kinetic energy in rotary inertia beyond that of the thickness; 0 if rotary inertia is
+  // not scaled.
+  virtual double scaled_kinetic() const { return 0; }
   virtual double driven_kinetic() const { return 0; }  // J, of driven displacements
   virtual double scheme_loss() const { return 0; }     // J, dissipated by the time scheme
   virtual double driven_work() const { return 0; }     // J, external work not contained in work_

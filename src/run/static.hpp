@@ -26,8 +26,9 @@ struct StaticOptions {
   double duration = 0;              // s, required, positive
   std::optional<double> step = {};  // largest step, s; default duration / 20
   double tolerance = 1e-10;         // residual over the largest nodal force so far
-  int max_iterations = 50;  // slack cloth at small strains switches many yarns, which takes many iterations
-  int max_cuts = 12;        // halvings of one step before the run fails
+  // Slack cloth at small strains switches many yarns, which takes many iterations.
+  int max_iterations = 50;
+  int max_cuts = 12;  // halvings of one step before the run fails
   bool line_search = true;
   double min_step = 0;  // s: smallest size of a step
   Linear linear = Linear::automatic;
