@@ -54,8 +54,8 @@ class TangentSink {
   virtual void on_positions(Index a, Index b, const Mat3& k) = 0;
   // On the two rotations of a node's director (q1 along b1, q2 along d x b1), N m.
   virtual void on_director(Index a, const Eigen::Matrix2d& k) = 0;
-  // Derivative of the internal force on x_a (N, global): its change when everything that the step moves
-  // besides the supports goes to its final position.
+  // Change of the internal force on x_a, N, global, when everything that the step moves besides the supports
+  // goes to its final position.
   virtual void on_lead(Index a, const Vec3& force) = 0;
 };
 
@@ -124,7 +124,7 @@ class Term {
   // the weight that the time scheme gives it.
   virtual void resist(const Trial&, std::span<double> /*r*/) {}
   virtual void add_resistance(const Trial&, linear::Matrix& /*K*/) {}
-  // Called before the trial state is committed: books what the step has done.
+  // Called before the trial state is committed: adds what the step has done to the term's accounts.
   virtual void finish_step(const Motion&) {}
 
   // --- energies, at the trial configuration

@@ -192,8 +192,8 @@ void Static::calibrate(double size, StepReport& report) {
   }
 }
 
-// Halves the size. False: it would be below the smallest size, and the cuts of consecutive steps exceed those
-// permitted for one.
+// Halves the size. False: it is then below the smallest size, which is the largest one halved max_cuts times
+// (or min_step), however many steps the cuts have been spread over.
 bool Static::cut(double size) {
   if (arc_) {
     now_.arc_length = now_.tried_length / 2;

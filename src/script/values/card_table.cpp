@@ -303,8 +303,8 @@ void push_card(lua_State* L, const Card& card) {
   lua_rawseti(L, -2, 1);
 }
 
-// Replaces a metatable on top of the stack by the part that the card has, or by a new one. The name is at 2,
-// the card's hidden table is below.
+// Replaces a metatable on top of the stack by a new part, which is stored in the card's hidden table, the
+// value below, under the name at 2. A part that is stored already is kept.
 void hold_part(lua_State* L) {
   const bool fresh = lua_rawgetp(L, -1, &shown_key) != LUA_TNIL;
   lua_pop(L, 1);
