@@ -122,6 +122,10 @@ struct Card {
   std::optional<Bending> bending;
   std::optional<Estimate> estimate = {};
   bool through_thickness = false;  // bending by integration is intended, however stiff it is
+  // One sheet between two plates, as a compression tester measures it: thickness (m), ascending, and pressure
+  // (Pa). Empty: not measured.
+  std::vector<std::pair<double, double>> compression = {};
+  std::optional<double> fibre_density = {};  // kg/m^3, of what the yarns are made of
 };
 
 }  // namespace fabricsh::card

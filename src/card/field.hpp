@@ -2,6 +2,7 @@
 // writing, printing, checks, help and the reference page all use that
 // row, so that a field is described in one place only (fields.cpp).
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -27,7 +28,8 @@ enum class Holds {
   ratios,   // like numbers; a single number stands for all
   curve,    // coefficients of a tangent modulus, or ascending points from (0, 0)
   number_or_curve,
-  group,  // contains fields of its own
+  points,  // pairs of two numbers that satisfy `check`
+  group,   // contains fields of its own
 };
 
 // The description of a field. Units are SI.
@@ -41,6 +43,8 @@ struct Row {
   Value fallback;                  // used if the deck does not give the field
   std::vector<std::string> words;  // the permitted texts
   std::vector<std::string> parts;  // names of the numbers, "nu12", "nu21"; of a curve: its coordinates
+  // Returns what is wrong with points, "expected ..., got ...", or an empty text.
+  std::function<std::string(const Points&)> check;
   Range cloth;  // usual range for cloth; outside it `question` is asked. For a curve: its slope at 0
   std::string question;
   bool measured = false;  // may have a confidence band
@@ -151,6 +155,31 @@ template <class Owner>
 FieldOf<Owner> numbers(std::string name, std::vector<double> Owner::*place, std::string unit,
                        std::string sentence) {
   return member(place, row<Owner>(std::move(name), Holds::numbers, std::move(unit), {}, std::move(sentence)));
+}
+
+// A number that a card may do without.
+template <class Owner>
+FieldOf<Owner> number(std::string name, std::optional<double> Owner::*place, std::string unit, Range range,
+                      std::string sentence) {
+  auto f = row<Owner>(std::move(name), Holds::number, std::move(unit), range, std::move(sentence)).optional();
+  f.get = [place](const Owner& o) { return o.*place ? Value(*(o.*place)) : Value(); };
+  f.set = [place](Owner& o, const Value& v) { o.*place = std::get<double>(v); };
+  return f;
+}
+
+// Points that are kept in ascending order, whichever way round they are given.
+template <class Owner>
+FieldOf<Owner> points(std::string name, Points Owner::*place, std::vector<std::string> parts,
+                      std::function<std::string(const Points&)> check, std::string sentence) {
+  auto f = row<Owner>(std::move(name), Holds::points, "", {}, std::move(sentence)).optional();
+  f.parts = std::move(parts);
+  f.check = std::move(check);
+  f.get = [place](const Owner& o) { return (o.*place).empty() ? Value() : Value(o.*place); };
+  f.set = [place](Owner& o, const Value& v) {
+    o.*place = std::get<Points>(v);
+    std::sort((o.*place).begin(), (o.*place).end());
+  };
+  return f;
 }
 
 template <class Owner>

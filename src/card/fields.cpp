@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "card/compression.hpp"
 
 namespace fabricsh::card {
 
@@ -331,6 +332,14 @@ Rows<Linear> linear_rows() {
   return rows;
 }
 
+std::string compression_words(const Points& curve) {
+  if (curve.empty()) return "";
+  const auto point = [](const std::pair<double, double>& p) {
+    return fabricsh::number(1e3 * p.first, 4) + " mm at " + fabricsh::number(1e-3 * p.second, 4) + " kPa";
+  };
+  return std::to_string(curve.size()) + " points from " + point(curve.back()) + " to " + point(curve.front());
+}
+
 // Name, source, density and thickness form the heading of a printed card.
 template <class Law>
 FieldTable table_of(const Rows<Law>& law) {
@@ -358,6 +367,19 @@ FieldTable table_of(const Rows<Law>& law) {
   rows.push_back(group("estimate", &Card::estimate, estimate_rows(),
                        "of what nobody measured: fabric.card(name, { bending='estimated' }) takes it")
                      .written_last());
+  rows.push_back(points("compression", &Card::compression, {"gap", "pressure"}, compression_fault,
+                        "one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its "
+                        "thickness then, which is also how far apart the middles of two such sheets are, "
+                        "pressure in Pa; what contact presses with")
+                     .written_last()
+                     .said([](const Card& c) { return compression_words(c.compression); }));
+  rows.push_back(number("fibre_density", &Card::fibre_density, "kg/m^3", positive,
+                        "of what the yarns are made of; areal mass over it is how thin the sheet can be "
+                        "pressed at most; default 1500 (cotton 1540, polyester 1380)")
+                     .ask(500, 10000, "is it the density of the fibres, in kg/m^3?")
+                     .written_last()
+                     .on_line("fibres")
+                     .printed("# kg/m^3"));
   const auto enter = [](auto& card) -> auto& { return std::get<Law>(card.law); };
   for (const auto& f : law) rows.push_back(lifted<Card>(f, enter));
   return rows;

@@ -84,6 +84,9 @@ void require(const Card& card) {
       if (!std::isfinite(x) || !field.range.holds(x)) refuse(x);
     };
     if (const auto* x = std::get_if<double>(&value)) check(*x);
+    if (field.check)
+      if (const std::string fault = field.check(std::get<Points>(value)); !fault.empty())
+        throw Error(at_field(card, path) + fault);
     if (field.holds == Holds::ratios || field.holds == Holds::numbers)
       for (const double x : std::get<std::vector<double>>(value)) check(x);
   });

@@ -51,7 +51,7 @@ double narrowest(const Scene& scene, double least) {
   }
   for (const Candidate& c : find_pairs(scene, scene.reference(), 0.2 * gap)) {
     const Law& law = scene.interactions()[std::size_t(c.interaction)].law;
-    least = std::min(least, c.pair.scale * (law.gap() - law.floor()));
+    least = std::min(least, c.start * c.pair.scale * (law.gap() - law.floor()));
   }
   return least;
 }
@@ -64,6 +64,7 @@ Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
+  opened_.assign(scene.interactions().size(), 1);
   narrowest_ = narrowest(scene, widest_);
   gap_.assign(scene.reference().size(), widest_);
   pressure_.assign(scene.reference().size(), 0);
@@ -97,8 +98,40 @@ void Contact::prepare(std::span<const Vec3> x) {
   }
 }
 
+void Contact::scale(Candidate& c) const {
+  const double share = opened_[std::size_t(c.interaction)];
+  c.pair.scale = share >= 1 ? c.whole : c.whole * (c.start + (1 - c.start) * share);
+}
+
+std::vector<Candidate> Contact::find(std::span<const Vec3> x, double skin) const {
+  std::vector<Candidate> found = find_pairs(*scene_, x, skin);
+  for (Candidate& c : found) scale(c);
+  return found;
+}
+
+void Contact::open_to(std::span<const double> share) {
+  if (std::equal(share.begin(), share.end(), opened_.begin(), opened_.end())) return;
+  opened_.assign(share.begin(), share.end());
+  for (auto* list : {&outer_, &inner_})
+    for (Candidate& c : *list) scale(c);
+}
+
+Vec3 Contact::of_body(const Candidate& c, std::span<const Vec3> by_point) const {
+  if (!by_point.empty())
+    for (const std::int32_t p : c.point)
+      if (rigid(p)) return by_point[std::size_t(p)];
+  return Vec3::Zero();
+}
+
+// The first rigid corner of a pair holds its torque.
+bool Contact::holds_torque(std::uint32_t slot_and_corner) const {
+  const auto& point = inner_[slot_and_corner / 4].point;
+  const auto k = slot_and_corner % 4;
+  return rigid(point[k]) && (k == 0 || !rigid(point[k - 1]));
+}
+
 void Contact::search(std::span<const Vec3> x) {
-  outer_ = find_pairs(*scene_, x, skins_.outer);
+  outer_ = find(x, skins_.outer);
   at_search_.assign(x.begin(), x.end());
   ++searches_;
   refine(x);
@@ -108,8 +141,8 @@ void Contact::refine(std::span<const Vec3> x) {
   std::vector<char> near(outer_.size());
 #pragma omp parallel for schedule(static) if (outer_.size() > 1024)
   for (std::size_t i = 0; i < outer_.size(); ++i)
-    near[i] = gap_of(outer_[i], corners_of(outer_[i], x)) <
-              law(outer_[i]).gap() * outer_[i].pair.scale + skins_.inner;
+    near[i] =
+        gap_of(outer_[i], corners_of(outer_[i], x)) < law(outer_[i]).gap() * outer_[i].whole + skins_.inner;
   inner_.clear();
   for (std::size_t i = 0; i < outer_.size(); ++i)
     if (near[i]) inner_.push_back(outer_[i]);
@@ -146,7 +179,8 @@ void Contact::index_slots() {
   std::fill(pressure_.begin(), pressure_.end(), 0);
 }
 
-Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion) {
+Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion,
+                           std::span<Vec3> torque) {
   prepare(x);
   Totals totals;
   double least = narrowest_;
@@ -161,6 +195,7 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     if (slides) {
       sliding.friction = it.friction;
       sliding.step = motion->step;
+      sliding.spin = of_body(c, motion->spin);
       for (std::size_t k = 0; k < 4; ++k)
         if (c.point[k] >= 0) {
           sliding.velocity[k] = motion->velocity[std::size_t(c.point[k])];
@@ -172,24 +207,25 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     if (slot.active) least = std::min(least, slot.gap);
   }
   totals.gap = least;
-  gather(force, totals);
+  gather(force, motion != nullptr ? torque : std::span<Vec3>(), totals);
   return totals;
 }
 
-void Contact::gather(std::span<Vec3> force, Totals& totals) {
+void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals) {
   const auto n = std::ptrdiff_t(touched_.size());
   std::size_t touching = 0;
 #pragma omp parallel for schedule(static) reduction(+ : touching) if (n > 256)
   for (std::ptrdiff_t t = 0; t < n; ++t) {
     const auto row = std::size_t(t);
     const auto p = std::size_t(touched_[row]);
-    Vec3 sum = Vec3::Zero();
+    Vec3 sum = Vec3::Zero(), turning = Vec3::Zero();
     double contact = 0, guard = 0, lost = 0, nearest = widest_;
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
       const Force& slot = slots_[of_point_[k] / 4];
       if (!slot.active) continue;
       nearest = std::min(nearest, slot.gap);
       sum += slot.on[of_point_[k] % 4];
+      if (!torque.empty() && holds_torque(of_point_[k])) turning += slot.torque;
       if (of_point_[k] % 4 != 0) continue;  // the energies of a pair are counted at its first corner
       contact += slot.contact;
       guard += slot.guard;
@@ -197,6 +233,7 @@ void Contact::gather(std::span<Vec3> force, Totals& totals) {
       ++touching;
     }
     force[p] += sum;
+    if (!torque.empty()) torque[p] += turning;
     energy_[row] = contact;
     guard_[row] = guard;
     lost_[row] = lost;
@@ -213,33 +250,43 @@ void Contact::gather(std::span<Vec3> force, Totals& totals) {
   }
 }
 
-void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, std::span<const Vec3> start,
-                        double creep) {
+void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way) {
   prepare(x);
   for (const Candidate& c : inner_) {
     const Corners corners = corners_of(c, x);
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     if (gap_of(c, corners) >= it.law.gap() * c.pair.scale) continue;
     Matrix12 k = pair_derivatives(it.law, c.pair, corners).hessian;
-    if (!start.empty() && it.friction > 0)
-      k -= pair_friction(it.law, c.pair, corners, {it.friction, creep, corners_of(c, start)}, true).jacobian;
-    visit(c.point, k);
+    if (way.start.empty() || it.friction == 0) {
+      visit(c.point, k, nullptr);
+      continue;
+    }
+    const Slip slip{it.friction, way.creep, corners_of(c, way.start), of_body(c, way.turn)};
+    const Friction friction = pair_friction(it.law, c.pair, corners, slip, true);
+    k -= friction.jacobian;
+    visit(c.point, k, &friction);
   }
 }
 
-double Contact::add_friction(std::span<const Vec3> x, std::span<const Vec3> start, double creep,
-                             std::span<Vec3> force) {
+double Contact::add_friction(std::span<const Vec3> x, const Way& way, std::span<Vec3> force,
+                             std::span<Vec3> torque) {
   prepare(x);
   double lost = 0;
   for (const Candidate& c : inner_) {
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     if (it.friction == 0) continue;
-    const Friction f =
-        pair_friction(it.law, c.pair, corners_of(c, x), {it.friction, creep, corners_of(c, start)}, false);
+    const Slip slip{it.friction, way.creep, corners_of(c, way.start), of_body(c, way.turn)};
+    const Friction f = pair_friction(it.law, c.pair, corners_of(c, x), slip, false);
     if (f.lost == 0) continue;
     lost += f.lost;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (c.point[k] >= 0) force[std::size_t(c.point[k])] += f.force.segment<3>(3 * int(k));
+    bool given = torque.empty();
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (c.point[k] < 0) continue;
+      force[std::size_t(c.point[k])] += f.force.segment<3>(3 * int(k));
+      if (given || !rigid(c.point[k])) continue;
+      torque[std::size_t(c.point[k])] += f.torque;
+      given = true;
+    }
   }
   return lost;
 }
@@ -256,7 +303,7 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) co
   mean /= double(by.size());
   double most = 0;
   for (const Vec3& u : by) most = std::max(most, (u - mean).norm());
-  const auto pairs = find_pairs(*scene_, x, 2 * most * (1 + 1e-9));
+  const auto pairs = find(x, 2 * most * (1 + 1e-9));
   double share = 1;
 #pragma omp parallel for schedule(static) reduction(min : share) if (pairs.size() > 64)
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -270,7 +317,7 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) co
 
 std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {
   std::vector<Overlap> found;
-  for (const Candidate& c : find_pairs(*scene_, x, 0)) {
+  for (const Candidate& c : find(x, 0)) {
     const double gap = gap_of(c, corners_of(c, x));
     if (gap <= law(c).floor() * c.pair.scale) found.push_back({c.point, gap});
   }

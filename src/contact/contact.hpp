@@ -18,6 +18,14 @@ struct Motion {
   std::span<const Vec3> velocity;        // m/s
   std::span<const double> inverse_mass;  // 1/kg; 0: the point is held or driven
   double step = 0;                       // s
+  std::span<const Vec3> spin = {};       // 1/s, of the body that a rigid vertex is of; empty: none turns
+};
+
+// How an implicit or static step has gone so far, for all points of the scene.
+struct Way {
+  std::span<const Vec3> start;      // m, positions at its start; empty: friction is left out
+  double creep = 0;                 // m
+  std::span<const Vec3> turn = {};  // rad, of the body that a rigid vertex is of; empty: none turns
 };
 
 struct Totals {
@@ -40,23 +48,30 @@ class Contact {
   const Scene& scene() const { return *scene_; }
 
   // `x` always means the positions of the scene's points (cloth nodes and rigid vertices), m; they must
-  // be finite. Adds the forces on every point to `force`, N; with `motion` also those of friction.
-  Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion = nullptr);
+  // be finite. Adds the forces on every point to `force`, N; with `motion` also those of friction. The
+  // torques of friction on bodies, N m, are added to `torque` (one entry per point, used for one vertex
+  // of each body; empty: not wanted).
+  Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion = nullptr,
+                    std::span<Vec3> torque = {});
 
-  // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair,
-  // Hessian of its energy, N/m). With `start` (positions at the beginning of the step,
-  // m) and `creep` (m) the part of friction is added: -d force/dx, not symmetric.
-  using VisitStiffness = std::function<void(const std::array<std::int32_t, 4>&, const Matrix12&)>;
-  void stiffness(std::span<const Vec3> x, const VisitStiffness& visit, std::span<const Vec3> start = {},
-                 double creep = 0);
-  // Adds the friction forces of an implicit or static step that
-  // began at `start`; returns the energy lost over the step, J.
-  double add_friction(std::span<const Vec3> x, std::span<const Vec3> start, double creep,
-                      std::span<Vec3> force);
+  // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair, Hessian of its energy,
+  // N/m, its friction). If the way has a start, the Hessian contains the part of friction: -d force/dx, not
+  // symmetric. Otherwise the friction is null.
+  using VisitStiffness =
+      std::function<void(const std::array<std::int32_t, 4>&, const Matrix12&, const Friction*)>;
+  void stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way = {});
+  // Adds the friction forces of an implicit or static step, and torques as add_forces() does; returns the
+  // energy lost over the step, J.
+  double add_friction(std::span<const Vec3> x, const Way& way, std::span<Vec3> force,
+                      std::span<Vec3> torque = {});
   // Visits the points of each pair that touches or soon may. Returns a number that changes
   // whenever this set of pairs does, so that the sparse pattern of the stiffness can be updated.
   void couples(std::span<const Vec3> x, const std::function<void(const std::array<std::int32_t, 4>&)>& visit);
   std::uint64_t version() const { return version_; }
+
+  // Sets how far overlaps are opened (Interaction::opening), 0 to 1 for each interaction. A pair that starts
+  // with the share s of the law's lengths then has s + (1 - s) * share of them.
+  void open_to(std::span<const double> share);
 
   // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor.
   double safe_share(std::span<const Vec3> x, std::span<const Vec3> by) const;
@@ -81,15 +96,22 @@ class Contact {
 
  private:
   void prepare(std::span<const Vec3> x);
+  std::vector<Candidate> find(std::span<const Vec3> x, double skin) const;
+  void scale(Candidate& c) const;
+  bool rigid(std::int32_t point) const { return point >= std::int32_t(scene_->nodes()); }
+  // The value for the rigid side of a pair; zero if no side is rigid.
+  Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
+  bool holds_torque(std::uint32_t slot_and_corner) const;
   double moved(std::span<const Vec3> x, const std::vector<Vec3>& since) const;
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x);
   void index_slots();
-  void gather(std::span<Vec3> force, Totals& totals);
+  void gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals);
   const Law& law(const Candidate& c) const { return scene_->interactions()[std::size_t(c.interaction)].law; }
 
   const Scene* scene_;
   Skins skins_;
+  std::vector<double> opened_;         // by interaction
   double widest_ = 0, narrowest_ = 0;  // m: largest and smallest distance from gap to floor of any pair
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_;

@@ -11,6 +11,7 @@ namespace fabricsh::contact {
 namespace {
 
 constexpr double onset = 0.2;     // share of the crush range over which the stiffness rises to kappa
+constexpr double denser = 0.85;   // ratio of the heights above the floor of successive knots below a curve
 constexpr double guarded = 0.25;  // share of the crush range, next to the floor, in which the guard acts
 
 [[noreturn]] void refuse(const std::string& what) { throw Error("contact: " + what); }
@@ -57,8 +58,8 @@ Law::Law(const LawData& data) : floor_(data.floor) {
     add_curve(data);
   }
   for (const Knot& knot : knots_) stiffest_ = std::max(stiffest_, knot.stiffness);
-  const double quarter = guarded * (gap_ - floor_);
-  guard_ = floor_ + quarter;
+  if (data.curve.empty()) guard_ = floor_ + guarded * (gap_ - floor_);
+  const double quarter = guard_ - floor_;
   guard_energy_ = stiffest_ * quarter * quarter;
 }
 
@@ -75,7 +76,9 @@ void Law::add(double gap, double stiffness) {
 }
 
 // A monotone quadratic spline, two pieces per interval [schumaker1983]. Above the largest measured
-// gap a parabola runs out to zero pressure and stiffness. A given bound replaces a larger stiffness.
+// gap a parabola runs out to zero pressure and stiffness. Below the smallest measured gap, at the height a
+// above the floor with the stiffness k, the stiffness is k a^2 / (d - d_f)^2 down to the guard, in linear
+// pieces. A given bound replaces a larger stiffness.
 void Law::add_curve(const LawData& data) {
   const auto& c = data.curve;
   const std::size_t n = c.size();
@@ -93,6 +96,11 @@ void Law::add_curve(const LawData& data) {
     if (i > 0)
       line.emplace_back((c[i].first + c[i - 1].first) / 2, 2 * secant[i - 1] - (slope[i] + slope[i - 1]) / 2);
   }
+  const double left = c[0].first - floor_;
+  guard_ = floor_ + std::min(guarded * (gap_ - floor_), left / 2);
+  for (double share = denser; floor_ + share * left > guard_; share *= denser)
+    line.emplace_back(floor_ + share * left, slope[0] / (share * share));
+  line.emplace_back(guard_, slope[0] * std::pow(left / (guard_ - floor_), 2));
   const double most = data.stiffness > 0 ? data.stiffness : std::numeric_limits<double>::infinity();
   add(line[0].first, 0);
   for (std::size_t i = 1; i < line.size(); ++i) {

@@ -2,9 +2,12 @@
 //
 //   The stiffness -dp/dd is a piecewise linear function of d and zero for d >= d0, so that the energy
 //   has two continuous derivatives. Without a measured curve it rises from zero to kappa over the first
-//   fifth of the way from d0 to the floor d_f and stays there; a measured compression curve replaces it.
+//   fifth of the way from d0 to the floor d_f and stays there; a measured compression curve replaces it,
+//   and below its smallest gap the stiffness goes on rising with the inverse square of the height above the
+//   floor.
 //   In the last quarter of the way above the floor a guard g (1 - y)^3 / y with y = (d - d_f)/(a quarter of
-//   the way) is added. It has two continuous derivatives where it begins and is unbounded at the floor.
+//   the way) is added. It has two continuous derivatives where it begins and is unbounded at the floor. Below
+//   a measured curve it takes at most half of the height of the lowest point, so that no point is changed.
 #pragma once
 #include <utility>
 #include <vector>

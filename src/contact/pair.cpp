@@ -39,12 +39,15 @@ void add_friction(const Pressed& at, const Sliding& sliding, Force& force) {
     v += touch.weight[i] * sliding.velocity[i];
     lightness += touch.weight[i] * touch.weight[i] * sliding.inverse_mass[i];
   }
+  const Vec3 lever = touch.distance * touch.normal;
+  v -= sliding.spin.cross(lever);
   v -= touch.normal.dot(v) * touch.normal;
   const double speed = v.norm();
   if (!(speed > 0) || !(lightness > 0)) return;
   const double most = sliding.friction * std::fabs(at.count) * at.answer.pressure;
   const double f = std::copysign(std::min(most, 0.2 * speed / (lightness * sliding.step)), at.count);
   for (std::size_t i = 0; i < 4; ++i) force.on[i] -= f / speed * touch.weight[i] * v;
+  force.torque += f / speed * lever.cross(v);
   force.lost += f * speed;
 }
 
@@ -107,14 +110,21 @@ Hold hold(double slip, double creep) {
   return {(2 - slip / creep) / creep, slip > 0 ? -1 / (creep * creep * slip) : 0};
 }
 
+Mat3 cross_matrix(const Vec3& a) {
+  Mat3 m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
+}
+
 // Derivatives by one corner of all quantities in the friction at a place.
 struct Place3 {
   Mat3 sliding;               // of the sliding perpendicular to the normal
+  Mat3 lever;                 // of the vector between the closest points
   std::array<Vec3, 2> slide;  // of the parameters of the closest points
 };
 
 Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& moved, const Vec3& u,
-                         const Slides& slide, std::size_t j) {
+                         const Vec3& turn, const Slides& slide, std::size_t j) {
   const Mat3 one = Mat3::Identity();
   Mat3 r = touch.weight[j] * one, du = touch.weight[j] * one;
   Place3 out;
@@ -124,9 +134,11 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& mo
     r += (x[plus] - x[minus]) * slide[k][j].transpose();
     du += (moved[plus] - moved[minus]) * slide[k][j].transpose();
   }
+  du -= cross_matrix(turn) * r;
   const Vec3& n = touch.normal;
   const Mat3 across = one - n * n.transpose();
   const Mat3 dn = across * r / touch.distance;
+  out.lever = r;
   out.sliding = across * du - n.dot(u) * dn - n * (u.transpose() * dn);
   return out;
 }
@@ -142,11 +154,14 @@ Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const
     const Touch& touch = at.place.touch;
     Vec3 u = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) u += touch.weight[i] * moved[i];
+    const Vec3 lever = touch.distance * touch.normal;
+    u -= slip.turn.cross(lever);
     const Vec3 slid = u - touch.normal.dot(u) * touch.normal;
     const double length = slid.norm(), normal_force = at.count * at.answer.pressure;
     const Hold h = hold(length, slip.creep);
     const Vec3 pull = slip.friction * normal_force * h.value * slid;  // N, at the place
     for (int i = 0; i < 4; ++i) out.force.segment<3>(3 * i) -= touch.weight[std::size_t(i)] * pull;
+    out.torque += lever.cross(pull);
     out.lost += pull.dot(slid);
     if (!with_jacobian) return;
 
@@ -156,11 +171,17 @@ Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const
       press += pair.area * at.place.modulated * at.answer.pressure * m.gradient;
     const Mat3 turn =
         slip.friction * normal_force * (h.value * Mat3::Identity() + h.slope * slid * slid.transpose());
+    // lever x turn is across the normal as it is.
+    const Mat3 levers = cross_matrix(lever), pull_by_turn = turn * levers;
+    for (int i = 0; i < 4; ++i)
+      out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
+    out.torque_by_turn += levers * pull_by_turn;
     const Slides slide = slides(x, touch);
     for (std::size_t j = 0; j < 4; ++j) {
-      const Place3 by = sliding_by_corner(touch, x, moved, u, slide, j);
+      const Place3 by = sliding_by_corner(touch, x, moved, u, slip.turn, slide, j);
       const Mat3 dpull =
           turn * by.sliding + slip.friction * h.value * slid * press.segment<3>(3 * int(j)).transpose();
+      out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by.lever;
       for (std::size_t i = 0; i < 4; ++i) {
         Mat3 block = touch.weight[i] * dpull;
         for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {

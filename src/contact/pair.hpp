@@ -38,14 +38,18 @@ struct Sliding {
   double step = 0;                                                                          // s
   std::array<Vec3, 4> velocity = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // m/s
   std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
+  // 1/s, of the rigid side. It is where the cloth is that a body's surface slides, a lever of the distance
+  // away from the body's core: so the two forces are opposite at one place, and angular momentum is kept.
+  Vec3 spin = Vec3::Zero();
 };
 
 struct Force {
   std::array<Vec3, 4> on = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // N, friction included
   double contact = 0, guard = 0;                                                      // J
   double lost = 0;                                                                    // W, lost by friction
-  double gap = 0;       // m, the smallest distance above the floor
-  bool active = false;  // at least one place is within the law's range
+  Vec3 torque = Vec3::Zero();  // N m, of friction on the rigid side about its closest point
+  double gap = 0;              // m, the smallest distance above the floor
+  bool active = false;         // at least one place is within the law's range
 };
 
 // Forces on the corners.
@@ -63,14 +67,20 @@ Matrix12 positive_part(const Matrix12& hessian);
 // Friction of an implicit or static step: mu * normal force at the end of the step, against
 // the sliding since its beginning. Below `creep` it rises smoothly, f(y) = 2 y - y^2.
 struct Slip {
-  double friction = 0;  // mu
-  double creep = 0;     // m
-  Corners start;        // m, corners at the beginning of the step
+  double friction = 0;       // mu
+  double creep = 0;          // m
+  Corners start;             // m, corners at the beginning of the step
+  Vec3 turn = Vec3::Zero();  // rad, of the rigid side since then (see Sliding::spin)
 };
 struct Friction {
   Vector12 force = Vector12::Zero();     // N
   Matrix12 jacobian = Matrix12::Zero();  // d force / d x, N/m, not symmetric; only if requested
   double lost = 0;                       // J over the step
+  Vec3 torque = Vec3::Zero();            // N m, see Force::torque
+  // Where it was asked for: d force / d turn, d torque / d x and d torque / d turn.
+  Eigen::Matrix<double, 12, 3> by_turn = Eigen::Matrix<double, 12, 3>::Zero();
+  Eigen::Matrix<double, 3, 12> torque_by_x = Eigen::Matrix<double, 3, 12>::Zero();
+  Mat3 torque_by_turn = Mat3::Zero();
 };
 Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const Slip& slip,
                        bool with_jacobian);

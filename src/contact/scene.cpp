@@ -190,6 +190,7 @@ int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
   surface.mean_area = surface.points.empty() ? 0 : total / double(surface.points.size());
   add_edges(surface);
   count_places(surface);
+  find_sheets(surface);
   surfaces_.push_back(std::move(surface));
   return number;
 }
@@ -255,6 +256,26 @@ void Scene::count_places(const Surface& surface) {
       }
       triangles_[std::size_t(t)].corner[k] = small(count);
     }
+}
+
+void Scene::find_sheets(const Surface& surface) {
+  sheet_.resize(reference_.size(), -1);
+  std::vector<std::int32_t> open;
+  for (const std::int32_t first : surface.points) {
+    if (sheet_[std::size_t(first)] >= 0) continue;
+    open.assign(1, first);
+    sheet_[std::size_t(first)] = first;
+    while (!open.empty()) {
+      const std::int32_t p = open.back();
+      open.pop_back();
+      for (const std::int32_t t : at_point_[std::size_t(p)])
+        for (const std::int32_t q : triangles_[std::size_t(t)].nodes) {
+          if (sheet_[std::size_t(q)] >= 0) continue;
+          sheet_[std::size_t(q)] = first;
+          open.push_back(q);
+        }
+    }
+  }
 }
 
 int Scene::interaction_number(std::int32_t first, std::int32_t second) const {

@@ -57,6 +57,9 @@ struct Interaction {
   std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself
   Law law;
   double friction = 0;
+  // Where what overlaps at the start is opened: the share of the law's lengths that each point begins with, 0
+  // to 1; two edges begin with the smallest of their ends'. Empty: nothing is.
+  std::vector<double> opening = {};
 };
 
 class Scene {
@@ -78,6 +81,17 @@ class Scene {
   // Declares that two surfaces, at least one of them cloth, meet under a law. Errors: unknown
   // surfaces, two rigid ones, friction that is negative or not finite, a pair declared already.
   void meet(int first, int second, const Law& law, double friction);
+
+  // Another law of the same gap and floor.
+  void replace_law(std::size_t interaction, const Law& law) { interactions_[interaction].law = law; }
+  // See Interaction::opening. Sheets of one surface that share no node are no neighbours then.
+  void open(std::size_t interaction, std::vector<double> opening) {
+    interactions_[interaction].opening = std::move(opening);
+  }
+  // Are two points of one surface of the same sheet, which nodes hold together.
+  bool same_sheet(std::int32_t a, std::int32_t b) const {
+    return sheet_[std::size_t(a)] == sheet_[std::size_t(b)];
+  }
 
   const std::vector<Vec3>& reference() const { return reference_; }
   std::size_t nodes() const { return nodes_; }  // of the cloth; the rigid vertices follow them
@@ -102,9 +116,11 @@ class Scene {
   int add_rigid(Surface surface, std::span<const Vec3> vertices);
   void add_edges(Surface& surface);
   void count_places(const Surface& surface);
+  void find_sheets(const Surface& surface);
   std::size_t nodes_ = 0;
   std::vector<Vec3> reference_;
   std::vector<double> area_;
+  std::vector<std::int32_t> sheet_;  // of each point: the first point of its sheet
   std::vector<Surface> surfaces_;
   std::vector<EdgeRow> edges_;
   std::vector<TriangleRow> triangles_;

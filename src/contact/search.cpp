@@ -130,6 +130,10 @@ class Search {
     });
   }
 
+  // Where overlaps are opened, sheets that share no node are no neighbours, however near they lie.
+  bool same_sheet(int which, std::int32_t p, std::int32_t q) const {
+    return scene_.interactions()[std::size_t(which)].opening.empty() || scene_.same_sheet(p, q);
+  }
   // Factor on the law's lengths: 1, less for neighbours in a sheet, 0 for pairs that share a node.
   double scale(double reference_distance, const Law& law) const {
     return std::min(1.0, neighbour_share * reference_distance / law.gap());
@@ -140,7 +144,17 @@ class Search {
         std::sqrt(squared_point_triangle(reference(p), reference(t[0]), reference(t[1]), reference(t[2]))),
         law);
   }
+  // What a pair begins with where overlaps are opened: its point's share, or the smallest of its edges' ends.
+  static double start(const Candidate& row, const std::vector<double>& opening) {
+    if (opening.empty()) return 1;
+    double least = opening[std::size_t(row.point[0])];
+    if (row.pair.kind == Kind::edges || row.pair.kind == Kind::wrap)
+      for (const std::int32_t p : row.point) least = std::min(least, opening[std::size_t(p)]);
+    return least;
+  }
   bool keep(Candidate& row, const Law& law, Rows& rows) const {
+    row.whole = row.pair.scale;
+    row.start = start(row, scene_.interactions()[std::size_t(row.interaction)].opening);
     const double gap = gap_of(row, corners_of(row, x_));
     if (gap >= law.gap() * row.pair.scale + skin_) return false;
     rows.push_back(row);
@@ -159,7 +173,8 @@ class Search {
     out.pair.edge = row.edge;
     out.pair.corner = row.corner;
     out.pair.offset = surface(owner).radius + surface(row.surface).radius;
-    if (owner == row.surface) {
+    const bool neighbours = owner == row.surface && same_sheet(which, p, row.nodes[0]);
+    if (neighbours) {
       out.pair.scale = facet_scale(p, row.nodes, law);
       if (out.pair.scale == 0) return;
     }
@@ -170,7 +185,7 @@ class Search {
     else
       out.pair.area = shared * std::min(scene_.area(p), surface(row.surface).mean_area);
     if (!keep(out, law, rows)) return;
-    if (owner == row.surface) uncount_neighbours(rows.back(), row, law);
+    if (neighbours) uncount_neighbours(rows.back(), row, law);
   }
 
   // Next to a facet that has the point as a neighbour nothing is
@@ -201,7 +216,7 @@ class Search {
     out.interaction = which;
     out.pair.kind = Kind::edges;
     out.pair.offset = surface(a.surface).radius + surface(b.surface).radius;
-    if (a.surface == b.surface) {
+    if (a.surface == b.surface && same_sheet(which, a.a, b.a)) {
       if (a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b) return;
       out.pair.scale = scale(
           std::sqrt(squared_segment_segment(reference(a.a), reference(a.b), reference(b.a), reference(b.b))),

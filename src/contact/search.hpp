@@ -8,6 +8,8 @@ struct Candidate {
   std::array<std::int32_t, 4> point{-1, -1, -1, -1};  // corners; -1: none
   std::int32_t interaction = 0;
   Pair pair;
+  double whole = 1;  // pair.scale where nothing is being opened
+  double start = 1;  // share of it to begin with, where an overlap is (Interaction::opening)
 };
 
 // All pairs that are nearer than their gap plus `skin` (m) at the positions `x` (cloth and rigid

@@ -213,10 +213,31 @@ void compile_elastic(const card::Card& card, Law& law) {
     compile_linear(card, std::get<card::Linear>(card.law), law.elastic);
 }
 
+// Fibres, cloth and its compression must go together; gaps of another unit are none.
+void require_compression(const card::Card& card) {
+  const auto& curve = card.compression;
+  const auto fibre = card.fibre_density;
+  if (fibre && !(*fibre > card.density))
+    throw Error(card::at_field(card, "fibre_density") + "expected more than the cloth's own density of " +
+                number(card.density) + " kg/m^3, got " + number(*fibre) + " kg/m^3");
+  if (curve.empty()) return;
+  const double least = fibre ? card.density * card.thickness / *fibre : 0;
+  if (!(curve.front().first > least))
+    throw Error(card::at_field(card, "compression") + "expected gaps above the " + number(least) +
+                " m that the fibres alone fill (areal mass over fibre_density), got " +
+                number(curve.front().first) + " m");
+  constexpr double far = 10;
+  if (curve.front().first > far * card.thickness || far * curve.back().first < card.thickness)
+    throw Error(card::at_field(card, "compression") + "expected gaps in m that are near the thickness of " +
+                number(card.thickness) + " m, got from " + number(curve.front().first) + " m to " +
+                number(curve.back().first) + " m");
+}
+
 }  // namespace
 
 std::shared_ptr<const Law> compile(const card::Card& card) {
   card::require(card);
+  require_compression(card);
   auto law = std::make_shared<Law>();
   if (const auto* woven = std::get_if<card::Woven>(&card.law))
     compile_woven(card, *woven, *law);

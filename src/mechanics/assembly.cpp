@@ -32,12 +32,12 @@ Assembly::~Assembly() = default;
 
 void Assembly::begin_iterate() {
   dofs_.begin_iterate();
-  if (contact_ != nullptr) contact_->begin_iterate();
+  for (auto& term : terms_) term->begin_iterate();
 }
 
 void Assembly::retract(std::span<const double> delta, double scale, std::span<const double> targets) {
   dofs_.retract(delta, scale, targets);
-  if (contact_ != nullptr) contact_->move(scale);
+  for (auto& term : terms_) term->move(scale);
 }
 
 // Supports go to their targets whatever the share is; if that is not safe either, the result is 0.
@@ -47,7 +47,15 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   if (contact_ == nullptr || !(share > 0)) return share;
   contact_->mark(trial());
   retract(delta, 1, targets);
-  share = std::min(share, contact_->safe_share(trial()));
+  // A step that goes over many elements would meet everything: it is looked at as far as is worth while.
+  const double near = contact_->near_share(trial());
+  if (near < 1) {
+    share = std::min(share, near);
+    retract(delta, share, targets);
+    share *= contact_->safe_share(trial());
+  } else {
+    share = std::min(share, contact_->safe_share(trial()));
+  }
   for (int i = 0; share < 1 && share > 0; ++i) {
     retract(delta, share, targets);
     const double again = contact_->safe_share(trial());
@@ -58,7 +66,43 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   return share;
 }
 
-bool Assembly::arrived() const { return contact_ == nullptr || contact_->arrived(); }
+bool Assembly::arrived() const {
+  return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->arrived(); });
+}
+
+// Free bodies are unknowns beside those of the matrix: K delta = r - B w, w = R + C delta + D w. With Z =
+// K^-1 B that is a small system for w, as large as the bodies have freedoms.
+bool Assembly::finish_direction(const Solve& solve, double weight, std::span<double> delta) {
+  const std::size_t m = contact_ == nullptr ? 0 : contact_->body_unknowns();
+  if (m == 0) return true;
+  const std::vector<double> zero(3 * reference().size(), 0), still(dofs_.targets(aimed_).size(), 0);
+  const auto answer = [&](std::span<const double> move) {
+    NodalRates nodal;
+    dofs_.spread_rates(move, still, nodal);
+    return contact_->body_answer(nodal.x);
+  };
+  std::vector<std::vector<double>> Z(m, std::vector<double>(delta.size()));
+  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(static_cast<Index>(m), static_cast<Index>(m));
+  A -= contact_->body_response();
+  std::vector<double> push(3 * reference().size()), r(delta.size());
+  for (std::size_t j = 0; j < m; ++j) {
+    if (!contact_->body_push(j, push)) continue;
+    dofs_.residual(push, zero, zero, {}, nullptr, r);
+    for (double& x : r) x *= weight;
+    if (!r.empty() && !solve(r, Z[j])) return false;
+    A.col(static_cast<Index>(j)) += answer(Z[j]);
+  }
+  const Eigen::VectorXd w = A.partialPivLu().solve(contact_->body_residual() + answer(delta));
+  if (!w.allFinite()) return false;
+  for (std::size_t j = 0; j < m; ++j)
+    for (std::size_t i = 0; i < delta.size(); ++i) delta[i] -= w[static_cast<Index>(j)] * Z[j][i];
+  contact_->direct_bodies({w.data(), m});
+  return true;
+}
+
+double Assembly::largest_body_residual() const {
+  return contact_ == nullptr ? 0 : contact_->largest_body_residual();
+}
 
 void Assembly::commit(double time) {
   configuration_.commit(time);

@@ -4,6 +4,7 @@
 // An explicit step: begin_iterate(), retract(), aim(time), forces(), residual(), commit(time). No matrix or
 // pattern is made unless a tangent is computed.
 #pragma once
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -62,6 +63,11 @@ class Assembly {
   void rollback();
   void aim(double time);  // sets the time of the loads for the next forces and tangents
 
+  // The solver's direction, delta = K^-1 r at the trial configuration, with what free bodies do beside it,
+  // which go the same shares of it. solve: K x = b; weight: of the forces' tangent in K. False: no solution.
+  using Solve = std::function<bool(std::span<const double> b, std::span<double> x)>;
+  bool finish_direction(const Solve& solve, double weight, std::span<double> delta);
+  double largest_body_residual() const;  // N, of free bodies: as largest_residual()
   // The share, 0 to 1, of a step from the iterate along delta, with the supports at their targets, that all
   // terms consider safe. The trial configuration is left somewhere along the step. limit_of_terms omits
   // contact, since explicit steps have their own check for contact.

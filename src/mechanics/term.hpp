@@ -145,6 +145,12 @@ class Term {
   // s, the largest stable step of central differences, with true or scaled rotary inertia.
   virtual double stable_step(bool /*scaled*/) const { return std::numeric_limits<double>::infinity(); }
 
+  // --- what the term itself moves in a step that iterates, by shares of the solver's steps: a share goes
+  // from where begin_iterate() found it
+  virtual void begin_iterate() {}
+  virtual void move(double /*scale*/) {}
+  virtual bool arrived() const { return true; }  // where the step ends
+
   // --- state
   virtual void aim(double /*time*/) {}  // sets the time of the next forces
   virtual void commit() {}

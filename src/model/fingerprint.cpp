@@ -128,7 +128,8 @@ void add_interactions(Part& part, const Model& model) {
     for (const Index e : elements) part.add(e);
   for (const Meeting& m : surfaces.meetings) {
     const ContactGiven& c = all.contacts()[m.contact];
-    part.add(m.first, m.second, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0), c.settle);
+    part.add(m.first, m.second, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0),
+             c.settle.value_or(0));
   }
 }
 

@@ -57,6 +57,7 @@ void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
                 number(contact.friction));
   check_positive("thickness", contact.thickness, "length in m");
   check_positive("stiffness", contact.stiffness, "number in Pa/m");
+  check_positive("settle", contact.settle, "time in s");
   contacts_.push_back(std::move(contact));
 }
 

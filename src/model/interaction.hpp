@@ -23,7 +23,7 @@ struct ContactGiven {
   double friction = 0;
   std::optional<double> thickness = {};  // m, thickness of the cloth in contact; default the cloth's own
   std::optional<double> stiffness = {};  // Pa/m; default computed from cloth and mesh
-  bool settle = false;                   // open an overlap at the start instead of refusing it
+  std::optional<double> settle = {};  // s, time in which an overlap at the start is opened; default: refused
 };
 
 using Displacement = std::array<std::optional<history::History>, 3>;

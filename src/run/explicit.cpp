@@ -34,6 +34,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   const double xi = options_.stiffness_damping / stable_, undamped = stable_;
   stable_ *= std::sqrt(1 + xi * xi) - xi;
   if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
+  tell_contacts();
   check_stable_step(undamped);
   choose_step();
   for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i)

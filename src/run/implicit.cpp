@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::run {
 
@@ -30,6 +31,8 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       problem_(*assembly_, newmark_, poll_),
       newton_(assembly_->symmetric() ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()),
       control_(control_of(options)) {
+  if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit();
+  tell_contacts();
   now_.step = control_.current();
 }
 

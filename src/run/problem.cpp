@@ -157,6 +157,13 @@ double Problem::work_of_balance() {
   return motion_.work(memory_.balance, balance_);
 }
 
+// Of the unknowns, and of free bodies, which are none (-1).
+std::pair<double, solver::Index> Problem::largest(std::span<const double> r) const {
+  const auto found = assembly_.largest_residual(r);
+  const double bodies = assembly_.largest_body_residual();
+  return bodies > found.first ? std::pair<double, solver::Index>(bodies, -1) : found;
+}
+
 double Problem::force_scale() const {
   const double inertia = newmark_ == nullptr ? 0 : newmark_->largest_inertia();
   return std::max({memory_.peak, assembly_.largest_force(), inertia});

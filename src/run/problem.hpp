@@ -54,6 +54,9 @@ class Problem final : public solver::PathProblem {
     assembly_.retract(delta, scale, targets_);
   }
   double limit(std::span<const double> delta) override { return assembly_.limit(delta, targets_); }
+  bool finish_direction(const Solve& solve, std::span<double> delta) override {
+    return assembly_.finish_direction(solve, weight(), delta);
+  }
   void accept() override { assembly_.begin_iterate(); }
   bool arrived() const override { return assembly_.arrived(); }
   Answer residual(std::span<double> r) override;
@@ -61,9 +64,7 @@ class Problem final : public solver::PathProblem {
   Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
   Answer tangent_and_rate(linear::Matrix& K, std::span<double> q) override;
   double product(std::span<const double> a, std::span<const double> b) const override;
-  std::pair<double, solver::Index> largest(std::span<const double> r) const override {
-    return assembly_.largest_residual(r);
-  }
+  std::pair<double, solver::Index> largest(std::span<const double> r) const override;
   double force_scale() const override;
   double rounding_floor(const linear::Matrix& K) const override { return assembly_.rounding_floor(K); }
 

@@ -23,14 +23,17 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   assembly_ = std::make_unique<mechanics::Assembly>(*model_);
   model_->seal();
   kinks_ = model_->kinks();
-  if (const auto* contact = std::as_const(*assembly_).contact())
-    for (const std::string& words : contact->describe())
-      notices_->once("contact " + words, "contact: " + words);
   if (const std::string words = bending_warning(*model_, *assembly_); !words.empty())
     notices_->once("bending of card " + model_->card().name, "warning: " + words);
 }
 
 Run::~Run() = default;
+
+void Run::tell_contacts() {
+  if (const auto* contact = std::as_const(*assembly_).contact())
+    for (const std::string& words : contact->describe())
+      notices_->once("contact " + words, "contact: " + words);
+}
 
 void Run::add(std::unique_ptr<mechanics::Term> term) {
   if (started_) throw Error(std::string("a term '") + term->name() + "': expected before the run begins");

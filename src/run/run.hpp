@@ -124,6 +124,9 @@ class Run {
   Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
       const char* kind);
 
+  // What each contact was taken for; once the kind of run is known.
+  void tell_contacts();
+
   // --- to be defined by a kind of run. A step's size is the time at its end; along an arc, its length.
   virtual void begin() = 0;  // the state at time 0, before its hooks; calls work_.start
   // Solves a step towards the limit, cutting it where necessary, and leaves it as the trial state. Returns

@@ -71,6 +71,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   else
     newton_ = std::make_unique<solver::Newton>(std::move(linear));
   if (options_.method != Method::newton) relaxation_ = std::make_unique<solver::Relaxation>();
+  tell_contacts();
 }
 
 Static::~Static() = default;

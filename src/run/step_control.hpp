@@ -35,11 +35,13 @@ class StepControl {
     current_ = failed / 2;
     return current_ >= smallest_;
   }
-  // After a step with many iterations the next one is smaller; after few it grows back to the largest.
+  // After a step with many iterations the next one is smaller, but not again and again (sliding friction
+  // takes many iterations whatever the step); after few it grows back to the largest.
   void grow(int iterations, bool was_cut) {
     const double n = std::max(1, iterations);
     if (iterations > many_iterations)
-      current_ = std::max({0.5 * current_, least_, current_ * std::sqrt(wanted_iterations / n)});
+      current_ = std::max({0.5 * current_, least_, current_ * std::sqrt(wanted_iterations / n),
+                           std::min(current_, largest_ / 16)});
     else if (!was_cut)
       current_ = std::min(largest_, current_ * std::clamp(2 * wanted_iterations / n, 1.0, 2.0));
   }

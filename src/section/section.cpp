@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "law/compression.hpp"
 #include "law/data.hpp"
 
 namespace fabricsh::section {
@@ -78,6 +79,20 @@ void find_plain(Section& s) {
   if (one && law->is_plain) s.plain = &law->plain;
 }
 
+constexpr double kFibre = 1500;  // kg/m3: what cloth is made of (cotton 1540, polyester 1380)
+constexpr double kLikely = 0.75, kFullest = 0.95;  // of the thickness: what fibres fill at most
+
+// What the fibres fill; where nobody said what they are made of, no more than three quarters.
+double fibre_of(const card::Card& card, double thickness) {
+  const double filled = card.density / card.fibre_density.value_or(kFibre);
+  return thickness * std::min(filled, card.fibre_density ? kFullest : kLikely);
+}
+
+// A sheet that is made thicker than its card is so at every pressure.
+law::Pressed pressed(const card::Card& card, double thickness) {
+  return {card.compression, card.thickness, thickness / card.thickness};
+}
+
 }  // namespace
 
 Section integrated(const card::Card& card, double thickness, int points, double offset) {
@@ -86,6 +101,8 @@ Section integrated(const card::Card& card, double thickness, int points, double 
   s.thickness = thickness;
   s.offset = offset;
   s.areal_mass = card.density * thickness;
+  s.fibre = fibre_of(card, thickness);
+  s.compression = law::pressed_together({pressed(card, thickness)});
   add_points(s, card, card.bending ? 1 : points, -1, 1, 0);
   if (card.bending) add_bending(s, card);
   find_plain(s);
@@ -95,6 +112,7 @@ Section integrated(const card::Card& card, double thickness, int points, double 
 Section stacked(const std::vector<Ply>& plies, int points, double offset) {
   if (plies.empty()) throw Error("layers: expected at least one layer");
   Section s;
+  std::vector<law::Pressed> parts;
   for (std::size_t i = 0; i < plies.size(); ++i) {
     const std::string name = "layers: layer " + std::to_string(i + 1) + ": ";
     if (!(plies[i].thickness > 0) || !std::isfinite(plies[i].thickness))
@@ -104,7 +122,10 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset) {
       throw Error(name + "a card with its own bending rigidity can't be one of several layers");
     s.thickness += plies[i].thickness;
     s.areal_mass += plies[i].card.density * plies[i].thickness;
+    s.fibre += fibre_of(plies[i].card, plies[i].thickness);
+    parts.push_back(pressed(plies[i].card, plies[i].thickness));
   }
+  s.compression = law::pressed_together(parts);
   s.offset = offset;
   check(s.thickness, offset);
   double low = -1;

@@ -29,7 +29,10 @@ struct Section {
   double thickness = 0;   // m
   double offset = 0;      // zeta_bar of the reference surface; z = (t/2)(zeta - zeta_bar)
   double areal_mass = 0;  // kg/m^2
-  double density = 0;     // kg/m^3
+  double fibre = 0;       // m, what the fibres alone fill: how thin it can be pressed at most
+  // Thickness (m) ascending and pressure (Pa) where it is pressed flat; empty: not measured.
+  std::vector<std::pair<double, double>> compression;
+  double density = 0;  // kg/m^3
   std::vector<Point> points;
   int state_size = 0;  // numbers per in-plane integration point, all thickness points together
   const law::PlainWoven* plain = nullptr;  // set if all points have one and the same plain law

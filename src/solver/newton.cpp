@@ -40,9 +40,12 @@ void Newton::resize(Index size) {
   for (auto* v : {&r_, &delta_, &trial_r_}) v->resize(static_cast<std::size_t>(size));
 }
 
-bool Newton::direction(std::span<const double> r) {
-  if (K_.size() == 0) return true;
-  return linear_->factorise(K_) && linear_->solve(K_, r, delta_) && all_finite(delta_);
+bool Newton::direction(Problem& problem) {
+  const auto solve = [this](std::span<const double> b, std::span<double> x) {
+    return linear_->solve(K_, b, x) && all_finite(x);
+  };
+  if (K_.size() > 0 && !(linear_->factorise(K_) && solve(r_, delta_))) return false;
+  return problem.finish_direction(solve, delta_) && all_finite(delta_);
 }
 
 // On return r_ is the residual at the trial configuration.
@@ -88,7 +91,7 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     return result;
   };
   for (int i = 0; i < options.max_iterations; ++i) {
-    if (!direction(r_)) return stop(NewtonStatus::singular);
+    if (!direction(problem)) return stop(NewtonStatus::singular);
     ++result.iterations;
     result.negative_pivots = linear_->report().negative_pivots;
     const Answer found = search(problem, options.line_search && !(predicted && i == 0));

@@ -1,5 +1,6 @@
 // Newton's method with a line search [williams2010, Box 5-1]. It works on vectors and does not know meshes.
 #pragma once
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -34,6 +35,10 @@ class Problem {
   // The share of a step from the iterate along delta that is safe, at most 1. At 0
   // the step must be cut. (The supports go to their targets whatever the share.)
   virtual double limit(std::span<const double> /*delta*/) { return 1; }
+  // A direction delta = K^-1 r, to which the problem adds what it solves for beside the matrix; solve: K x =
+  // b. False: there is none.
+  using Solve = std::function<bool(std::span<const double> b, std::span<double> x)>;
+  virtual bool finish_direction(const Solve& /*solve*/, std::span<double> /*delta*/) { return true; }
   virtual void accept() = 0;  // iterate = trial
   // Whether all that moves by shares has reached its prescribed position; none converges before.
   virtual bool arrived() const { return true; }
@@ -93,7 +98,7 @@ class Newton {
 
  private:
   NewtonResult iterate(Problem& problem, const NewtonOptions& options, bool predicted);
-  bool direction(std::span<const double> r);  // delta_ = K^-1 r
+  bool direction(Problem& problem);  // delta_ = K^-1 r_, and what the problem adds
   Answer search(Problem& problem, bool line_search);
   void resize(Index size);
   std::unique_ptr<LinearSolver> linear_;

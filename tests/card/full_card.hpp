@@ -27,6 +27,9 @@ inline card::Value next_value(const card::Field& field, int& count) {
     case card::Holds::curve:
     case card::Holds::number_or_curve:
       return std::vector{1e6 + ++count, 2e7 + ++count};
+    case card::Holds::points:
+      ++count;
+      return card::Points{{1e-4 * count, 5e3 * count}, {2e-4 * count, 50.0 * count}};
     default:
       break;
   }

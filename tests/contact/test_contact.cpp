@@ -197,6 +197,94 @@ TEST_CASE("contact: forces of cloth on cloth and on bodies balance", "[contact]"
   }
 }
 
+TEST_CASE("contact: friction of cloth on a body that turns balances in moment too", "[contact]") {
+  Sheets sheets;
+  sheets.add(0.1, 20, Vec3::Zero());
+  Scene scene = sheets.scene();
+  const int ball = scene.add_ball(Vec3(0.052, 0.047, -0.0302), 0.03);
+  scene.meet(0, ball, blend_law(), 0.4);
+  const auto& x = scene.reference();
+  std::vector<Vec3> v = none(x.size()), turn = none(x.size());
+  turn.back() = Vec3(30, -20, 10);
+  const std::vector<double> inverse_mass(x.size(), 1e5);
+  const Motion motion{v, inverse_mass, 1e-6, turn};
+  const Way way{x, 1e-6, turn};
+  for (const bool steps : {true, false}) {
+    Contact contact(scene);
+    auto f = none(x.size()), torque = none(x.size()), pressed = none(x.size());
+    contact.add_forces(x, pressed);
+    double lost = 0;
+    if (steps)
+      lost = contact.add_forces(x, f, &motion, torque).lost;
+    else
+      lost = contact.add_friction(x, way, f, torque);
+    REQUIRE(lost > 0);
+    Vec3 moment = torque.back();
+    double size = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      moment += x[i].cross(f[i]);
+      size += f[i].norm();
+    }
+    CHECK(torque.back().norm() > 0.5 * 0.03 * (steps ? (f.back() - pressed.back()).norm() : f.back().norm()));
+    CHECK(moment.norm() < 1e-13 * size);
+    // What friction takes is what the torque and the pull take from the body's turning.
+    CHECK(lost == Approx(-torque.back().dot(turn.back())).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("contact: what begins too near is opened smoothly, and its work is what it stores", "[contact]") {
+  const Law law = blend_law();
+  Sheets sheets;
+  sheets.add(0.02, 4, Vec3::Zero());
+  sheets.add(0.02, 4, Vec3(0, 0, 0.1 * law.floor()));
+  Scene scene = sheets.scene();
+  scene.meet(0, 1, law, 0);
+  const double start = 0.1 * law.floor() / law.gap(), area = 0.02 * 0.02;
+  scene.open(0, std::vector<double>(scene.reference().size(), start));
+  Contact contact(scene);
+  const auto at = [&](double share) {
+    contact.open_to(std::vector<double>{share});
+    auto f = none(scene.reference().size());
+    const Totals totals = contact.add_forces(scene.reference(), f);
+    const double scale = start + (1 - start) * share;
+    const auto wanted = law.scaled(0.1 * law.floor(), scale);
+    CHECK(totals.contact == Approx(area * wanted.contact).epsilon(1e-10));
+    CHECK(sum(f, 25, 50).z() == Approx(area * wanted.pressure).epsilon(1e-10));
+    return totals.gap;
+  };
+  CHECK(at(0) == Approx(0.1 * law.floor() * (1 - law.floor() / law.gap())).epsilon(1e-10));
+  CHECK(at(0.05) > 0);
+  CHECK(contact.overlaps(scene.reference()).empty());
+  contact.open_to(std::vector<double>{1.0});
+  CHECK(contact.overlaps(scene.reference()).size() > 25);
+}
+
+TEST_CASE(
+    "contact: where overlaps are opened, sheets of one surface are no neighbours, one sheet's places are",
+    "[contact]") {
+  const Law law = blend_law();
+  mesh::Mesh two = mesh::rectangle(0.02, 0.02, 4, 4);
+  const auto n = static_cast<mesh::Index>(two.nodes.size());
+  const auto elements = two.elements;
+  for (mesh::Index i = 0; i < n; ++i) two.nodes.push_back(two.nodes[i] + Vec3(0, 0, 0.5 * law.gap()));
+  for (auto e : elements) {
+    for (auto& id : e) id = id < 0 ? id : id + n;
+    two.elements.push_back(e);
+  }
+  Scene scene(two.nodes);
+  scene.add_cloth(two.elements);
+  scene.meet(0, 0, law, 0);
+  const auto scales = [&] {
+    double least = 1;
+    for (const Candidate& c : find_pairs(scene, scene.reference(), 0.1 * law.gap()))
+      least = std::min(least, c.pair.scale);
+    return least;
+  };
+  CHECK(scales() == Approx(0.45).epsilon(1e-12));
+  scene.open(0, std::vector<double>(scene.reference().size(), 0.5));
+  CHECK(scales() == 1);
+}
+
 TEST_CASE("contact: stiffness is the derivative of the forces, friction's unsymmetric part included",
           "[contact]") {
   const Heap heap;
@@ -208,24 +296,26 @@ TEST_CASE("contact: stiffness is the derivative of the forces, friction's unsymm
     start[i] += random.vector(1e-4);
     by[i] = random.vector(1);
   }
-  const double creep = 1e-6;
+  std::vector<Vec3> turn = none(n);
+  turn.back() = Vec3(2e-3, -1e-3, 3e-3);  // of the ball
+  const Way way{start, 1e-6, turn};
   contact.stiffness(
       heap.x,
-      [&](const std::array<std::int32_t, 4>& p, const Matrix12& k) {
+      [&](const std::array<std::int32_t, 4>& p, const Matrix12& k, const Friction*) {
         for (int i = 0; i < 4; ++i)
           for (int j = 0; j < 4; ++j)
             if (p[std::size_t(i)] >= 0 && p[std::size_t(j)] >= 0)
               product[std::size_t(p[std::size_t(i)])] +=
                   k.block<3, 3>(3 * i, 3 * j) * by[std::size_t(p[std::size_t(j)])];
       },
-      start, creep);
+      way);
   const auto error = [&](double h) {
     auto up = none(n), down = none(n);
     for (const double sign : {1.0, -1.0}) {
       std::vector<Vec3> x = heap.x;
       for (std::size_t i = 0; i < n; ++i) x[i] += sign * h * by[i];
       contact.add_forces(x, sign > 0 ? up : down);
-      contact.add_friction(x, start, creep, sign > 0 ? up : down);
+      contact.add_friction(x, way, sign > 0 ? up : down);
     }
     double sum = 0, size = 0;
     for (std::size_t i = 0; i < n; ++i) {

@@ -105,6 +105,27 @@ TEST_CASE("law: a curve's stiffness can be bounded", "[contact]") {
   CHECK(law(0.6e-3).pressure == Approx(49).epsilon(1e-12));  // soft there: untouched
 }
 
+TEST_CASE(
+    "law: below a measured curve stiffness rises as what is left above the floor falls, down to a guard",
+    "[contact]") {
+  LawData data;
+  data.floor = 0.15e-3;
+  data.curve = {{0.2e-3, 5000}, {0.22e-3, 3000}, {0.4e-3, 300}, {0.6e-3, 49}};
+  const Law law(data);
+  CHECK(law.guard_gap() == Approx(0.175e-3).epsilon(1e-12));  // half of what is left below 0.2 mm
+  const double stiffness = 2000 / 0.02e-3;
+  CHECK(law(0.2e-3).stiffness == Approx(stiffness).epsilon(1e-12));
+  CHECK(law(0.2e-3 - 1e-12).stiffness == Approx(stiffness).epsilon(1e-6));
+  CHECK(law.stiffest() == Approx(4 * stiffness).epsilon(1e-12));
+  for (const double d : {0.196e-3, 0.189e-3, 0.183e-3}) {
+    const double left = (d - data.floor) / 0.05e-3;
+    CHECK(law(d).stiffness == Approx(stiffness / (left * left)).epsilon(0.03));  // straight pieces
+    CHECK(law(d).guard == 0);
+    check_derivatives(law, d);
+  }
+  CHECK(law(0.2e-3).pressure == Approx(5000).epsilon(1e-12));
+}
+
 TEST_CASE("law: scaled lengths keep the stiffness", "[contact]") {
   const Law law(blend());
   const double d = 0.7 * law.gap(), scale = 0.5;

@@ -20,6 +20,12 @@ contact::Wrench wrench_on(const contact::FreeBody& body, std::span<const Vec3> x
   return contact::wrench(x, force, body.centre());
 }
 
+// rad: from one orientation to another.
+Vec3 rotation(const Mat3& from, const Mat3& to) {
+  const Eigen::AngleAxisd turned(Mat3(to * from.transpose()));
+  return turned.angle() * turned.axis();
+}
+
 }  // namespace
 
 Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model) {
@@ -51,9 +57,14 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
     double far = 0;
     for (std::size_t i = body.first; i < body.first + body.count; ++i)
       far = std::max(far, (reference_[i] - free.committed.centre()).norm());
+    far += scene.surfaces()[static_cast<std::size_t>(body.surface)].radius;
     const double moment = Eigen::SelfAdjointEigenSolver<Mat3>(free.committed.inertia()).eigenvalues()[0];
     free.bound = 1 / free.committed.mass() + far * far / moment;
+    free.size = far;
   }
+  free_of_.assign(reference_.size(), -1);
+  for (const Body& body : bodies_)
+    std::fill_n(free_of_.begin() + static_cast<std::ptrdiff_t>(body.first), body.count, body.free);
   aim(0, 0);
   committed_ = target_;
 }
@@ -94,40 +105,119 @@ Vec3 Bodies::gravity(double time) const {
   return g;
 }
 
-contact::FreeBody Bodies::flown(const Free& body, double time, double dt) const {
-  contact::FreeBody at = body.committed;
-  if (dt == 0) return at;
-  at.kick(body.wrench.force + at.mass() * gravity(time), body.wrench.torque, dt / 2);
-  at.drift(dt);
-  return at;
+contact::Wrench Bodies::first_half(const Free& body) const {
+  const double mass = body.committed.mass();
+  if (!implicit_) return {body.wrench.force + mass * gravity(from_), body.wrench.torque};
+  return {(body.wrench.force + body.end.force + mass * (gravity(from_) + gravity(to_))) / 2,
+          (body.wrench.torque + body.end.torque) / 2};
 }
 
-void Bodies::aim(double from, double to) {
-  loaded_ = false;
-  from_ = from;
-  to_ = to;
-  for (const Body& body : bodies_) {
-    const std::span<Vec3> x = std::span(target_).subspan(body.first, body.count);
-    if (body.free < 0) {
-      if (body.motion != nullptr || body.moving) place(body, to, x);
-      continue;
-    }
+// Free bodies to where the step ends.
+void Bodies::fly() {
+  const double dt = to_ - from_;
+  for (Body& body : bodies_) {
+    if (body.free < 0) continue;
     Free& free = free_[body.free];
-    free.predicted = flown(free, from, to - from);
+    free.predicted = free.committed;
+    if (dt != 0) {
+      const contact::Wrench kick = first_half(free);
+      free.predicted.kick(kick.force, kick.torque, dt / 2);
+      free.predicted.drift(dt);
+    }
+    body.turned = rotation(free.committed.pose().turn, free.predicted.pose().turn);
     const contact::Pose pose = free.predicted.pose();
     const Vec3& origin = body.given->centre();
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = pose(reference_[body.first + i] - origin);
+    for (std::size_t i = body.first; i < body.first + body.count; ++i)
+      target_[i] = pose(reference_[i] - origin);
   }
 }
 
-void Bodies::load(std::span<const Vec3> force) {
+void Bodies::aim(double from, double to) {
+  from_ = from;
+  to_ = to;
+  for (Body& body : bodies_) {
+    if (body.free >= 0) continue;
+    if (body.motion != nullptr || body.moving)
+      place(body, to, std::span(target_).subspan(body.first, body.count));
+    if (body.motion != nullptr && body.motion->turn)
+      body.turned = rotation(driven(body, from).turn, driven(body, to).turn);
+  }
+  rollback();
+}
+
+void Bodies::rollback() {
+  loaded_ = false;
+  for (Free& free : free_) {
+    free.end = free.iterate = free.wrench;
+    free.way = {};
+  }
+  fly();
+}
+
+// --- implicit steps of free bodies
+
+Eigen::VectorXd Bodies::residual() const {
+  Eigen::VectorXd out(static_cast<Eigen::Index>(unknowns()));
+  for (std::size_t f = 0; f < free_.size(); ++f) {
+    const contact::Wrench& is = loaded_ ? free_[f].trial : free_[f].wrench;
+    const auto row = static_cast<Eigen::Index>(6 * f);
+    out.segment<3>(row) = is.force - free_[f].end.force;
+    out.segment<3>(row + 3) = is.torque - free_[f].end.torque;
+  }
+  return out;
+}
+
+double Bodies::largest_residual() const {
+  double most = 0;
+  if (!implicit_ || !loaded_ || to_ == from_) return most;
+  for (const Free& free : free_)
+    most = std::max({most, (free.trial.force - free.end.force).lpNorm<Eigen::Infinity>(),
+                     (free.trial.torque - free.end.torque).lpNorm<Eigen::Infinity>() / free.size});
+  return most;
+}
+
+void Bodies::direct(std::span<const double> way) {
+  for (std::size_t f = 0; f < free_.size(); ++f) {
+    free_[f].way.force = Eigen::Map<const Vec3>(way.data() + 6 * f);
+    free_[f].way.torque = Eigen::Map<const Vec3>(way.data() + 6 * f + 3);
+  }
+}
+
+void Bodies::begin_iterate() {
+  for (Free& free : free_) {
+    free.iterate = free.end;
+    free.way = {};
+  }
+}
+
+void Bodies::move(double scale) {
+  if (!implicit_ || free_.empty()) return;
+  for (Free& free : free_) {
+    free.end.force = free.iterate.force + scale * free.way.force;
+    free.end.torque = free.iterate.torque + scale * free.way.torque;
+  }
+  fly();
+}
+
+Bodies::Matrix6 Bodies::compliance(std::size_t free) const {
+  const double dt = to_ - from_;
+  Matrix6 out = Matrix6::Zero();
+  out.topLeftCorner<3, 3>() = dt * dt / 4 / free_[free].committed.mass() * Mat3::Identity();
+  out.bottomRightCorner<3, 3>() = dt * dt / 4 * free_[free].predicted.inertia().inverse();
+  return out;
+}
+
+void Bodies::load(std::span<const Vec3> force, std::span<const Vec3> torque) {
   std::copy(force.begin(), force.end(), trial_force_.begin());
   loaded_ = true;
-  for (const Body& body : bodies_) {
+  for (Body& body : bodies_) {
+    body.trial_torque.setZero();
+    for (const Vec3& part : torque.subspan(body.first, body.count)) body.trial_torque += part;
     if (body.free < 0) continue;
     Free& free = free_[body.free];
     free.trial = wrench_on(free.predicted, std::span<const Vec3>(target_).subspan(body.first, body.count),
                            force.subspan(body.first, body.count));
+    free.trial.torque += body.trial_torque;
   }
 }
 
@@ -135,7 +225,10 @@ contact::FreeBody Bodies::kicked(const Free& body) const {
   if (!loaded_) return body.committed;
   if (to_ == from_) return body.predicted;
   contact::FreeBody at = body.predicted;
-  at.kick(body.trial.force + at.mass() * gravity(to_), body.trial.torque, (to_ - from_) / 2);
+  // All that is left of the mean of both forces.
+  const contact::Wrench first = first_half(body);
+  at.kick(body.wrench.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
+          body.wrench.torque + body.trial.torque - first.torque, (to_ - from_) / 2);
   return at;
 }
 
@@ -144,8 +237,11 @@ void Bodies::commit() {
     free.committed = kicked(free);
     if (loaded_) free.wrench = free.trial;
     free.predicted = free.committed;
+    free.end = free.iterate = free.wrench;
   }
   if (loaded_) force_ = trial_force_;
+  for (Body& body : bodies_)
+    if (loaded_) body.torque = body.trial_torque;
   committed_ = target_;
   from_ = to_;
   loaded_ = false;
@@ -160,13 +256,17 @@ void Bodies::keep(Archive& archive) {
   if (!committed_.empty()) {
     archive.filled({committed_.front().data(), 3 * committed_.size()});
     archive.filled({force_.front().data(), 3 * force_.size()});
+    for (Body& body : bodies_) archive.filled({body.torque.data(), 3});
   }
   archive(to_);
   if (!archive.reading()) return;
   from_ = to_;
   target_ = committed_;
   loaded_ = false;
-  for (Free& free : free_) free.predicted = free.committed;
+  for (Free& free : free_) {
+    free.predicted = free.committed;
+    free.end = free.iterate = free.wrench;
+  }
 }
 
 double Bodies::kinetic() const {
@@ -187,6 +287,7 @@ double Bodies::step_work() const {
     }
     for (std::size_t i = body.first; i < body.first + body.count; ++i)
       work -= (force_[i] + trial_force_[i]).dot(target_[i] - committed_[i]) / 2;
+    work -= (body.torque + body.trial_torque).dot(body.turned) / 2;
   }
   return work;
 }

@@ -1,8 +1,11 @@
 // The rigid bodies of a model in motion: the positions of their vertices, and the work involved.
 //
 // A step moves them from their committed positions to those at its end: fixed bodies stay, driven ones follow
-// their histories, moving surfaces change from shape to shape, and free bodies move under the forces on them
-// (velocity Verlet: half a kick, the flight, half a kick with the force at the end), in a run of any kind.
+// their histories, moving surfaces change from shape to shape, and free bodies move under the forces on them:
+// half a kick, the flight, half a kick. In explicit steps the first kick is from the force at the beginning
+// of the step, the second from that at its end (velocity Verlet). In implicit steps both kicks are from the
+// mean of the two (the trapezoidal rule), and the force at the end, six numbers for each body, is solved for
+// together with the unknowns of the cloth.
 // Newton's iterations take them there by shares, along straight lines, so that no contact is passed over.
 #pragma once
 #include <span>
@@ -34,10 +37,30 @@ class Bodies {
   std::span<const Vec3> committed() const { return committed_; }  // m, vertices of all bodies
   std::span<const Vec3> target() const { return target_; }        // at the end of the step
 
-  // Sets the forces on the vertices at the end of the step, N.
-  void load(std::span<const Vec3> force);
+  // rad: rotation of body i in the step; zero for a surface that changes from shape to shape.
+  const Vec3& turned(std::size_t i) const { return bodies_[i].turned; }
+
+  // Sets the forces on the vertices at the end of the step, N, and the torques of friction, N m.
+  void load(std::span<const Vec3> force, std::span<const Vec3> torque);
   void commit();
-  void rollback() { loaded_ = false; }
+  void rollback();
+  // The forces at the step's end are sought from here on.
+  void go_implicit() { implicit_ = true; }
+  // --- of free bodies in implicit steps: force (N) and torque (N m) on each at the step's end, six numbers a
+  // body: those that are, less those that its flight was worked out with.
+  std::size_t unknowns() const { return implicit_ ? 6 * free_.size() : 0; }
+  Eigen::VectorXd residual() const;
+  double largest_residual() const;           // N, torques over the body's size
+  void direct(std::span<const double> way);  // the change that move() takes shares of
+  void begin_iterate();
+  void move(double scale);
+  // Of a free body, by its number: what a change of the force at the end does to its place and its turn, 6
+  // x 6.
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  Matrix6 compliance(std::size_t free) const;
+  // The number of vertex row v's body among the free ones, -1: none; and its lever from the centre, m.
+  int free_of(std::size_t v) const { return free_of_[v]; }
+  Vec3 lever(std::size_t v) const { return target_[v] - free_[free_of_[v]].predicted.centre(); }
   void keep(Archive& archive);
 
   // --- in the trial state if its forces are known, otherwise in the committed state
@@ -62,6 +85,9 @@ class Bodies {
     contact::FreeBody committed, predicted;
     contact::Wrench wrench, trial;  // on it, without gravity; N, N m about its centre
     double bound = 0;               // 1/kg
+    double size = 0;                // m, of what is farthest from its centre
+    // Implicit steps: the force at the end that it flies with; where the iterate is, and the way from there.
+    contact::Wrench end = {}, iterate = {}, way = {};
   };
   struct Body {
     model::RigidPointer given;
@@ -69,12 +95,15 @@ class Bodies {
     std::size_t first = 0, count = 0;  // vertices
     const model::BodyMotion* motion = nullptr;
     std::optional<contact::MovingShape> moving = {};
-    int free = -1;  // index in free_, -1: not free
+    int free = -1;                                            // index in free_, -1: not free
+    Vec3 turned = Vec3::Zero();                               // rad, in the step
+    Vec3 torque = Vec3::Zero(), trial_torque = Vec3::Zero();  // N m, that friction turns it with
   };
   contact::Pose driven(const Body& body, double time) const;
   void place(const Body& body, double time, std::span<Vec3> x) const;
   Vec3 gravity(double time) const;
-  contact::FreeBody flown(const Free& body, double time, double dt) const;
+  contact::Wrench first_half(const Free& body) const;  // what kicks it before it flies, gravity included
+  void fly();
   contact::FreeBody kicked(const Free& body) const;
   double now() const { return loaded_ ? to_ : from_; }  // s, of the state being read
 
@@ -85,6 +114,8 @@ class Bodies {
   std::vector<Vec3> force_, trial_force_;             // N, on the vertices
   double from_ = 0, to_ = 0;                          // s
   bool loaded_ = false;                               // whether the forces in the trial state are known
+  bool implicit_ = false;
+  std::vector<int> free_of_;  // of each vertex, -1
 };
 
 }  // namespace fabricsh::mechanics

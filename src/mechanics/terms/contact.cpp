@@ -6,17 +6,20 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
+#include "law/compression.hpp"
 
 namespace fabricsh::mechanics {
 
 namespace {
 
-constexpr double kFibre = 1500;       // kg/m3, density of fibres (cotton 1540, polyester 1380)
 constexpr double kLeast = 0.75;       // largest floor, as a share of the thickness
+constexpr double kDense = 1e6;        // Pa, pressure that presses woven cloth down to its fibres
+constexpr double kNearest = 1e-3;     // smallest gap at the start that is opened, as a share of the whole
 constexpr double kOfCloth = 0.6;      // largest step with contact, as a share of the cloth's stable step
 constexpr double kCarried = 0.2;      // stiffness * step^2 / areal mass
 constexpr double kInGuard = 1;        // the same while the guard acts
 constexpr double kCreep = 2e-4;       // sliding over which friction rises, as a share of the mean edge
+constexpr double kFar = 5;            // mean edges, the farthest that one of Newton's steps goes
 constexpr std::size_t kShare = 4096;  // number of nodes from which loops use several threads
 constexpr std::size_t kTold = 5;      // number of overlaps named in a message
 
@@ -29,6 +32,12 @@ contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfac
     scene.add_cloth(rows);
   }
   return scene;
+}
+
+Mat3 cross_matrix(const Vec3& a) {
+  Mat3 m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
 }
 
 double mean_edge(const contact::Scene& scene) {
@@ -61,14 +70,16 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   creep_ = kCreep * mean_edge(scene_);
   for (const model::Meeting& m : surfaces.meetings) {
     const double friction = model.interactions().contacts()[m.contact].friction;
-    scene_.meet(m.first, m.second, law_of(m), friction);
+    meetings_.push_back(meeting_of(m));
+    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), friction);
     friction_ = friction_ || friction > 0;
   }
   moves_ = bodies_.any_free() || bodies_.any_driven();
+  open_overlaps();
   contact_ = std::make_unique<contact::Contact>(scene_);
   x_ = start_ = scene_.reference();
   force_.assign(x_.size(), Vec3::Zero());
-  velocity_ = force_;
+  velocity_ = torque_ = turning_ = force_;
   find_masses(freedoms);
   refuse_overlaps();
 }
@@ -79,7 +90,9 @@ Contacts::Sheet Contacts::sheet(const std::vector<Index>& elements) const {
     const auto& section = model_.sections()[model_.region_of(e)];
     out.thickness = std::max(out.thickness, section.thickness);
     out.areal = std::min(out.areal, section.areal_mass);
-    out.floor = std::max(out.floor, std::min(section.areal_mass / kFibre, kLeast * section.thickness));
+    out.floor = std::max(out.floor, section.fibre);
+    if (e == elements.front()) out.compression = section.compression;
+    if (out.compression != section.compression) out.compression.clear();  // cloths of several kinds
   }
   return out;
 }
@@ -97,32 +110,165 @@ void Contacts::find_masses(const Freedoms& freedoms) {
   }
 }
 
+std::string Contacts::name_of(int side) const {
+  if (side < static_cast<int>(sheets_.size()))
+    return sheets_.size() > 1 ? "cloth " + std::to_string(side + 1) : "the cloth";
+  return model_.interactions().name_of(bodies_.body(side - sheets_.size()));
+}
+
 // A sheet occupies half of its thickness on either side of its midsurface.
-contact::Law Contacts::law_of(const model::Meeting& m) {
+Contacts::Meeting Contacts::meeting_of(const model::Meeting& m) const {
   const auto& given = model_.interactions().contacts()[m.contact];
-  double gap = 0, floor = 0, areal = std::numeric_limits<double>::infinity();
+  Meeting out;
+  out.names =
+      m.first == m.second ? name_of(m.first) + " on itself" : name_of(m.second) + " on " + name_of(m.first);
+  out.given = given.stiffness.has_value();
+  out.settle = given.settle;
+  contact::LawData& data = out.data;
+  double areal = std::numeric_limits<double>::infinity();
+  std::vector<law::Pressed> halves;
   for (const int side : {m.first, m.second}) {
     if (side >= static_cast<int>(sheets_.size())) continue;
     const Sheet& sheet = sheets_[side];
     const double thickness = given.thickness.value_or(sheet.thickness);
-    gap += thickness / 2;
-    floor += std::min(sheet.floor, kLeast * thickness) / 2;
+    data.gap += thickness / 2;
+    data.floor += std::min(sheet.floor, given.thickness ? kLeast * thickness : thickness) / 2;
     areal = std::min(areal, sheet.areal);
+    halves.push_back({sheet.compression, thickness, 0.5});
   }
-  const double stiffness = given.stiffness.value_or(kCarried * areal / (step_ * step_));
-  const auto name = [&](int side) {
-    return side < static_cast<int>(sheets_.size())
-               ? std::string(sheets_.size() > 1 ? "cloth " + std::to_string(side + 1) : "the cloth")
-               : model_.interactions().name_of(bodies_.body(side - sheets_.size()));
-  };
-  words_.push_back(
-      (m.first == m.second ? name(m.first) + " on itself" : name(m.second) + " on " + name(m.first)) +
-      ": from a gap of " + number(gap) + " m, floor " + number(floor) + " m, stiffness " + number(stiffness) +
-      " Pa/m" + (given.stiffness ? "" : " (default)") + ", friction " + number(given.friction));
-  return contact::Law({gap, floor, stiffness, {}});
+  out.carried = kCarried * areal / (step_ * step_);
+  if (!given.stiffness && !given.thickness) data.curve = law::pressed_together(halves);
+  if (!data.curve.empty())
+    data.floor = std::min(data.floor, kLeast * data.curve.front().first);
+  else
+    data.stiffness = given.stiffness.value_or(kDense / (data.gap - data.floor));
+  return out;
 }
 
-std::vector<std::string> Contacts::describe() const { return words_; }
+std::string Contacts::stiffness_words(const Meeting& m, const contact::Law& law) const {
+  const bool measured = !m.data.curve.empty();
+  const std::string carried = m.softened ? ", no more than the mesh carries in motion" : "";
+  if (!measured)
+    return "stiffness " + number(law.stiffest()) + " Pa/m" + (m.given ? "" : " (default" + carried + ")");
+  return "pressed as its card's compression has it, to a stiffness of " + number(law.stiffest()) + " Pa/m" +
+         (carried.empty() ? "" : " (" + carried.substr(2) + ")");
+}
+
+std::vector<std::string> Contacts::describe() const {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    const Meeting& m = meetings_[i];
+    const auto& it = scene_.interactions()[i];
+    lines.push_back(m.names + ": from a gap of " + number(it.law.gap()) + " m, floor " +
+                    number(it.law.floor()) + " m, " + stiffness_words(m, it.law) + ", friction " +
+                    number(it.friction));
+    if (m.near > 0)
+      lines.back() += "; " + std::to_string(m.near) + (m.near == 1 ? " point is" : " points are") +
+                      " nearer than that at the start, the nearest by " + number(it.law.gap() - m.nearest) +
+                      " m: opened over " + number(*m.settle) + " s";
+  }
+  return lines;
+}
+
+// What nobody gave is no stiffer than the cloth's own motion: contact then costs an explicit step nothing,
+// and rings no faster than the mesh in an implicit one, whose steps follow it.
+void Contacts::soften(bool measured) {
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    Meeting& m = meetings_[i];
+    if (m.given || (!m.data.curve.empty() && !measured)) continue;
+    if (scene_.interactions()[i].law.stiffest() <= m.carried) continue;
+    m.softened = true;
+    m.data.stiffness = m.carried;
+    scene_.replace_law(i, contact::Law(m.data));
+  }
+}
+
+void Contacts::go_explicit() {
+  explicit_ = true;
+  soften(true);
+}
+
+void Contacts::go_implicit() {
+  bodies_.go_implicit();
+  soften(false);
+}
+
+// --- overlaps at the start
+
+// Each point begins with the share of the gap that it has, so that nothing presses at the start.
+void Contacts::open_overlaps() {
+  std::vector<std::vector<double>> shares(meetings_.size());
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    if (!meetings_[i].settle) continue;
+    shares[i].assign(scene_.reference().size(), 1);
+    scene_.open(i, shares[i]);
+  }
+  for (const contact::Candidate& c : contact::find_pairs(scene_, scene_.reference(), 0)) {
+    auto& share = shares[static_cast<std::size_t>(c.interaction)];
+    if (share.empty()) continue;
+    const double whole = c.whole * scene_.interactions()[static_cast<std::size_t>(c.interaction)].law.gap(),
+                 gap = contact::gap_of(c, contact::corners_of(c, scene_.reference()));
+    const bool edges = c.pair.kind == contact::Kind::edges || c.pair.kind == contact::Kind::wrap;
+    for (std::size_t k = 0; k < (edges ? 4u : 1u); ++k)
+      if (double& s = share[static_cast<std::size_t>(c.point[k])]; c.point[k] >= 0)
+        s = std::min(s, gap / whole);
+  }
+  for (std::size_t i = 0; i < meetings_.size(); ++i) {
+    Meeting& m = meetings_[i];
+    if (!m.settle) continue;
+    const double least = *std::min_element(shares[i].begin(), shares[i].end());
+    m.near = static_cast<std::size_t>(
+        std::count_if(shares[i].begin(), shares[i].end(), [](double s) { return s < 1; }));
+    m.nearest = least * scene_.interactions()[i].law.gap();
+    if (m.near > 0) opened_at_ = std::max(opened_at_, *m.settle);
+    for (double& s : shares[i]) s = std::max(s, 0.0);
+    scene_.open(i, std::move(shares[i]));
+  }
+}
+
+// Smoothly from nothing at time 0 to all of it.
+void Contacts::open_to(double time) const {
+  if (!(opened_at_ > 0)) return;
+  share_of_.assign(meetings_.size(), 1);
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (const auto& settle = meetings_[i].settle; settle && time < *settle) {
+      const double s = std::max(time, 0.0) / *settle;
+      share_of_[i] = s * s * (3 - 2 * s);
+    }
+  contact_->open_to(share_of_);
+}
+
+double Contacts::opening_energy(std::span<const Vec3> x, double time) {
+  open_to(time);
+  const contact::Totals totals = contact_->add_forces(x, force_);
+  return totals.contact + totals.guard;
+}
+
+// J: what opening does in a time dt at its pace at `time`, while nothing moves.
+double Contacts::opening_pace(std::span<const Vec3> x, double time, double dt) {
+  constexpr double small = 1e-3;
+  const double more = opening_energy(x, time + small * dt), less = opening_energy(x, time - small * dt);
+  return (more - less) / (2 * small);
+}
+
+// What is opened does work on what it presses: by the trapezoid, from its pace at either end of the step.
+// False: it opens beyond what there is room for. Leaves contact opened as at the step's end.
+bool Contacts::work_of_opening() {
+  opening_work_ = 0;
+  const double from = configuration_.time(), dt = aimed_ - from;
+  if (!(from < opened_at_) || !(dt > 0)) return true;
+  positions(configuration_.committed_kinematics(), 0, start_);
+  const double first = opening_pace(start_, from, dt), last = opening_pace(x_, aimed_, dt);
+  opening_work_ = (first + last) / 2;
+  open_to(aimed_);
+  return std::isfinite(opening_work_);
+}
+
+void Contacts::aim(double time) {
+  aimed_ = time;
+  bodies_.aim(configuration_.time(), time);
+  open_to(time);
+}
 
 double Contacts::largest_step(bool scaled) const {
   double stiffest = 0;
@@ -170,7 +316,14 @@ std::string Contacts::words(const std::array<std::int32_t, 4>& points) const {
 
 void Contacts::refuse_overlaps() {
   positions(configuration_.x(), 0, x_);
-  const auto overlaps = contact_->overlaps(x_);
+  open_to(0);
+  auto overlaps = contact_->overlaps(x_);
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (meetings_[i].near > 0 && meetings_[i].nearest < kNearest * scene_.interactions()[i].law.gap() &&
+        overlaps.empty())
+      throw Error("contact: field 'settle': " + meetings_[i].names + ": expected at least " +
+                  number(kNearest * scene_.interactions()[i].law.gap()) + " m between what is opened, got " +
+                  number(meetings_[i].nearest) + " m");
   if (overlaps.empty()) return;
   std::string text = "contact: " + std::to_string(overlaps.size()) +
                      (overlaps.size() == 1 ? " pair overlaps" : " pairs overlap") + " at the start:";
@@ -178,7 +331,11 @@ void Contacts::refuse_overlaps() {
     text += (i > 0 ? "; " : " ") + words(overlaps[i].point) +
             (overlaps[i].gap > 0 ? ", " + number(overlaps[i].gap) + " m apart" : ", one through the other");
   if (overlaps.size() > kTold) text += "; ...";
-  throw Error(text + "; expected all of it apart");
+  const auto tight = [](const auto& overlap) { return overlap.gap > 0; };
+  throw Error(text + "; expected all of it apart" +
+              (std::any_of(overlaps.begin(), overlaps.end(), tight)
+                   ? " (settle= of m:contact would open what is not one through the other)"
+                   : ""));
 }
 
 // --- forces
@@ -202,18 +359,37 @@ void Contacts::find_motion(double dt) {
     if (friction_) velocity_[i] = moved / dt;
   }
   moved_ = std::sqrt(most);
+  if (friction_) find_turning(1 / dt);
+}
+
+// Of each body's vertices: what it turns by in the step, times a factor.
+void Contacts::find_turning(double factor) {
+  for (std::size_t b = 0; b < bodies_.count(); ++b) {
+    const auto [first, last] = bodies_.vertices(b);
+    std::fill(turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + first),
+              turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + last), factor * bodies_.turned(b));
+  }
+}
+
+// From the step's start, start_, to where the bodies' shares have come.
+contact::Way Contacts::way() {
+  positions(configuration_.committed_kinematics(), 0, start_);
+  find_turning(std::clamp(share_, 0.0, 1.0));
+  return {start_, creep_, turning_};
 }
 
 Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& forces) {
   positions(trial.configuration.x(), share_, x_);
   const bool steps = step.dt > 0;
+  const bool room = work_of_opening();
   if (explicit_ && steps) find_motion(step.dt);
-  const contact::Motion motion{velocity_, inverse_mass_, step.dt};
+  const contact::Motion motion{velocity_, inverse_mass_, step.dt, turning_};
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
-  trial_ = contact_->add_forces(x_, force_, explicit_ && steps && friction_ ? &motion : nullptr);
+  std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
+  trial_ = contact_->add_forces(x_, force_, explicit_ && steps && friction_ ? &motion : nullptr, torque_);
   trial_lost_ = explicit_ ? step.dt * (power_ + trial_.lost) / 2 : 0;
   evaluated_ = true;
-  blocked_ = !(trial_.gap > 0);
+  blocked_ = !(trial_.gap > 0) || !room;
   if (blocked_) {
     Outcome passed{Answer::cut, -1, "surfaces that touch would pass through each other"};
     for (std::size_t n = 0; n < nodes_ && passed.element < 0; ++n)
@@ -221,10 +397,9 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
     return passed;
   }
   if (!explicit_ && friction_ && trial_.touching > 0) {
-    positions(configuration_.committed_kinematics(), 0, start_);
-    trial_lost_ = contact_->add_friction(x_, start_, creep_, force_);
+    trial_lost_ = contact_->add_friction(x_, way(), force_, torque_);
   }
-  bodies_.load(std::span(force_).subspan(nodes_));
+  bodies_.load(std::span(force_).subspan(nodes_), std::span(torque_).subspan(nodes_));
   if (trial_.touching == 0) return {};
 #pragma omp parallel for schedule(static) if (nodes_ >= kShare)
   for (std::size_t n = 0; n < nodes_; ++n) at(forces.on_x, static_cast<Index>(n)) -= force_[n];
@@ -246,8 +421,8 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
 // visited.
 void Contacts::prepare_tangent(const Trial& trial) {
   positions(trial.configuration.x(), share_, x_);
-  positions(configuration_.committed_kinematics(), 0, start_);
   blocks_.clear();
+  on_bodies_.clear();
   bool known = true;
   const auto add = [&](const std::array<std::int32_t, 4>& points, auto&& visit) {
     for (std::size_t a = 0; a < 4; ++a)
@@ -260,19 +435,105 @@ void Contacts::prepare_tangent(const Trial& trial) {
   };
   contact_->stiffness(
       x_,
-      [&](const std::array<std::int32_t, 4>& points, const contact::Matrix12& k) {
+      [&](const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
+          const contact::Friction* friction) {
         blocks_.push_back({points, k});
+        if (bodies_.unknowns() > 0) add_on_body(friction);
         add(points, [&](std::int64_t pair) {
           known = known && std::binary_search(pairs_.begin(), pairs_.end(), pair);
         });
       },
-      friction_ ? std::span<const Vec3>(start_) : std::span<const Vec3>(), creep_);
+      friction_ ? way() : contact::Way());
   if (known) return;
   const double skin = mean_edge(scene_) / 3;
   for (const auto& candidate : contact::find_pairs(scene_, x_, skin))
     add(candidate.point, [&](std::int64_t pair) { pairs_.push_back(pair); });
   std::sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+}
+
+// Of the last block, if it is with a free body.
+void Contacts::add_on_body(const contact::Friction* friction) {
+  Block& block = blocks_.back();
+  OnBody out{blocks_.size() - 1, {}, {}, {}};
+  Eigen::Matrix<double, 12, 6> by = Eigen::Matrix<double, 12, 6>::Zero();  // corners by place and turn
+  for (int q = 0; q < 4; ++q) {
+    const std::int32_t p = block.point[q];
+    if (p < static_cast<std::int32_t>(nodes_)) continue;
+    block.body = bodies_.free_of(static_cast<std::size_t>(p) - nodes_);
+    if (block.body < 0) return;
+    by.block<3, 3>(3 * q, 0).setIdentity();
+    by.block<3, 3>(3 * q, 3) = -cross_matrix(bodies_.lever(static_cast<std::size_t>(p) - nodes_));
+  }
+  if (block.body < 0) return;
+  out.force = block.k * by;
+  out.answer = -by.transpose() * block.k;
+  if (friction != nullptr) {
+    out.force.rightCols<3>() -= friction->by_turn;
+    out.answer.bottomRows<3>() += friction->torque_by_x;
+  }
+  out.own = out.answer * by;
+  if (friction != nullptr) {
+    out.own.rightCols<3>() += by.transpose() * friction->by_turn;
+    out.own.bottomRightCorner<3, 3>() += friction->torque_by_turn;
+  }
+  on_bodies_.push_back(out);
+}
+
+bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
+  const auto body = static_cast<int>(j / 6);
+  const Eigen::Matrix<double, 6, 1> moved = bodies_.compliance(j / 6).col(static_cast<Eigen::Index>(j % 6));
+  std::fill(on_x.begin(), on_x.end(), 0.0);
+  bool any = false;
+  for (const OnBody& part : on_bodies_) {
+    const Block& block = blocks_[part.block];
+    if (block.body != body) continue;
+    any = true;
+    const contact::Vector12 f = part.force * moved;
+    for (int a = 0; a < 4; ++a)
+      if (const std::int32_t p = block.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes_))
+        at(on_x, p) += f.segment<3>(3 * a);
+  }
+  return any;
+}
+
+Eigen::VectorXd Contacts::body_answer(std::span<const double> move) const {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies_.unknowns()));
+  for (const OnBody& part : on_bodies_) {
+    const Block& block = blocks_[part.block];
+    contact::Vector12 x = contact::Vector12::Zero();
+    for (int a = 0; a < 4; ++a)
+      if (const std::int32_t p = block.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes_))
+        x.segment<3>(3 * a) = at(move, p);
+    out.segment<6>(6 * block.body) += part.answer * x;
+  }
+  return out;
+}
+
+Eigen::MatrixXd Contacts::body_response() const {
+  const auto m = static_cast<Eigen::Index>(bodies_.unknowns());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
+  for (const OnBody& part : on_bodies_) {
+    const auto row = 6 * blocks_[part.block].body;
+    out.block<6, 6>(row, row) += part.own * bodies_.compliance(static_cast<std::size_t>(row) / 6);
+  }
+  return out;
+}
+
+// With what is still to come of the bodies' way, where the iterate is not at the step's end.
+Eigen::VectorXd Contacts::body_residual() const {
+  Eigen::VectorXd out = bodies_.residual();
+  if (share_ >= 1) return out;
+  const auto from = bodies_.committed(), to = bodies_.target();
+  for (const OnBody& part : on_bodies_) {
+    const Block& block = blocks_[part.block];
+    contact::Vector12 x = contact::Vector12::Zero();
+    for (int a = 0; a < 4; ++a)
+      if (const std::int32_t p = block.point[a]; p >= static_cast<std::int32_t>(nodes_))
+        x.segment<3>(3 * a) = (1 - share_) * (to[p - nodes_] - from[p - nodes_]);
+    out.segment<6>(6 * block.body) += part.answer * x;
+  }
+  return out;
 }
 
 void Contacts::couple(const Trial& trial, std::vector<NodePair>& pairs) {
@@ -305,6 +566,18 @@ void Contacts::mark(const Trial& trial) {
   marked_.resize(x_.size());
   by_.resize(x_.size());
   positions(trial.configuration.x(), share_, marked_);
+}
+
+double Contacts::near_share(const Trial& trial) {
+  positions(trial.configuration.x(), share_, by_);
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t i = 0; i < by_.size(); ++i) mean += by_[i] - marked_[i];
+  mean /= static_cast<double>(by_.size());
+  double most = 0;
+  for (std::size_t i = 0; i < by_.size(); ++i)
+    most = std::max(most, (by_[i] - marked_[i] - mean).squaredNorm());
+  const double far = kFar * creep_ / kCreep;
+  return far > 0 && most > far * far ? far / std::sqrt(most) : 1;
 }
 
 double Contacts::safe_share(const Trial& trial) {
@@ -356,6 +629,7 @@ const Contacts::Reading& Contacts::read() const {
   reading_.version = configuration_.version();
   reading_.x.resize(x_.size());
   positions(configuration_.x(), share_, reading_.x);
+  open_to(configuration_.time());
   std::vector<Vec3> force(x_.size(), Vec3::Zero());
   reading_.totals = contact_->add_forces(reading_.x, force);
   return reading_;

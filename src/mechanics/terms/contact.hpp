@@ -31,22 +31,46 @@ class Contacts final : public Term {
   bool symmetric() const override { return !friction_; }
   void couple(const Trial& trial, std::vector<NodePair>& pairs) override;
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
-  double step_work() const override { return bodies_.step_work(); }
-  void aim(double time) override { bodies_.aim(configuration_.time(), time); }
+  // Of what drives bodies, of gravity on free ones, and of what opens overlaps.
+  double step_work() const override { return bodies_.step_work() + (evaluated_ ? opening_work_ : 0); }
+  void aim(double time) override;
   void commit() override;
   void rollback() override;
   void keep(Archive& archive) override;
 
   // --- motion of the bodies in a step: Newton's iterations move them by shares of the remaining way
-  void begin_iterate() { at_ = share_; }
-  void move(double scale) { share_ = at_ + scale * (1 - at_); }
-  bool arrived() const { return share_ >= 1 || !moves_; }
+  void begin_iterate() override {
+    at_ = share_;
+    bodies_.begin_iterate();
+  }
+  void move(double scale) override {
+    share_ = at_ + scale * (1 - at_);
+    bodies_.move(scale);
+  }
+  bool arrived() const override { return share_ >= 1 || !moves_; }
   // The share of the way from the marked positions to the trial ones without any surface passing another.
   void mark(const Trial& trial);
   double safe_share(const Trial& trial);
+  // The share of that way during which nothing moves farther than a few elements, relative to the mean
+  // motion.
+  double near_share(const Trial& trial);
+
+  // --- implicit steps of free bodies: six unknowns each beside those of the cloth, the force on it at the
+  // step's end. All of the last tangent.
+  void go_implicit();
+  std::size_t body_unknowns() const { return bodies_.unknowns(); }
+  // What a change of unknown j does to the internal forces on the nodes, N, 3 per node. False: nothing.
+  bool body_push(std::size_t j, std::span<double> on_x) const;
+  // What a motion of the nodes, m, 3 per node, does to the forces on the bodies; and what changes of the
+  // unknowns do beside that, through where the bodies come to.
+  Eigen::VectorXd body_answer(std::span<const double> move) const;
+  Eigen::MatrixXd body_response() const;
+  Eigen::VectorXd body_residual() const;
+  void direct_bodies(std::span<const double> way) { bodies_.direct(way); }
+  double largest_body_residual() const { return bodies_.largest_residual(); }
 
   // --- explicit steps
-  void go_explicit() { explicit_ = true; }
+  void go_explicit();
   // Whether the last state is impossible, or its motion may have passed through a surface. If the largest
   // motion does not exclude that, each near pair is checked.
   bool may_have_passed();
@@ -74,12 +98,32 @@ class Contacts final : public Term {
   bool has_friction() const { return friction_; }
 
  private:
-  struct Sheet {                                 // a surface of cloth
-    double thickness = 0, floor = 0, areal = 0;  // m, m, kg/m2
+  struct Sheet {                                              // a surface of cloth
+    double thickness = 0, floor = 0, areal = 0;               // m, m, kg/m2
+    std::vector<std::pair<double, double>> compression = {};  // thickness, m, and pressure, Pa; empty: none
+  };
+  // What is known of an interaction beside its law.
+  struct Meeting {
+    contact::LawData data;
+    std::string names;             // "the ball on the cloth"
+    double carried = 0;            // Pa/m, by an explicit step
+    bool given = false;            // the stiffness
+    bool softened = false;         // to what is carried
+    std::optional<double> settle;  // s
+    std::size_t near = 0;          // points that start too near
+    double nearest = 0;            // m: the smallest share of it times the gap
   };
   struct Block {
     std::array<std::int32_t, 4> point;
     contact::Matrix12 k;
+    int body = -1;  // of the free ones
+  };
+  // How a pair's forces and torque change with the place and the turn of a free body.
+  struct OnBody {
+    std::size_t block;
+    Eigen::Matrix<double, 12, 6> force;   // on its corners, by the body's place and turn, with the other sign
+    Eigen::Matrix<double, 6, 12> answer;  // on the body, by its corners
+    Eigen::Matrix<double, 6, 6> own;      // on the body, by its own place and turn
   };
   struct Reading {
     std::uint64_t version = 0;
@@ -90,10 +134,21 @@ class Contacts final : public Term {
            const Freedoms& freedoms, const model::Surfaces& surfaces);
   Sheet sheet(const std::vector<Index>& elements) const;
   void find_masses(const Freedoms& freedoms);
-  contact::Law law_of(const model::Meeting& meeting);
+  Meeting meeting_of(const model::Meeting& meeting) const;
+  std::string name_of(int side) const;
+  std::string stiffness_words(const Meeting& m, const contact::Law& law) const;
+  void soften(bool measured);
+  void open_overlaps();
+  void open_to(double time) const;
+  double opening_energy(std::span<const Vec3> x, double time);
+  double opening_pace(std::span<const Vec3> x, double time, double dt);
+  bool work_of_opening();
   void refuse_overlaps();
   void positions(std::span<const double> x, double share, std::vector<Vec3>& out) const;
   void find_motion(double dt);
+  void find_turning(double factor);
+  contact::Way way();
+  void add_on_body(const contact::Friction* friction);
   void prepare_tangent(const Trial& trial);
   const Reading& read() const;
   int surface_of(std::int32_t point) const;
@@ -105,13 +160,17 @@ class Contacts final : public Term {
   std::vector<Sheet> sheets_;
   Bodies bodies_;
   mutable std::unique_ptr<contact::Contact> contact_;
-  std::vector<std::string> words_;
+  std::vector<Meeting> meetings_;         // by interaction
+  double aimed_ = 0;                      // s
+  double opened_at_ = 0;                  // s: when all overlaps are opened
+  double opening_work_ = 0;               // J, in the step
+  mutable std::vector<double> share_of_;  // see open_to()
   bool friction_ = false, explicit_ = false, moves_ = false, blocked_ = false;
   double least_areal_ = 0, step_ = 0;  // kg/m2; s, step for which stiffnesses are limited
   double creep_ = 0;                   // m
 
   std::size_t nodes_ = 0;
-  std::vector<Vec3> x_, start_, marked_, force_, velocity_, by_;
+  std::vector<Vec3> x_, start_, marked_, force_, torque_, velocity_, turning_, by_;
   std::vector<double> inverse_mass_;
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step
@@ -120,6 +179,7 @@ class Contacts final : public Term {
   double power_ = 0;                  // W, at the committed state (explicit)
   bool evaluated_ = false;
   std::vector<Block> blocks_;
+  std::vector<OnBody> on_bodies_;
   std::vector<std::int64_t> pairs_;  // pairs of nodes coupled at any time: a * nodes + b, a < b, ascending
   mutable Reading reading_;
 };

@@ -140,6 +140,7 @@ int contact(Call& call) {
   given.friction = call.number("friction");
   if (call.has("thickness")) given.thickness = call.number("thickness");
   if (call.has("stiffness")) given.stiffness = call.number("stiffness");
+  if (call.has("settle")) given.settle = call.number("settle");
   call.self<Model>()->contact(std::move(given));
   return return_self(call);
 }
@@ -243,10 +244,19 @@ std::vector<Entry> model_rows() {
             .optional(),
         value_("self", text, "a set whose cloth touches itself").optional(),
         number_("friction", "", not_negative, "friction coefficient").or_else(0.0),
-        number_("thickness", "m", positive, "of the cloth as contact sees it; default the cloth's own")
+        number_(
+            "thickness", "m", positive,
+            "of the cloth as contact sees it; default the cloth's own, or as its card's compression has it")
             .optional(),
-        number_("stiffness", "Pa/m", positive,
-                "pressure per gap; default what the cloth's own stable step carries")
+        number_(
+            "stiffness", "Pa/m", positive,
+            "pressure per gap; default the compression curve of the card, or else 1 MPa down to the floor; "
+            "in explicit runs no more than the cloth's own stable step carries")
+            .optional(),
+        number_(
+            "settle", "s", positive,
+            "time from the start in which sheets and bodies that begin too near to each other, but not one "
+            "through the other, are brought apart; without it they are refused")
             .optional()},
        "Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.",
        sample_model() + "local floor = fabric.rigid.plane{ point={0, 0, -0.001}, normal={0, 0, 1} }\n"

@@ -35,6 +35,8 @@ unsigned kinds_of(Holds holds) {
       return numbers | table;
     case Holds::number_or_curve:
       return number | numbers | table;
+    case Holds::points:
+      return table;
     default:
       return fields;
   }
@@ -60,8 +62,8 @@ std::vector<Argument> arguments_of(const FieldTable& table) {
   return rows;
 }
 
-// Reads points {{E, S}, ...} from the table on top of the stack, which is `name` of the table at `path`.
-card::Points read_points(const Fields& fields, const std::string& path, const Field& field) {
+// Reads pairs of numbers from the table on top of the stack, which is `name` of the table at `path`.
+card::Points read_pairs(const Fields& fields, const std::string& path, const Field& field) {
   const std::string &name = field.name, x = field.parts.at(0), y = field.parts.at(1);
   lua_State* L = fields.L();
   card::Points points;
@@ -75,14 +77,33 @@ card::Points read_points(const Fields& fields, const std::string& path, const Fi
     check_value(L, -1, pair, path + name + "[", false);
     const auto xy = read_numbers(L, -1);
     lua_pop(L, 1);
-    if (points.empty() && (xy[0] != 0 || xy[1] != 0))
-      fields.refuse(name, "expected the first point to be {0, 0}, got {" + exact_number(xy[0]) + ", " +
-                              exact_number(xy[1]) + "}");
-    if (!points.empty() && (xy[0] <= points.back().first || xy[1] <= points.back().second))
-      fields.refuse(name, "expected " + x + " and " + y + " to increase, at point " + place + " they do not");
     points.emplace_back(xy[0], xy[1]);
   }
+  return points;
+}
+
+// Measured points {{E, S}, ...} of a curve that rises from {0, 0} on.
+card::Points read_curve_points(const Fields& fields, const std::string& path, const Field& field) {
+  const std::string& name = field.name;
+  const card::Points points = read_pairs(fields, path, field);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [x, y] = points[i];
+    if (i == 0 && (x != 0 || y != 0))
+      fields.refuse(name, "expected the first point to be {0, 0}, got {" + exact_number(x) + ", " +
+                              exact_number(y) + "}");
+    if (i > 0 && (x <= points[i - 1].first || y <= points[i - 1].second))
+      fields.refuse(name, "expected " + field.parts[0] + " and " + field.parts[1] +
+                              " to increase, at point " + std::to_string(i + 1) + " they do not");
+  }
   if (points.size() < 2) fields.refuse(name, "expected at least two points, got one");
+  return points;
+}
+
+card::Value read_points(const Fields& fields, const Field& field, const std::string& path) {
+  fields.push(field.name);
+  card::Points points = read_pairs(fields, path, field);
+  lua_pop(fields.L(), 1);
+  if (const std::string fault = field.check(points); !fault.empty()) fields.refuse(field.name, fault);
   return points;
 }
 
@@ -93,7 +114,7 @@ card::Value read_curve(const Fields& fields, const Field& field, const std::stri
   const bool points = lua_rawgeti(L, -1, 1) == LUA_TTABLE;
   lua_pop(L, 1);
   if (points) {
-    curve = read_points(fields, path, field);
+    curve = read_curve_points(fields, path, field);
   } else {
     check_value(L, -1, {field.name, numbers, field.unit, everything, ""}, path, false);
     curve = read_numbers(L, -1);
@@ -126,6 +147,8 @@ card::Value read_value(const Fields& fields, const Field& field, const std::stri
       [[fallthrough]];
     case Holds::curve:
       return read_curve(fields, field, path);
+    case Holds::points:
+      return read_points(fields, field, path);
     default:
       return read_parts(fields, field);
   }

@@ -170,3 +170,26 @@ wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, bending={ wa
   "deck.lua:1: linear: field 'bending.warp': expected a number of at least 0 in N.m or a table, got '1'")
 wrong("fabric.linear", "fabric.linear{ density=500, thickness=0.01, bending={ warp=1e-5, weft=1e-5, twist=1e-5, friction_warp={ moment=1e-4, curvature=5, memory='fade' } } }",
   "deck.lua:1: linear: field 'bending.friction_warp.memory': expected 'slip' or 'fading', got 'fade'")
+
+-- compression, and the density of fibres
+for _, kind in ipairs { "woven", "svk", "linear" } do
+  local start = "fabric." .. kind .. "{ density=500, thickness=4e-4, "
+  wrong("fabric." .. kind, start .. "compression=5 }",
+    "deck.lua:1: " .. kind .. ": field 'compression': expected a table, got 5")
+  wrong("fabric." .. kind, start .. "fibre_density='1540' }",
+    "deck.lua:1: " .. kind .. ": field 'fibre_density': expected a positive number in kg/m^3, got '1540'")
+end
+for value, words in pairs {
+  ["{ 5 }"] = "expected {gap, pressure} at point 1, got 5",
+  ["{ {3e-4, 5000} }"] = "expected at least two points {gap, pressure}, got 1",
+  ["{ {3e-4, 5000}, {6e-4, 6000} }"] =
+    "expected a pressure that falls as the gap grows, got {0.0003, 5000} and {0.0006, 6000}",
+  ["{ {3e-4, 5000}, {6e-4, -50} }"] = "expected positive gaps in m and pressures in Pa, got {0.0006, -50}",
+} do
+  wrong("card:with", "card:with{ compression=" .. value .. " }",
+    "deck.lua:1: with: field 'compression': " .. words)
+end
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ fibre_density=550 } }",
+  "deck.lua:1: model: card 'blend': field 'fibre_density': expected more than the cloth's own density of 590 kg/m^3, got 550 kg/m^3")
+wrong("fabric.model", "fabric.model{ mesh=mesh, card=card:with{ compression={ {0.3, 5000}, {0.6, 50} } } }",
+  "deck.lua:1: model: card 'blend': field 'compression': expected gaps in m that are near the thickness of 0.00038 m, got from 0.3 m to 0.6 m")

@@ -125,7 +125,7 @@ wrong("fabric.rigid.motion", "fabric.rigid.motion{ times={0} }",
 
 -- model:contact
 wrong("model:contact", "model:contact{ wrong=1 }",
-  "deck.lua:1: contact: unknown field 'wrong' (known: between self friction thickness stiffness)")
+  "deck.lua:1: contact: unknown field 'wrong' (known: between self friction thickness stiffness settle)")
 wrong("model:contact", "model:contact{  }",
   "deck.lua:1: contact: field 'between': expected either between={...} or self=, got neither")
 wrong("model:contact", "model:contact{ between=5 }",
@@ -152,6 +152,10 @@ wrong("model:contact", "model:contact{ self='all', stiffness='1' }",
   "deck.lua:1: contact: field 'stiffness': expected a positive number in Pa/m, got '1'")
 wrong("model:contact", "model:contact{ self='all', stiffness=-1 }",
   "deck.lua:1: contact: field 'stiffness': expected a positive number in Pa/m, got -1")
+wrong("model:contact", "model:contact{ self='all', settle='1' }",
+  "deck.lua:1: contact: field 'settle': expected a positive number in s, got '1'")
+wrong("model:contact", "model:contact{ self='all', settle=0 }",
+  "deck.lua:1: contact: field 'settle': expected a positive number in s, got 0")
 
 -- analysis:body
 wrong("analysis:body", "run:body()",

@@ -1,0 +1,12 @@
+// Cloth that is pressed flat: measured points of thickness (m, ascending) and pressure (Pa).
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fabricsh::card {
+
+// What is wrong with points in either order: "expected ..., got ..."; empty: nothing.
+std::string compression_fault(const std::vector<std::pair<double, double>>& points);
+
+}  // namespace fabricsh::card
