@@ -150,7 +150,7 @@ wrong("mesh:orient", "mesh:orient{1, 0}",
   "deck.lua:1: orient: argument 'direction': expected {x, y, z}, got 2 numbers")
 wrong("fabric.mesh.read", "fabric.mesh.read 'none.msh'",
   "deck.lua:1: read: cannot read 'none.msh': No such file or directory")
-wrong("fabric.mesh.read", "fabric.mesh.read 'none.stl'",
-  "deck.lua:1: read: cannot read 'none.stl': expected a name that ends in .msh, .vtu, .vtk or .obj")
-wrong("mesh:write", "mesh:write 'mesh.obj'",
-  "deck.lua:1: write: cannot write 'mesh.obj': expected a name that ends in .vtu or .msh")
+wrong("fabric.mesh.read", "fabric.mesh.read 'none.rad'",
+  "deck.lua:1: read: cannot read 'none.rad': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k")
+wrong("mesh:write", "mesh:write 'mesh.step'",
+  "deck.lua:1: write: cannot write 'mesh.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad")
