@@ -179,6 +179,36 @@ Json material_of(const GltfSurface& s) {
   return out.set("name", s.name).set("doubleSided", true).set("pbrMetallicRoughness", std::move(look));
 }
 
+// Of the surface as it is in one frame.
+GltfSurface still(const GltfSurface& s, std::size_t frame) {
+  GltfSurface out{s.name, s.cells, {s.frames[frame]}, {}, s.plain};
+  if (!s.colours.empty()) out.colours = {s.colours[frame]};
+  if (s.frames.size() > 1) out.name += " " + std::to_string(frame + 1);
+  return out;
+}
+
+// Node 1 + surface + surfaces * frame is as large as it is while its frame is on, and else a point.
+Json show_by_turns(const GltfScene& scene, Store& store) {
+  const std::size_t frames = scene.times.size(), surfaces = scene.surfaces.size();
+  std::vector<float> times;
+  for (const double t : scene.times) times.push_back(static_cast<float>(t));
+  const std::int64_t input = store.add(times, true);
+  Json samplers = Json::array(), channels = Json::array(), out = Json::object();
+  for (std::size_t f = 0; f < frames; ++f) {
+    Triples scale(frames, {0, 0, 0});
+    scale[f] = {1, 1, 1};
+    Json sampler = Json::object();
+    sampler.set("input", input).set("interpolation", "STEP").set("output", store.add(scale, false, false));
+    samplers.push(std::move(sampler));
+    for (std::size_t i = 0; i < surfaces; ++i) {
+      Json target = Json::object(), channel = Json::object();
+      target.set("node", 1 + i + surfaces * f).set("path", "scale");
+      channels.push(channel.set("sampler", f).set("target", std::move(target)));
+    }
+  }
+  return out.set("name", "run").set("samplers", std::move(samplers)).set("channels", std::move(channels));
+}
+
 // At the time of a frame its own weight is 1 and all others are 0.
 Json animation(const GltfScene& scene, Store& store) {
   const std::size_t frames = scene.times.size();
@@ -215,22 +245,33 @@ std::string glb(const GltfScene& scene) {
   check(scene);
   Store store;
   Json meshes = Json::array(), materials = Json::array(), nodes = Json::array(), children = Json::array();
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    meshes.push(mesh_of(scene.surfaces[i], static_cast<std::int64_t>(i), store));
-    materials.push(material_of(scene.surfaces[i]));
-    children.push(i + 1);
-  }
+  const std::size_t surfaces = scene.surfaces.size(), copies = scene.morph ? 1 : scene.times.size();
+  std::vector<std::string> names;
+  for (std::size_t f = 0; f < copies; ++f)
+    for (std::size_t i = 0; i < surfaces; ++i) {
+      const GltfSurface surface = scene.morph ? scene.surfaces[i] : still(scene.surfaces[i], f);
+      meshes.push(mesh_of(surface, static_cast<std::int64_t>(i), store));
+      names.push_back(surface.name);
+      children.push(names.size());
+    }
+  for (const GltfSurface& surface : scene.surfaces) materials.push(material_of(surface));
   Json root = Json::object();
   root.set("name", "scene").set("children", std::move(children));
   if (scene.z_up) root.set("rotation", std::vector<double>{-std::sqrt(0.5), 0, 0, std::sqrt(0.5)});
   nodes.push(std::move(root));
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
-    nodes.push(Json::object().set("name", scene.surfaces[i].name).set("mesh", i));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Json node = Json::object();
+    node.set("name", names[i]).set("mesh", i);
+    if (i >= surfaces)
+      node.set("scale", std::vector<double>{0, 0, 0});  // where nothing is animated: the first
+    nodes.push(std::move(node));
+  }
   Json file = Json::object();
   file.set("asset", Json::object().set("version", "2.0").set("generator", scene.generator));
   file.set("scene", 0).set("scenes", one(Json::object().set("nodes", one(0)))).set("nodes", std::move(nodes));
   file.set("meshes", std::move(meshes)).set("materials", std::move(materials));
-  if (scene.times.size() > 1) file.set("animations", one(animation(scene, store)));
+  if (scene.times.size() > 1)
+    file.set("animations", one(scene.morph ? animation(scene, store) : show_by_turns(scene, store)));
   file.set("accessors", store.accessors()).set("bufferViews", store.views());
   file.set("buffers", one(Json::object().set("byteLength", store.data().size())));
   if (store.data().size() > std::numeric_limits<std::uint32_t>::max() / 2)

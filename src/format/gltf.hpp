@@ -1,5 +1,6 @@
 // Surfaces that move and change their colours, as a binary glTF 2.0 file (.glb), which browsers and modellers
-// show: the frames after the first are morph targets, and an animation goes from one to the next.
+// show. Either the frames after the first are morph targets, and an animation goes from one to the next; or
+// each frame is a mesh of its own, and an animation shows one after the other.
 #pragma once
 #include <array>
 #include <string>
@@ -21,6 +22,7 @@ struct GltfSurface {
 struct GltfScene {
   std::vector<double> times;  // s of the animation, rising from 0, one a frame
   std::vector<GltfSurface> surfaces;
+  bool morph = true;
   bool z_up = true;  // glTF has y up: the scene is turned
   std::string generator = "fabricsh";
 };

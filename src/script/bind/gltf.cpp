@@ -229,6 +229,11 @@ void set_times(const Call& call, const std::vector<Moment>& moments, format::Glt
   for (const Moment& moment : moments) scene.times.push_back((moment.time - first) * slower);
 }
 
+void set_count(lua_State* L, const char* name, std::size_t count) {
+  lua_pushinteger(L, static_cast<lua_Integer>(count));
+  lua_setfield(L, -2, name);
+}
+
 int gltf(Call& call) {
   check_arguments(call);
   const Wanted wanted = wanted_field(call);
@@ -239,6 +244,7 @@ int gltf(Call& call) {
           ? moment_of(*call.object<Run>("run")->analysis, wanted)
           : read_series(call.text("series"), wanted, call.has("every") ? call.number("every") : 0);
   format::GltfScene scene;
+  scene.morph = call.text("shapes") == "morph";
   scene.z_up = call.text("up") == "z";
   set_times(call, moments, scene);
   scene.surfaces = surfaces_of(moments);
@@ -250,9 +256,9 @@ int gltf(Call& call) {
   lua_State* L = call.L();
   lua_newtable(L);
   set_text(L, "file", file);
-  set_number(L, "frames", static_cast<double>(moments.size()));
+  set_count(L, "frames", moments.size());
   set_number(L, "duration", scene.times.back());
-  set_number(L, "bytes", static_cast<double>(bytes.size()));
+  set_count(L, "bytes", bytes.size());
   if (!wanted.none) {
     set_number(L, "low", range.low);
     set_number(L, "high", range.high);
@@ -279,9 +285,14 @@ void bind_gltf(Session& session) {
          number_("every", "s", positive, "at least between two frames; default: all that there are")
              .optional(),
          number_("duration", "s", positive, "of the animation; default: that of the series").optional(),
+         value_("shapes", text,
+                "morph: one mesh that moves straight from frame to frame, small, with colours that not every "
+                "program moves; frames: a mesh for each frame, shown by turns, as every program can")
+             .one_of({"morph", "frames"})
+             .or_else("morph"),
          value_("up", text, "the axis that points up").one_of({"z", "y"}).or_else("z")},
         "Writes a series as a binary glTF file for the web: the cloth, and what stands beside it, with an "
-        "animation over morph targets. Returns {file, frames, duration, bytes, low, high}; low and high are "
+        "animation. Returns {file, frames, duration, bytes, low, high}; low and high are "
         "those of the colours, which are as in pictures.",
         sample +
             "a:vtk(name..'/pull')\na:solve()\n"
