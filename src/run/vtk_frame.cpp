@@ -66,12 +66,12 @@ format::Array array_of(const Run& run, const ResultField& field) {
   return field.shape == Shape::tensor ? six(std::move(array)) : array;
 }
 
-void check_fields(const VtkContents& contents) {
+void check_fields(const VtkContents& contents, const std::string& call) {
   for (const auto& field : contents.fields) {
     try {
       find_field(field);
     } catch (const Error& unknown) {
-      throw Error(std::string("vtk: field 'fields': ") + unknown.what());
+      throw Error(call + ": field 'fields': " + unknown.what());
     }
   }
 }

@@ -33,8 +33,8 @@ class VtkFrame {
   format::Grid grid_;
 };
 
-// Error: a name that is no field's.
-void check_fields(const VtkContents& contents);
+// Error, of the call's name: a name that is no field's.
+void check_fields(const VtkContents& contents, const std::string& call);
 
 // A field of a run as an array of a file.
 format::Array array_of(const Run& run, const ResultField& field);

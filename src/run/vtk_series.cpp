@@ -19,12 +19,12 @@ format::PvdSeries continued(const std::string& stem, std::size_t frames, Archive
 
 VtkSeries::VtkSeries(const std::string& stem, VtkContents contents)
     : series_(stem), contents_(std::move(contents)) {
-  check_fields(contents_);
+  check_fields(contents_, "vtk");
 }
 
 VtkSeries::VtkSeries(const std::string& stem, VtkContents contents, Archive& from)
     : Series(from), series_(continued(stem, frames(), from)), contents_(std::move(contents)) {
-  check_fields(contents_);
+  check_fields(contents_, "vtk");
 }
 
 void VtkSeries::keep_place(Archive& archive) {

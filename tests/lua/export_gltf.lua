@@ -101,7 +101,7 @@ end
 look()
 a:every("step", look):solve()
 if #seen == 6 then table.remove(seen, 1) end
-local r = fabric.export.gltf { series = "pull.pvd", file = "pull.glb", field = "uy", duration = 3 }
+local r = fabric.export.gltf { series = "pull.pvd", file = "pull.glb", field = "uy", duration = 3, shapes = "morph" }
 assert(r.frames == 5 and r.low == 0 and math.abs(r.high - 5e-3) < 1e-15 and r.duration == 3)
 local g = open "pull.glb"
 local p = g.meshes[1].primitives[1]
@@ -150,7 +150,7 @@ assert(fabric.export.gltf({ run = a, file = "plain.glb" }).low == nil)
 assert(open "plain.glb".meshes[1].primitives[1].attributes.COLOR_0 == nil)
 
 -- --- a mesh for each frame, shown by turns: the same shapes and colours ---
-r = fabric.export.gltf { series = "pull.pvd", file = "turns.glb", field = "uy", duration = 3, shapes = "frames" }
+r = fabric.export.gltf { series = "pull.pvd", file = "turns.glb", field = "uy", duration = 3 }
 local turns = open "turns.glb"
 g = open "pull.glb"
 assert(#turns.meshes == 5 and #turns.nodes == 6 and #turns.nodes[1].children == 5 and #turns.materials == 1)
@@ -182,7 +182,7 @@ b:vtk("ball", { every = 1e-3 })
 b:solve()
 fabric.export.gltf { series = "ball.pvd", file = "turns2.glb", field = "uz", shapes = "frames", every = 2e-3 }
 assert(#open "turns2.glb".meshes == 8 and #open "turns2.glb".animations[1].channels == 8 and #open "turns2.glb".materials == 2)
-r = fabric.export.gltf { series = "ball.pvd", file = "ball.glb", field = "displacement", duration = 2 }
+r = fabric.export.gltf { series = "ball.pvd", file = "ball.glb", field = "displacement", duration = 2, shapes = "morph" }
 g = open "ball.glb"
 assert(r.frames == 6 and #g.meshes == 2 and g.nodes[1].rotation and #g.nodes[1].children == 2 and #g.animations[1].channels == 2)
 local body = g.meshes[2].primitives[1]

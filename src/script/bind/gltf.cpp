@@ -244,7 +244,7 @@ int gltf(Call& call) {
           ? moment_of(*call.object<Run>("run")->analysis, wanted)
           : read_series(call.text("series"), wanted, call.has("every") ? call.number("every") : 0);
   format::GltfScene scene;
-  scene.morph = call.text("shapes") == "morph";
+  scene.morph = call.has("shapes") ? call.text("shapes") == "morph" : wanted.none;
   scene.z_up = call.text("up") == "z";
   set_times(call, moments, scene);
   scene.surfaces = surfaces_of(moments);
@@ -286,10 +286,11 @@ void bind_gltf(Session& session) {
              .optional(),
          number_("duration", "s", positive, "of the animation; default: that of the series").optional(),
          value_("shapes", text,
-                "morph: one mesh that moves straight from frame to frame, small, with colours that not every "
-                "program moves; frames: a mesh for each frame, shown by turns, as every program can")
+                "frames: a mesh for each frame, shown by turns, as every program can; morph: one mesh that "
+                "moves straight from frame to frame, with colours that few programs move. Default: frames "
+                "where there is a field, else morph")
              .one_of({"morph", "frames"})
-             .or_else("morph"),
+             .optional(),
          value_("up", text, "the axis that points up").one_of({"z", "y"}).or_else("z")},
         "Writes a series as a binary glTF file for the web: the cloth, and what stands beside it, with an "
         "animation. Returns {file, frames, duration, bytes, low, high}; low and high are "
