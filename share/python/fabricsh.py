@@ -199,7 +199,7 @@ _TYPES = {"Float64": "f8", "Float32": "f4", "Int64": "i8", "Int32": "i4", "UInt6
 class Frame:
     """A sheet at one time, from a .vtu file: lists of nodes and elements begin at 0 here.
 
-    points: (nodes, 3), m, as deformed; reference: the same undeformed. cells: the nodes of each element, a list of integer arrays.
+    points: (nodes, 3), m, as the file has them; deformed, reference: where the nodes are and were. units: by the name of an array. cells: the nodes of each element, a list of integer arrays.
     node, element: arrays by name, (nodes or elements[, components]). frame["S11"] is an array of the file or a component of one.
     """
 
@@ -224,6 +224,7 @@ class Frame:
         if self._compressed and "ZLib" not in root.get("compressor"):
             raise ValueError(f"{path}: compressed by {root.get('compressor')}, expected vtkZLibDataCompressor")
         self._components = {}
+        self.units = {}
         self.points = self._arrays(piece.find("Points"))["Points"]
         self.node = self._arrays(piece.find("PointData"))
         self.element = self._arrays(piece.find("CellData"))
@@ -236,7 +237,11 @@ class Frame:
 
     @property
     def reference(self):
-        return self.points - self.node["displacement"]
+        return self.node["reference"] if "reference" in self.node else self.points - self.node["displacement"]
+
+    @property
+    def deformed(self):
+        return self.reference + self.node["displacement"] if "reference" in self.node else self.points
 
     def names(self):
         """Everything that frame[name] knows."""
@@ -267,6 +272,9 @@ class Frame:
         for tag in parent if parent is not None else []:
             if tag.tag == "DataArray" and tag.get("type") in _TYPES:
                 arrays[tag.get("Name")] = self._array(tag)
+                unit = tag.find("InformationKey[@name='UNITS_LABEL']")
+                if unit is not None:
+                    self.units[tag.get("Name")] = unit.text.strip()
         return arrays
 
     def _array(self, tag):

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "format/deck_write.hpp"
 #include "format/source.hpp"
 #include "format/vtu.hpp"
 
@@ -26,7 +27,11 @@ Reader reader_of(const std::string& path) {
   if (text == ".obj") return read_obj;
   if (text == ".vtu") return read_vtu;
   if (text == ".vtk") return read_legacy_vtk;
-  throw Error("cannot read '" + path + "': expected a name that ends in .msh, .vtu, .vtk or .obj");
+  if (text == ".inp") return read_abaqus;
+  if (text == ".k" || text == ".key") return read_dyna;
+  if (text == ".stl") return read_stl;
+  throw Error("cannot read '" + path +
+              "': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k");
 }
 
 void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
@@ -40,7 +45,22 @@ void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
   write_vtu(path, grid);
 }
 
+constexpr const char* units_word = "lengths in m";
+
 }  // namespace
+
+std::optional<std::string> mesh_text(const std::string& path, const mesh::Mesh& mesh) {
+  const std::string text = ending(path);
+  if (text == ".msh") return gmsh_text(mesh);
+  if (text == ".obj") return obj_text(mesh);
+  if (text == ".ply") return ply_text(mesh);
+  if (text == ".stl") return stl_text(mesh);
+  if (text == ".inp") return "** a mesh of shells, " + std::string(units_word) + "\n" + abaqus_lines(mesh);
+  if (text == ".k")
+    return "*KEYWORD\n$ a mesh of shells, " + std::string(units_word) + "\n" + dyna_lines(mesh) + "*END\n";
+  if (text == ".rad") return "# a mesh of shells, " + std::string(units_word) + "\n" + radioss_lines(mesh);
+  return {};
+}
 
 mesh::Mesh read_mesh(const std::string& path) {
   const Reader read = reader_of(path);
@@ -53,8 +73,8 @@ void write_mesh(const std::string& path, const mesh::Mesh& mesh) {
   const std::string text = ending(path);
   if (mesh.elements.empty()) throw Error("cannot write '" + path + "': the mesh has no element");
   if (text == ".vtu") return write_vtu_mesh(path, mesh);
-  if (text == ".msh") return system::write_file(path, gmsh_text(mesh));
-  throw Error("cannot write '" + path + "': expected a name that ends in .vtu or .msh");
+  if (const auto lines = mesh_text(path, mesh)) return system::write_file(path, *lines);
+  throw Error("cannot write '" + path + "': expected a name that ends in " + mesh_endings);
 }
 
 }  // namespace fabricsh::format

@@ -1,6 +1,7 @@
 // Reading and writing meshes; the extension of the file determines the format. Every reading error names the
 // file and, if there is one, the line. No memory is allocated beyond what the size of the file justifies.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,11 +10,17 @@
 
 namespace fabricsh::format {
 
-// .msh (Gmsh 2 and 4.1, text and binary; physical groups become sets), .vtu and .vtk (integer arrays
-// become sets), .obj (groups become sets). Reads triangles and quadrilaterals; lines and points are used
-// for sets only. Nodes that no element uses are dropped; the sets all and boundary are added if missing.
+// .msh (Gmsh 2 and 4.1, text and binary; physical groups become sets), .vtu and .vtk (integer arrays become
+// sets), .obj (groups become sets), .inp of Abaqus and CalculiX, .k of LS-DYNA (sets of nodes and of elements;
+// parts, if there are several), .stl (equal vertices are joined; solids, if there are several). Reads triangles
+// and quadrilaterals; lines and points are used for sets only. Nodes that no element uses are dropped; the sets
+// all and boundary are added if missing.
 mesh::Mesh read_mesh(const std::string& path);
-// .vtu (sets as point arrays of 0 and 1) or .msh (Gmsh 4.1 text: sets as physical points).
+// The content of a file with that name, for the formats that are text; empty: another extension. With sets of
+// nodes: .msh (Gmsh 4.1 text: sets as physical points), .inp, .k, .rad; the surface alone: .obj, .ply, .stl.
+std::optional<std::string> mesh_text(const std::string& path, const mesh::Mesh& mesh);
+inline constexpr const char* mesh_endings = ".vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad";
+// Those and .vtu (sets as point arrays of 0 and 1).
 void write_mesh(const std::string& path, const mesh::Mesh& mesh);
 
 // One reader for each format; `name` is the name of the file in errors.
@@ -21,6 +28,12 @@ mesh::Mesh read_gmsh(const std::string& name, std::string_view bytes);
 mesh::Mesh read_obj(const std::string& name, std::string_view bytes);
 mesh::Mesh read_vtu(const std::string& name, std::string_view bytes);
 mesh::Mesh read_legacy_vtk(const std::string& name, std::string_view bytes);
+mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes);
+mesh::Mesh read_dyna(const std::string& name, std::string_view bytes);
+mesh::Mesh read_stl(const std::string& name, std::string_view bytes);
 std::string gmsh_text(const mesh::Mesh& mesh);
+std::string obj_text(const mesh::Mesh& mesh);
+std::string ply_text(const mesh::Mesh& mesh);
+std::string stl_text(const mesh::Mesh& mesh);
 
 }  // namespace fabricsh::format

@@ -6,6 +6,8 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -63,6 +65,7 @@ void add(vtkDataSetAttributes* data, const Array& array) {
     copy->SetComponentName(static_cast<vtkIdType>(c), array.component_names[c].c_str());
   copy->SetNumberOfTuples(static_cast<vtkIdType>(array.values.size()) / array.components);
   std::copy(array.values.begin(), array.values.end(), copy->GetPointer(0));
+  if (!array.unit.empty()) copy->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), escaped(array.unit).c_str());
   data->AddArray(copy);
 }
 
@@ -95,6 +98,27 @@ void add_time(vtkUnstructuredGrid* data, double time) {
   data->GetFieldData()->AddArray(value);
 }
 
+// The units once more where people look: ParaView shows the names of components of field data. Text would be
+// plainer, but there are readers that refuse a file with text in it.
+void add_units(vtkUnstructuredGrid* data, const Grid& grid) {
+  std::vector<std::string> words;
+  for (const auto* arrays : {&grid.point_data, &grid.cell_data})
+    for (const Array& array : *arrays) {
+      const std::string word = array.name + " in " + array.unit;
+      if (!array.unit.empty() && std::find(words.begin(), words.end(), word) == words.end())
+        words.push_back(word);
+    }
+  if (words.empty()) return;
+  vtkNew<vtkUnsignedCharArray> units;
+  units->SetName("units");
+  units->SetNumberOfComponents(static_cast<int>(words.size()));
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    units->SetComponentName(static_cast<vtkIdType>(i), escaped(words[i]).c_str());
+    units->InsertNextValue(1);
+  }
+  data->GetFieldData()->AddArray(units);
+}
+
 // The document is made in memory; this room writes the file, so that errors have the system's reason.
 std::string document(vtkUnstructuredGrid* data) {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
@@ -119,6 +143,7 @@ FileSum write_vtu(const std::string& path, const Grid& grid, system::Sync sync, 
   for (const Array& array : grid.point_data) add(data->GetPointData(), array);
   for (const Array& array : grid.cell_data) add(data->GetCellData(), array);
   if (grid.time) add_time(data, *grid.time);
+  add_units(data, grid);
   const std::string bytes = document(data);
   system::write_file(path, bytes, sync, folder);
   return sum_of(bytes);

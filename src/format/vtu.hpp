@@ -22,6 +22,7 @@ struct Array {
   std::vector<double> values;
   std::vector<std::string> component_names = {};  // empty, or one name per component, shown by ParaView
   bool flags = false;                             // 0 and 1, written as integers of one byte
+  std::string unit = {};                          // kept with the array, for programs that show units
 };
 
 struct Grid {

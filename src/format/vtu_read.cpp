@@ -1,7 +1,9 @@
 // VTK's .vtu. VTK's own reader is not used because it trusts the
 // counts and point ids in the file; only its decompression is used.
+#include <algorithm>
 #include <optional>
 
+#include "format/frame_file.hpp"
 #include "format/mesh_file.hpp"
 #include "format/vtk_cells.hpp"
 #include "format/vtu_data.hpp"
@@ -11,8 +13,11 @@ namespace fabricsh::format {
 
 namespace {
 
+constexpr std::int64_t kTriangle = 5, kQuadrilateral = 9;  // of VTK's types of cells
+
 struct DataArray {
   std::string parent, name, type, format;
+  std::vector<std::string> component_names;
   std::int64_t components = 1;
   std::size_t begin = 0, end = 0;      // range of the text between its tags
   std::optional<std::int64_t> offset;  // in the appended data
@@ -22,6 +27,7 @@ class VtuReader {
  public:
   VtuReader(const std::string& name, std::string_view bytes) : source_(name, bytes) {}
   mesh::Mesh read();
+  FrameFile read_frame(const std::vector<std::string>& wanted);
 
  private:
   void scan();
@@ -105,6 +111,8 @@ void VtuReader::read_array(const XmlTag& tag, const std::string& parent) {
   array.type = attribute(tag, "type", nullptr);
   array.format = attribute(tag, "format", "ascii");
   if (tag.attributes.contains("NumberOfComponents")) array.components = number(tag, "NumberOfComponents", 0);
+  for (std::int64_t c = 0; c < std::min<std::int64_t>(array.components, 16); ++c)
+    array.component_names.push_back(attribute(tag, ("ComponentName" + std::to_string(c)).c_str(), ""));
   if (array.format == "appended") array.offset = number(tag, "offset", 0);
   array.begin = tag.behind;
   array.end = tag.empty ? tag.behind : tag.behind + std::min(source_.rest().find('<'), source_.left());
@@ -197,7 +205,52 @@ mesh::Mesh VtuReader::read() {
   return mesh.finish();
 }
 
+// The points and cells as they stand in the file, which a mesh would number anew.
+FrameFile VtuReader::read_frame(const std::vector<std::string>& wanted) {
+  scan();
+  if (!head_) source_.fail("expected a .vtu file, which begins with <VTKFile>");
+  if (pieces_ == 0) source_.fail("the file has no <Piece>");
+  VtuDecoder decoder(source_, encoding_);
+  const VtkCells all = cells(decoder);
+  const VtkMesh checked(source_, all);
+  FrameFile frame;
+  for (std::size_t i = 0; i < points_; ++i)
+    frame.points.emplace_back(all.points[3 * i], all.points[3 * i + 1], all.points[3 * i + 2]);
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    const auto corners = all.corners(i);
+    if (all.types[i] != kTriangle && all.types[i] != kQuadrilateral)
+      source_.fail("cell " + std::to_string(i) + ": expected a triangle (5) or quadrilateral (9), got type " +
+                   std::to_string(all.types[i]));
+    frame.cells.push_back({corners[0], corners[1], corners[2], corners.size() == 3 ? -1 : corners[3]});
+  }
+  for (const DataArray& array : arrays_) {
+    const bool on_cells = array.parent == "CellData";
+    if (!on_cells && array.parent != "PointData") continue;
+    frame.names += " " + array.name;
+    if (std::find(wanted.begin(), wanted.end(), array.name) == wanted.end()) continue;
+    source_.move_to(array.begin);
+    FrameArray out{array.name, on_cells, static_cast<std::size_t>(array.components), array.component_names,
+                   decoder.reals(stored(array))};
+    expect("values of array " + in_quotes(array.name), (on_cells ? cells_ : points_) * out.components,
+           out.values.size());
+    frame.arrays.push_back(std::move(out));
+  }
+  return frame;
+}
+
 }  // namespace
+
+const FrameArray* FrameFile::find(std::string_view name) const {
+  const FrameArray* found = nullptr;
+  for (const FrameArray& array : arrays)
+    if (array.name == name && (found == nullptr || !array.on_cells)) found = &array;
+  return found;
+}
+
+FrameFile read_vtu_frame(const std::string& name, std::string_view bytes,
+                         const std::vector<std::string>& wanted) {
+  return VtuReader(name, bytes).read_frame(wanted);
+}
 
 mesh::Mesh read_vtu(const std::string& name, std::string_view bytes) { return VtuReader(name, bytes).read(); }
 

@@ -105,10 +105,11 @@ void Job::record(const std::string& path, const std::vector<Column>& columns, do
       [&](Archive& from) { return std::make_shared<TableSeries>(path, columns, from); });
 }
 
-void Job::vtk(const std::string& stem, double every, const std::vector<std::string>& fields) {
+void Job::vtk(const std::string& stem, double every, const VtkContents& contents) {
   add(
-      {"vtk", stem, "", {}}, every, stem + ".pvd", [&] { return std::make_shared<VtkSeries>(stem, fields); },
-      [&](Archive& from) { return std::make_shared<VtkSeries>(stem, fields, from); });
+      {"vtk", stem, "", {}}, every, stem + ".pvd",
+      [&] { return std::make_shared<VtkSeries>(stem, contents); },
+      [&](Archive& from) { return std::make_shared<VtkSeries>(stem, contents, from); });
 }
 
 std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<double> every,

@@ -20,6 +20,7 @@
 #include "run/checkpoint.hpp"
 #include "run/series.hpp"
 #include "run/table_series.hpp"
+#include "run/vtk_frame.hpp"
 
 namespace fabricsh::run {
 
@@ -103,7 +104,10 @@ class Job {
   // be written, an unknown field; when continuing from a checkpoint, an output that it does not have. every:
   // s between two rows or frames, and the run makes steps end at these times; 0: every step.
   void record(const std::string& path, const std::vector<Column>& columns, double every = 0);
-  void vtk(const std::string& stem, double every = 0, const std::vector<std::string>& fields = {});
+  void vtk(const std::string& stem, double every = 0, const std::vector<std::string>& fields = {}) {
+    vtk(stem, every, VtkContents{fields});
+  }
+  void vtk(const std::string& stem, double every, const VtkContents& contents);
   // every: s, 0: every step; does not shorten steps. By default every ten minutes of real time.
   std::shared_ptr<Keeper> checkpoint(const std::string& path, std::optional<double> every = {},
                                      std::optional<double> minutes = {});

@@ -46,9 +46,13 @@ void add_point(ElementValues& v, double w, const law::Law& law, const double* E,
 Vec3 Run::reaction(const std::string& set) const {
   Vec3 sum = Vec3::Zero();
   const auto& nodes = model_->mesh().set(set);
-  if (dead_.empty()) return sum;  // before the first step no forces have been computed
-  for (const auto n : nodes) sum += assembly_->support_force(n, dead_) + inertia(n);
+  for (const auto n : nodes) sum += reaction_at(n);
   return sum;
+}
+
+Vec3 Run::reaction_at(mesh::Index node) const {
+  if (dead_.empty()) return Vec3::Zero();  // before the first step no forces have been computed
+  return assembly_->support_force(node, dead_) + inertia(node);
 }
 
 const mechanics::Contacts& Run::contact() const {

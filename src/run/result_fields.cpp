@@ -40,6 +40,22 @@ struct Table {
                     {},
                     std::move(letter)});
   }
+  void supports(std::string name, std::string unit, std::string sentence) {
+    const auto values = [](const Run& run, mesh::Index i, double* out) {
+      const Vec3 v = run.reaction_at(i);
+      std::copy_n(v.data(), 3, out);
+    };
+    Names components = {name + "_x", name + "_y", name + "_z"};
+    rows.push_back({std::move(name),
+                    std::move(unit),
+                    Shape::vector,
+                    Place::node,
+                    std::move(sentence),
+                    std::move(components),
+                    values,
+                    {},
+                    "R"});
+  }
   void touched(const std::string& name, std::string unit, std::string sentence,
                double (mechanics::Contacts::*what)(mechanics::Index) const) {
     const auto values = [name, what](const Run& run, mesh::Index i, double* out) {
@@ -106,6 +122,7 @@ Table make_table() {
   t.rows.back().usual = false;
   t.nodal("reference", "m", "where the node was in the reference", {"X", "Y", "Z"}, &NodeValues::X, "X");
   t.rows.back().usual = false;
+  t.supports("reaction", "N", "force of the supports on the node, which a:reaction sums over a set");
   t.touched(
       "gap", "m",
       "to the nearest thing that it touches, above the floor of their contact; what contact reaches at most",
@@ -168,6 +185,7 @@ Table make_table() {
            [](const Run& run, mesh::Index e) { return run.assembly().share(e); });
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
            [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });
+  t.rows.back().continuous = false;
   return t;
 }
 

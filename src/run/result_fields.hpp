@@ -14,7 +14,7 @@ struct ElementValues;
 
 enum class Place { node, point, element, facet };
 // Number of values: 1; 2, mostly for warp and weft; 3, global; 5, symmetric tensor in material axes without
-// 33, in the order 11 22 23 13 12.
+// 33, in the order 11 22 23 13 12 (files have six, in VTK's order).
 enum class Shape { scalar, pair, vector, tensor };
 const char* name(Place place);
 const char* name(Shape shape);
@@ -35,6 +35,7 @@ struct ResultField {
   bool usual = true;                     // written to files for which no fields were chosen
   bool moving = false;                   // only in dynamic runs
   bool touching = false;                 // only in runs with contact
+  bool continuous = true;                // of elements: the mean over neighbours is meaningful
 
   std::size_t size() const;
 };

@@ -65,6 +65,7 @@ class Run {
   double duration() const { return duration_; }
   // N, global: force of the supports on the cloth; zero before the run has begun.
   Vec3 reaction(const std::string& set) const;
+  Vec3 reaction_at(mesh::Index node) const;
   // The contacts of the model, and the number of a body in it. Error: there is no contact, or no such body.
   const mechanics::Contacts& contact() const;
   std::size_t body_number(const model::Rigid& body) const;

@@ -1,19 +1,9 @@
 #include "run/vtk_series.hpp"
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "run/bodies.hpp"
 
 namespace fabricsh::run {
-
-using run::FieldPart;
-using run::ResultField;
-using run::Shape;
-
-format::Array array_of(const run::Run& run, const ResultField& field) {
-  return {field.name, static_cast<int>(field.size()), values_of(run, {&field, -1}), field.labels};
-}
 
 namespace {
 
@@ -27,50 +17,19 @@ format::PvdSeries continued(const std::string& stem, std::size_t frames, Archive
 
 }  // namespace
 
-VtkSeries::VtkSeries(const std::string& stem, std::vector<std::string> fields)
-    : series_(stem), fields_(std::move(fields)) {
-  check_fields();
+VtkSeries::VtkSeries(const std::string& stem, VtkContents contents)
+    : series_(stem), contents_(std::move(contents)) {
+  check_fields(contents_, "vtk");
 }
 
-VtkSeries::VtkSeries(const std::string& stem, std::vector<std::string> fields, Archive& from)
-    : Series(from), series_(continued(stem, frames(), from)), fields_(std::move(fields)) {
-  check_fields();
+VtkSeries::VtkSeries(const std::string& stem, VtkContents contents, Archive& from)
+    : Series(from), series_(continued(stem, frames(), from)), contents_(std::move(contents)) {
+  check_fields(contents_, "vtk");
 }
 
 void VtkSeries::keep_place(Archive& archive) {
   format::PvdPlace place = series_.place();
   archive(place);
-}
-
-void VtkSeries::check_fields() const {
-  for (const auto& field : fields_) {
-    try {
-      run::find_field(field);
-    } catch (const Error& unknown) {
-      throw Error(std::string("vtk: field 'fields': ") + unknown.what());
-    }
-  }
-}
-
-// The field with only the requested values; without a request the whole field.
-format::Array VtkSeries::chosen(const run::Run& run, const ResultField& field) const {
-  std::vector<int> numbers;
-  bool whole = fields_.empty() && field.usual;
-  for (const std::string& name : fields_) {
-    const FieldPart part = run::find_field(name);
-    if (part.field != &field) continue;
-    whole = whole || part.component < 0 || field.size() == 1 || field.shape == Shape::vector;
-    if (std::find(numbers.begin(), numbers.end(), part.component) == numbers.end())
-      numbers.push_back(part.component);
-  }
-  if (whole) return array_of(run, field);
-  format::Array array{field.name, static_cast<int>(numbers.size()), {}, {}};
-  if (numbers.empty()) return array;
-  const std::vector<double> all = values_of(run, {&field, -1});
-  for (const int c : numbers) array.component_names.push_back(field.labels[c]);
-  for (std::size_t i = 0; i < all.size(); i += field.size())
-    for (const int c : numbers) array.values.push_back(all[i + c]);
-  return array;
 }
 
 // The rigid bodies in their present positions, one grid each.
@@ -85,19 +44,8 @@ std::vector<format::PvdPart> VtkSeries::bodies_of(const run::Run& run) {
 }
 
 void VtkSeries::write(const run::Run& run) {
-  const auto& mesh = run.model().mesh();
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    points.push_back(run.node(static_cast<mesh::Index>(i)).x);
-  format::Grid grid{points, mesh.elements};
-  grid.time = run.time();
-  for (const ResultField& field : run::result_fields()) {
-    if (!has(run, field)) continue;
-    format::Array array = chosen(run, field);
-    if (array.components == 0) continue;
-    (field.place == run::Place::node ? grid.point_data : grid.cell_data).push_back(std::move(array));
-  }
-  series_.frame(run.time(), grid, bodies_of(run));
+  const VtkFrame frame(run, contents_);
+  series_.frame(run.time(), frame.grid(), bodies_of(run));
 }
 
 }  // namespace fabricsh::run

@@ -49,6 +49,42 @@ inline const std::string obj =
     "v 2 1 0.3333333333333333\nv 3 0.5 0\nvt 0 0\nvn 0 0 1\ng left\nl 1 4\n"
     "g plate\nusemtl blue\nf 1/1/1 2//1 5/1 4\nf -6 -5 -2 -3\ng\ns off\nf 3 7 6\n";
 
+// The same with all that these decks have: comments, sets by number, range and name, sets of elements, what
+// belongs to the problem, and lines that go on.
+inline const std::string abaqus =
+    "*Heading\n a plate, 1, 2\n** nodes\n*Node, nset=all\n10, 0, 0\n11, 1., 0., 0\n12, 2, 0, 1.25D-1\n"
+    "13, 0, 1, 0\n14, 1, 1, 0\n15, 2, 1, 0.3333333333333333\n16, 3, .5, 0\n99, 5, 5, 5\n"
+    "*ELEMENT, type=S4R,\n ELSET = plate\n1, 10, 11, 14,\n13\n2, 11, 12, 15, 14\n"
+    "*ELEMENT, TYPE=S3, ELSET=tip\n3, 12, 16, 15\n*ELEMENT, TYPE=T3D2\n4, 10, 13\n"
+    "*NSET, NSET=left, GENERATE\n10, 13, 3\n*Elset, elset=whole\nPLATE, tip\n"
+    "*NSET, NSET=boundary\n10, 11, 12, 13,\n14, 15, 16\n"
+    "*MATERIAL, NAME=cloth\n*ELASTIC\n1e6, 0.3\n*STEP\n*NODE PRINT, NSET=left\nRF\n*END STEP\n";
+
+inline const std::string stl =
+    "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n"
+    "endsolid one\nsolid two\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 "
+    "0\nendloop\n"
+    "endfacet\nendsolid two\n";
+
+// In columns, in long ones and between commas.
+inline const std::string dyna =
+    "$ a plate\n*KEYWORD\n*TITLE\na plate\n*NODE\n"
+    "      10               0               0               0       0       0\n"
+    "      11               1               0               0\n"
+    "12,2.,0.,0.125\n      13             0.0             1.0             0.0\n"
+    "      14             1.0             1.0             0.0\n"
+    "*NODE +\n                  15                 2.0                 1.0  0.3333333333333333\n"
+    "*NODE\n      16             3.0             0.5             0.0\n"
+    "      99             5.0             5.0             5.0\n"
+    "*ELEMENT_SHELL_THICKNESS\n       1       7      10      11      14      13\n"
+    "           0.001           0.001           0.001           0.001\n"
+    "       2       7      11      12      15      14\n$ thickness\n"
+    "           0.001           0.001           0.001           0.001\n"
+    "*ELEMENT_SHELL\n       3       7      12      16      15      15\n"
+    "*SET_NODE_LIST_TITLE\nleft\n         1       0.0\n        10        13         0         0\n"
+    "*SET_SHELL_LIST_GENERATE_TITLE\nplate\n         1\n         1         2\n"
+    "*PART\nsheet\n         7         1         1\n*END\nanything\n";
+
 // Bytes one after the other, as a program on this machine or on one of the other kind writes them.
 struct Bytes {
   bool reversed = false;
@@ -120,7 +156,9 @@ inline std::map<std::string, std::string> every() {
               {"4-binary.msh", gmsh_4_binary()},
               {"2-reversed.msh", gmsh_2_binary(true)},
               {"4-reversed.msh", gmsh_4_binary(true)},
-              {"plate.obj", obj}});
+              {"plate.obj", obj},
+              {"plate.inp", abaqus},
+              {"plate.k", dyna}});
   return all;
 }
 

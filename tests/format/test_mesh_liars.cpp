@@ -15,6 +15,9 @@ namespace {
 mesh::Mesh read(const std::string& name, const std::string& bytes) {
   if (name.ends_with(".msh")) return read_gmsh(name, bytes);
   if (name.ends_with(".obj")) return read_obj(name, bytes);
+  if (name.ends_with(".inp")) return read_abaqus(name, bytes);
+  if (name.ends_with(".k")) return read_dyna(name, bytes);
+  if (name.ends_with(".stl")) return read_stl(name, bytes);
   return name.ends_with(".vtu") ? read_vtu(name, bytes) : read_legacy_vtk(name, bytes);
 }
 
@@ -69,13 +72,17 @@ const std::string& base(const std::string& name) {
   if (name == "2.msh") return samples::gmsh_2;
   if (name == "4.msh") return samples::gmsh_4;
   if (name == "x.obj") return samples::obj;
+  if (name == "x.inp") return samples::abaqus;
+  if (name == "x.k") return samples::dyna;
+  if (name == "x.stl") return samples::stl;
   return name == "x.vtu" ? xml : grid;
 }
 
 }  // namespace
 
 TEST_CASE("the samples are good before they are spoilt", "[files]") {
-  for (const char* name : {"2.msh", "4.msh", "x.obj", "x.vtu", "x.vtk"}) check_valid(read(name, base(name)));
+  for (const char* name : {"2.msh", "4.msh", "x.obj", "x.inp", "x.k", "x.stl", "x.vtu", "x.vtk"})
+    check_valid(read(name, base(name)));
 }
 
 TEST_CASE("liars are told by name and line", "[files]") {
@@ -123,6 +130,51 @@ TEST_CASE("liars are told by name and line", "[files]") {
       {"x.obj", "f 3 7 6", "f 1 2 3 7 6", "expected a face of 3 or 4 corners, got 5"},
       {"x.obj", "f 3 7 6", "f 3 7 x", "expected the number of a vertex, got 'x'"},
       {"x.obj", "f 3 7 6", "curv2 1 2", "x.obj:21: unknown statement 'curv2'"},
+      {"x.inp", "11, 1., 0., 0", "11, 1., O., 0", "x.inp:6: node 11: expected a coordinate, got 'O.'"},
+      {"x.inp", "11, 1., 0., 0", "11 1. 0. 0",
+       "x.inp:6: expected the number of a node, a whole number, got '11 1. 0. 0'"},
+      {"x.inp", "11, 1., 0., 0", "10, 1., 0., 0", "x.inp:6: node 10 is there twice"},
+      {"x.inp", "2, 11, 12, 15, 14", "2, 11, 12, 15, 77", "x.inp:17: element 2: node 77 is not in the file"},
+      {"x.inp", "2, 11, 12, 15, 14", "1, 11, 12, 15, 14", "x.inp:17: element 1 is there twice"},
+      {"x.inp", "2, 11, 12, 15, 14", "2, 11, 12, 15",
+       "x.inp:17: expected the number of an element and 4 nodes, got 4 numbers"},
+      {"x.inp", "2, 11, 12, 15, 14", "2, 11, 12, 15, 14, 13", "and 4 nodes, got 6 numbers"},
+      {"x.inp", "2, 11, 12, 15, 14", "2, 11, 12, 15,", "x.inp:18: expected the rest of the element above"},
+      {"x.inp", "type=S4R", "type=C3D8", "x.inp:14: *ELEMENT, TYPE='C3D8': expected a shell or membrane"},
+      {"x.inp", "type=S4R", "shape=S4R", "x.inp:14: *ELEMENT: expected TYPE=..."},
+      {"x.inp", "*Node, nset=all", "*Node, system=C", "*NODE, SYSTEM=C: expected rectangular coordinates"},
+      {"x.inp", "10, 13, 3", "10, 13, 0", "x.inp:23: expected a step other than 0"},
+      {"x.inp", "10, 13, 3", "10", "x.inp:23: expected first, last and step, got '10'"},
+      {"x.inp", "10, 13, 3", "1, 999999999999", "x.inp:23: a range from 1 to 999999999999"},
+      {"x.inp", "PLATE, tip", "PLATE, top", "x.inp:25: there is no set 'TOP' of elements"},
+      {"x.inp", "14, 15, 16\n*MAT", "14, 15, 17\n*MAT", "x.inp:28: node 17 is not in the file"},
+      {"x.inp", "*NSET, NSET=boundary", "*NSET", "x.inp:26: *NSET: expected NSET=a name"},
+      {"x.inp", "*MATERIAL, NAME=cloth", "*INCLUDE, INPUT=more.inp",
+       "x.inp:29: *INCLUDE takes lines from another file"},
+      {"x.inp", "*Heading", "*NGEN", "x.inp:1: *NGEN makes or moves nodes or elements"},
+      {"x.k", "1.0             1.0             0.0", "1.0             one             0.0",
+       "x.k:10: node 14: expected a coordinate, got 'one' in columns 25 to 40"},
+      {"x.k", "      10      11      14      13", "      10      11      14      77",
+       "x.k:17: element 1: node 77 is not in the file"},
+      {"x.k", "      12      16      15      15", "      12      16      15      15      14",
+       "x.k:23: element 3 has more than 4 nodes"},
+      {"x.k", "      12      16      15      15", "      12",
+       "x.k:23: expected element, part and 3 or 4 nodes"},
+      {"x.k", "SHELL_THICKNESS", "SHELL_COMPOSITE",
+       "x.k:16: *ELEMENT_SHELL_COMPOSITE: expected *ELEMENT_SHELL, alone or with"},
+      {"x.k", "*PART", "*ELEMENT_SOLID",
+       "x.k:32: *ELEMENT_SOLID: expected *ELEMENT_SHELL, with 3 or 4 nodes"},
+      {"x.k", "*PART", "*INCLUDE", "*INCLUDE takes lines from another file"},
+      {"x.k", "*SET_NODE_LIST_TITLE", "*SET_NODE_ADD",
+       "x.k:24: *SET_NODE_ADD: expected *SET_NODE or *SET_SHELL with"},
+      {"x.k", "        10        13         0", "        10        77         0",
+       "x.k:27: node 77 is not in the file"},
+      {"x.stl", "vertex 1 0 0", "vertex 1 0 x", "x.stl:5: expected a coordinate, a number, got 'x'"},
+      {"x.stl", "vertex 1 0 0", "vertex 0 0 0", "element 1: node 1 is in it twice"},
+      {"x.stl", "endfacet\nendsolid one", "endfacet\nend one",
+       "x.stl:9: expected facet or endsolid, got 'end'"},
+      {"x.stl", "outer", "inner", "x.stl:3: expected outer, got 'inner'"},
+      {"x.stl", "solid one\nfacet", "lumpy one\nfacet", "x.stl: byte "},
       {"x.vtk", "# vtk", "% vtk", "x.vtk:1: expected a .vtk file"},
       {"x.vtk", "3.0", "9.0", "expected version 1 to 5"},
       {"x.vtk", "ASCII", "ASKEY", "expected ASCII or BINARY, got 'askey'"},
@@ -217,7 +269,7 @@ TEST_CASE("a file with any one byte changed is an error or a mesh", "[files]") {
 
 TEST_CASE("no mesh at all", "[files]") {
   const ScratchFolder folder;
-  for (const char* name : {"x.msh", "x.obj", "x.vtu", "x.vtk"}) {
+  for (const char* name : {"x.msh", "x.obj", "x.inp", "x.k", "x.stl", "x.vtu", "x.vtk"}) {
     INFO(name);
     system::write_file(folder / name, "", system::Sync::no);
     CHECK(message_of([&] { read_mesh(folder / name); }) == folder / name + ": the file is empty");
@@ -235,7 +287,7 @@ TEST_CASE("no mesh at all", "[files]") {
 // Address space far below what any of the claims would take; a plain std::bad_alloc would fail the test.
 TEST_CASE("huge counts allocate nothing", "[files]") {
   const std::string huge = "999999999999";
-  for (const char* name : {"2.msh", "4.msh", "x.vtk", "x.vtu"}) {
+  for (const char* name : {"2.msh", "4.msh", "x.inp", "x.k", "x.vtk", "x.vtu"}) {
     const std::string& text = base(name);
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] < '0' || text[i] > '9' || (i > 0 && text[i - 1] >= '0' && text[i - 1] <= '9')) continue;

@@ -153,7 +153,8 @@ TEST_CASE("every format and form of it reads as the same mesh", "[files]") {
     CHECK(m.set("plate") == wanted.set("plate"));
     CHECK(m.set("all") == wanted.set("all"));
     CHECK(m.set("boundary") == wanted.set("boundary"));
-    CHECK(m.sets.size() == (name == "plate.obj" ? 5u : 4u));  // and "sheet", the object
+    const std::size_t more = name == "plate.obj" ? 1 : name == "plate.inp" ? 2 : 0;  // sheet; tip and whole
+    CHECK(m.sets.size() == 4 + more);
     CHECK_FALSE(m.flat);
     CHECK(m.origin == "file " + name);
   }
@@ -173,11 +174,107 @@ TEST_CASE("a mesh that is written reads back equal", "[files]") {
     }
 }
 
+TEST_CASE("a mesh that is written in columns reads back as far as they hold digits", "[files]") {
+  const ScratchFolder folder;
+  auto m = mesh::cylinder({.radius = 1.0 / 3, .length = 1, .around = 5, .along = 2});
+  m.nodes[3].x() = -1.0 / 3e-7;
+  // 15 characters: 8 digits beside -, . and e-17; 20: 13 beside e-300 as well.
+  for (const auto& [name, off] : {std::pair{"x.k", 1e-8}, std::pair{"x.inp", 1e-13}}) {
+    write_mesh(folder / name, m);
+    const auto back = read_mesh(folder / name);
+    REQUIRE(back.nodes.size() == m.nodes.size());
+    for (std::size_t i = 0; i < m.nodes.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        CHECK(std::abs(back.nodes[i][k] - m.nodes[i][k]) <= off * std::abs(m.nodes[i][k]));
+    CHECK(back.elements == m.elements);
+    CHECK(back.sets == m.sets);
+  }
+}
+
+TEST_CASE("a number fills the 20 characters that Abaqus reads, and no more", "[files]") {
+  auto m = samples::plate();
+  m.nodes[1].x() = -1.2345678901234567e-105;
+  const std::string text = *mesh_text("x.inp", m);
+  CHECK(text.find("2, -1.234567890123e-105, 0, 0\n") != text.npos);
+}
+
+TEST_CASE("a surface without sets: .obj, .ply, .stl", "[files]") {
+  const ScratchFolder folder;
+  const auto m = samples::plate();
+  write_mesh(folder / "x.obj", m);
+  const auto obj = read_mesh(folder / "x.obj");
+  CHECK(obj.nodes == m.nodes);
+  CHECK(obj.elements == m.elements);
+  write_mesh(folder / "x.stl", m);
+  const auto stl = read_mesh(folder / "x.stl");
+  CHECK(stl.nodes.size() == 7);
+  CHECK(stl.elements.size() == 5);
+  write_mesh(folder / "x.ply", m);
+  CHECK(content_of(folder / "x.ply").find("end_header\n0 0 0\n1 0 0\n2 0 0.125\n") != std::string::npos);
+  CHECK(content_of(folder / "x.ply").ends_with("4 0 1 4 3\n4 1 2 5 4\n3 2 6 5\n"));
+}
+
+// A square of two facets, with 0 and -0 for one corner.
+std::string binary_stl(const std::string& head) {
+  std::string text = head + std::string(80 - head.size(), ' ');
+  const auto add = [&text](auto value) { text.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  add(std::uint32_t{2});
+  for (const std::array<float, 9>& facet : {std::array<float, 9>{0, 0, 0, 1, 0, 0, 1, 1, 0},
+                                            std::array<float, 9>{-0.0f, 0, 0, 1, 1, 0, 0, 1, 0.1f}}) {
+    for (int i = 0; i < 3; ++i) add(0.0f);
+    for (const float x : facet) add(x);
+    add(std::uint16_t{0});
+  }
+  return text;
+}
+
+TEST_CASE("STL: equal vertices are one node, in text and in bytes", "[files]") {
+  for (const char* head : {"a binary file", "solid like a text"}) {
+    const auto m = read_stl("x.stl", binary_stl(head));
+    CHECK(m.nodes.size() == 4);
+    CHECK(m.elements == decltype(m.elements){{0, 1, 2, -1}, {0, 2, 3, -1}});
+    CHECK(m.nodes[3] == Vec3(0, 1, double(0.1f)));
+  }
+  const std::string facet =
+      " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1e0 0 0\n   vertex 1 1 0\n"
+      "  endloop\n endfacet\n";
+  CHECK(read_stl("x.stl", "solid one two\n" + facet + "endsolid one two\n").sets.size() == 2);
+  const auto both =
+      read_stl("x.stl", "solid one two\n" + facet + "endsolid\nsolid\nendsolid\nsolid b\r\n" +
+                            " facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n"
+                            "endloop\nendfacet\nendsolid b");
+  CHECK(both.set("one two") == mesh::NodeSet{0, 1, 2});
+  CHECK(both.set("b") == mesh::NodeSet{0, 2, 3});
+}
+
+TEST_CASE("Abaqus: one part in an assembly, sets of sets, names in quotes", "[files]") {
+  const auto m = read_abaqus(
+      "x.inp",
+      "*PART, NAME=sheet\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n*ELEMENT,TYPE=M3D3,ELSET=e\n7,1,2,3\n*END PART\n"
+      "*ASSEMBLY, NAME=a\n*INSTANCE, NAME=s, PART=sheet\n0., 0., 0.\n*END INSTANCE\n"
+      "*NSET, NSET=\"the grip\", INSTANCE=s\n1, s.2\n*NSET, NSET=b\nThe Grip\n*NSET, NSET=of, ELSET=E\n*END "
+      "ASSEMBLY\n");
+  CHECK(m.set("the grip") == mesh::NodeSet{0, 1});
+  CHECK(m.set("b") == mesh::NodeSet{0, 1});
+  CHECK(m.set("of") == mesh::NodeSet{0, 1, 2});
+}
+
+TEST_CASE("LS-DYNA: parts are sets where there are several", "[files]") {
+  const std::string nodes =
+      "*KEYWORD\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,1,1,0\n*ELEMENT_SHELL\n1,1,1,2,3\n2,5,2,4,3,3\n";
+  const auto m = read_dyna("x.k", nodes + "*PART\nthe tip\n5,1,1\n*SET_NODE_COLUMN\n9\n4\n2\n*END\n");
+  CHECK(m.set("part_1") == mesh::NodeSet{0, 1, 2});
+  CHECK(m.set("the tip") == mesh::NodeSet{1, 2, 3});
+  CHECK(m.set("set_9") == mesh::NodeSet{1, 3});
+}
+
 TEST_CASE("names that cannot be written or read by their ending", "[files]") {
   const ScratchFolder folder;
   const auto m = samples::plate();
-  says(message_of([&] { write_mesh(folder / "x.stl", m); }), "expected a name that ends in .vtu or .msh");
-  says(message_of([&] { read_mesh("x.stl"); }), "expected a name that ends in .msh, .vtu, .vtk or .obj");
+  says(message_of([&] { write_mesh(folder / "x.step", m); }),
+       "expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad");
+  says(message_of([&] { read_mesh("x.rad"); }),
+       "expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k");
   says(message_of([&] { read_mesh(folder / "none.msh"); }), "No such file or directory");
   says(message_of([&] { read_mesh("/dev/null/x.msh"); }), "Not a directory");
   std::filesystem::create_directory(folder / "folder.msh");
@@ -186,6 +283,11 @@ TEST_CASE("names that cannot be written or read by their ending", "[files]") {
   auto odd = m;
   odd.define("a \"b\"", mesh::NodeSet{1});
   says(message_of([&] { write_mesh(folder / "x.msh", odd); }), "does not go into a Gmsh file");
+  says(message_of([&] { write_mesh(folder / "x.k", odd); }), "does not go into a deck");
+  auto two = m;
+  two.define("Left", mesh::NodeSet{1});
+  says(message_of([&] { write_mesh(folder / "x.inp", two); }),
+       "sets 'Left' and 'left' are one in a deck of Abaqus");
   write_mesh(folder / "X.VTU", odd);
   CHECK(read_mesh(folder / "X.VTU").set("a \"b\"") == mesh::NodeSet{1});
 }

@@ -2,6 +2,8 @@
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
@@ -72,6 +74,27 @@ TEST_CASE("a grid reads back: arrays, their component names, the time", "[files]
   CHECK(strain->GetComponent(1, 2) == 8);
   CHECK(std::string(strain->GetComponentName(3)) == "13");
   CHECK(grid->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0) == 0.25);
+}
+
+TEST_CASE("a grid reads back: the units of arrays, and once more as names in the field data", "[files]") {
+  const ScratchFolder folder;
+  const Sample sample;
+  Grid written = sample.grid();
+  written.point_data[1].unit = "m";
+  written.cell_data[0].unit = "Pa & <s>";
+  write_vtu(folder / "x.vtu", written, system::Sync::no);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  read(reader, folder / "x.vtu");
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  const auto unit = [](vtkDataArray* array) {
+    const char* text = array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
+    return text == nullptr ? std::string("none") : std::string(text);
+  };
+  CHECK(unit(grid->GetPointData()->GetArray("height")) == "none");
+  CHECK(unit(grid->GetPointData()->GetArray("u")) == "m");
+  vtkDataArray* units = grid->GetFieldData()->GetArray("units");
+  REQUIRE(units->GetNumberOfComponents() == 2);
+  CHECK(std::string(units->GetComponentName(0)) == "u in m");
 }
 
 TEST_CASE("a grid without cells is a file too", "[files]") {

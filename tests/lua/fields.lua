@@ -75,9 +75,11 @@ local function arrays(path)
 end
 local all, some = arrays "all_00004.vtu", arrays "some_00004.vtu"
 local function is(found, name, n, words) return found[name] and found[name].n == n and table.concat(found[name].words, " ") == words end
-assert(is(all, "E", 5, "E11 E22 E23 E13 E12") and is(all, "slack", 2, "warp weft") and is(all, "energy", 2, "stored dissipated"))
-assert(all.displacement and all.director and all.warp and all.weft and not all.velocity and not all.shear_angle and not all.position)
+assert(is(all, "E", 6, "E11 E22 E33 E12 E23 E13") and is(all, "S", 6, "S11 S22 S33 S12 S23 S13") and is(all, "slack", 2, "warp weft") and is(all, "energy", 2, "stored dissipated"))
+assert(all.displacement and all.director and all.warp and all.weft and all.reference and all.reaction)
+assert(all.top and all.corners and not all.all and not all.velocity and not all.shear_angle and not all.position)
 assert(is(some, "E", 1, "E12") and is(some, "S", 2, "S11 S22") and is(some, "slack", 1, "weft") and is(some, "displacement", 3, ""))
+assert(is(some, "reference", 3, "") and not some.reaction and some.top)
 assert(is(some, "shear_angle", 1, "") and is(some, "tension_warp", 1, "") and not some.director and not some.residual)
 
 -- Wrong names.

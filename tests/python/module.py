@@ -116,8 +116,11 @@ class Module(unittest.TestCase):
         self.assertEqual((frame.points.shape, len(frame.cells), frame.cells[0].tolist()), ((40, 3), 27, [0, 1, 5, 4]))
         numpy.testing.assert_allclose(frame.reference.max(axis=0), [0.0254, 0.0762, 0], atol=1e-15)
         self.assertAlmostEqual(frame.points[39, 1], 0.0762 + 0.005, places=12)
-        self.assertEqual(frame["S"].shape, (27, 5))
-        numpy.testing.assert_array_equal(frame["E12"], frame["E"][:, 4])
+        self.assertEqual(frame["S"].shape, (27, 6))
+        numpy.testing.assert_array_equal(frame["E12"], frame["E"][:, 3])
+        numpy.testing.assert_allclose(frame.deformed, frame.points, atol=1e-17)
+        self.assertEqual((frame.units["S"], frame.units["displacement"], frame.units.get("E")), ("Pa", "m", None))
+        self.assertEqual(frame["top"].sum(), 4)
         self.assertIn("displacement", frame.names())
         self.assertIn("no 'S99', there are displacement", str(self.refused(KeyError, lambda: frame["S99"])))
 

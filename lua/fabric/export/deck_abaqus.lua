@@ -1,8 +1,4 @@
 -- A whole model as an Abaqus deck; with an *ELASTIC material it also runs in CalculiX.
-local function names(numbers, out)
-  for i = 1, #numbers, 12 do out[#out + 1] = table.concat(numbers, ", ", i, math.min(i + 11, #numbers)) end
-end
-
 local function amplitude(out, name, corners, ft, scale)
   out[#out + 1] = "*AMPLITUDE, NAME=" .. name
   for _, c in ipairs(corners) do out[#out + 1] = ("%.10g, %.10g"):format(c[1] * ft, c[2] * scale) end
@@ -10,21 +6,7 @@ end
 
 return function(m, material, target, u)
   local membrane = target.name == "FABRIC"
-  local out = { "*NODE" }
-  for i, p in ipairs(m.nodes) do out[#out + 1] = ("%d, %.10g, %.10g, %.10g"):format(i, p[1] * u.length, p[2] * u.length, p[3] * u.length) end
-  for _, corners in ipairs { 4, 3 } do
-    local head
-    for i, e in ipairs(m.elements) do
-      if #e == corners then
-        head = head or table.insert(out, ("*ELEMENT, TYPE=%s%d%s, ELSET=cloth"):format(membrane and "M3D" or "S", corners, membrane and corners == 4 and "R" or "")) or true
-        out[#out + 1] = i .. ", " .. table.concat(e, ", ")
-      end
-    end
-  end
-  for _, set in ipairs(m.sets) do
-    out[#out + 1] = "*NSET, NSET=" .. set.name
-    names(set.nodes, out)
-  end
+  local out = { (m.mesh:deck_lines("inp", u.length, membrane, "cloth"):gsub("\n$", "")) }
   local w = m.warp
   local across = math.abs(w[3]) < 0.9 and { -w[2], w[1], 0.0 } or { 0.0, w[3], -w[2] }
   out[#out + 1] = "*ORIENTATION, NAME=warp"

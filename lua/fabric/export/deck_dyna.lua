@@ -7,22 +7,9 @@ return function(m, material, target, u)
     out[#out + 1] = keyword
     for _, l in ipairs { ... } do out[#out + 1] = l end
   end
-  add "*NODE"
-  for i, p in ipairs(m.nodes) do
-    out[#out + 1] = ("%8d"):format(i) .. units.fixed(p[1] * u.length, 16) .. units.fixed(p[2] * u.length, 16) .. units.fixed(p[3] * u.length, 16)
-  end
-  add "*ELEMENT_SHELL"
-  for i, e in ipairs(m.elements) do
-    out[#out + 1] = ("%8d%8d%8d%8d%8d%8d"):format(i, 1, e[1], e[2], e[3], e[4] or e[3])
-  end
+  out[#out + 1] = m.mesh:deck_lines("k", u.length):gsub("\n$", "")
   local ids = {}
-  for k, set in ipairs(m.sets) do
-    ids[set.name] = k
-    add("*SET_NODE_LIST_TITLE", set.name, units.line(10, { k }))
-    for i = 1, #set.nodes, 8 do
-      out[#out + 1] = units.line(10, table.move(set.nodes, i, math.min(i + 7, #set.nodes), 1, {}))
-    end
-  end
+  for k, set in ipairs(m.sets) do ids[set.name] = k end
   local t = m.thickness * u.length
   -- *MAT_034 requires ELFORM 5, the Belytschko-Tsay membrane; otherwise 2 with three points
   add("*SECTION_SHELL", units.line(10, { 1, target.name == "MAT_034" and 5 or 2, 0.833333, target.name == "MAT_034" and 1 or 3, 1.0 }),

@@ -29,24 +29,9 @@ return function(m, material, target, u)
     add("#                 VX                  VY                  VZ                 PHI", reals(w[1], w[2], w[3], 0.0))
   end
   add("/PART/1", m.name, ints(1, 1, 0))
-  add "/NODE"
-  for i, p in ipairs(m.nodes) do out[#out + 1] = ints(i) .. reals(p[1] * u.length, p[2] * u.length, p[3] * u.length) end
-  for _, kind in ipairs { { 4, "/SHELL/1" }, { 3, "/SH3N/1" } } do
-    local head
-    for i, e in ipairs(m.elements) do
-      if #e == kind[1] then
-        if not head then add(kind[2]) end
-        head = true
-        out[#out + 1] = ints(i, table.unpack(e))
-      end
-    end
-  end
+  out[#out + 1] = m.mesh:deck_lines("rad", u.length):gsub("\n$", "")
   local ids = {}
-  for k, set in ipairs(m.sets) do
-    ids[set.name] = k
-    add(("/GRNOD/NODE/%d"):format(k), set.name)
-    for i = 1, #set.nodes, 10 do out[#out + 1] = ints(table.unpack(set.nodes, i, math.min(i + 9, #set.nodes))) end
-  end
+  for k, set in ipairs(m.sets) do ids[set.name] = k end
   for k, f in ipairs(m.fixed) do
     local bits = { "0", "0", "0", "0", "0", "0" }
     for _, i in ipairs(f.freedoms) do bits[i] = "1" end

@@ -185,6 +185,7 @@ void bind_all(Session& session) {
   bind_files(session);
   bind_plot(session);
   bind_render(session);
+  bind_gltf(session);
   bind_analysis(session);
   bind_static(session);
   bind_dynamic(session);

@@ -1,4 +1,5 @@
 // fabric.mesh.read, mesh:write, mesh:check, mesh:orient.
+#include "format/deck_write.hpp"
 #include "format/mesh_file.hpp"
 #include "mesh/check.hpp"
 #include "script/bind/mesh.hpp"
@@ -31,6 +32,18 @@ int write(Call& call) {
     format::write_mesh(call.text("file"), *call.self<Mesh>());
   }
   lua_pushvalue(call.L(), 1);
+  return 1;
+}
+
+// The lines of a deck, for the writers of whole decks in lua/fabric/export.
+int deck_lines(Call& call) {
+  const std::string format = call.text("format");
+  const format::DeckForm form{call.number("length"), call.flag("membrane"), call.text("elements")};
+  const mesh::Mesh& mesh = *call.self<Mesh>();
+  const std::string lines = format == "inp" ? format::abaqus_lines(mesh, form)
+                            : format == "k" ? format::dyna_lines(mesh, form)
+                                            : format::radioss_lines(mesh, form);
+  lua_pushlstring(call.L(), lines.data(), lines.size());
   return 1;
 }
 
@@ -106,13 +119,14 @@ Entry read_row() {
   return {
       "fabric.mesh.read",
       Style::positional,
-      {value_("file", text, "ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh that comes along")},
+      {value_(
+          "file", text,
+          "ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k; a bare name may be a mesh that comes along")},
       "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
-      ".vtk, "
-      "Wavefront .obj. Physical groups and groups become node sets; so do integer arrays: those of 0 and 1 "
-      "by "
-      "their name, others as name_value. Nodes in no element are left out; the sets all and boundary are "
-      "added.",
+      ".vtk, Wavefront .obj, .stl (text and binary; equal vertices are joined), .inp of Abaqus and CalculiX, "
+      ".k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so "
+      "do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there "
+      "are several. Nodes in no element are left out; the sets all and boundary are added.",
       "local fabric = require 'fabric'\n"
       "local mesh = fabric.mesh.read 'disc.msh'\n"
       "assert(#mesh:set 'centre' == 1 and mesh:check().ok)",
@@ -120,15 +134,31 @@ Entry read_row() {
 }
 
 Entry write_row() {
-  return {"mesh:write",
-          Style::positional,
-          {value_("file", text, "ends in .vtu or .msh (Gmsh 4.1)")},
-          "Writes the mesh with its sets, so that it reads back equal; the old file stays until the new one "
-          "is whole.",
-          std::string(sample) +
-              "local file = os.tmpname()..'.vtu'\nmesh:write(file)\n"
-              "assert(#fabric.mesh.read(file):set 'boundary' == 16)\nos.remove(file)",
-          write};
+  return {
+      "mesh:write",
+      Style::positional,
+      {value_("file", text, std::string("ends in ") + format::mesh_endings)},
+      "Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, "
+      ".inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The "
+      "old file stays until the new one is whole.",
+      std::string(sample) +
+          "local file = os.tmpname()..'.vtu'\nmesh:write(file)\n"
+          "assert(#fabric.mesh.read(file):set 'boundary' == 16)\nos.remove(file)",
+      write};
+}
+
+Entry deck_lines_row() {
+  return {
+      "mesh:deck_lines",
+      Style::positional,
+      {value_("format", text, "of Abaqus, LS-DYNA or OpenRadioss").one_of({"inp", "k", "rad"}),
+       number_("length", "", positive, "what a metre is in the deck: 1000 for mm").or_else(1.0),
+       value_("membrane", boolean, "inp: M3D4R and M3D3 in the place of S4 and S3").or_else(false),
+       value_("elements", text, "inp: name of the set of all elements").or_else("all")},
+      "The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see "
+      "fabric.export.model for whole decks.",
+      std::string(sample) + "assert(mesh:deck_lines('inp', 1000):find '*ELEMENT, TYPE=S4, ELSET=all')",
+      deck_lines};
 }
 
 Entry check_row() {
@@ -162,6 +192,8 @@ Entry orient_row() {
 
 }  // namespace
 
-std::vector<Entry> mesh_file_rows() { return {read_row(), write_row(), check_row(), orient_row()}; }
+std::vector<Entry> mesh_file_rows() {
+  return {read_row(), write_row(), deck_lines_row(), check_row(), orient_row()};
+}
 
 }  // namespace fabricsh::script

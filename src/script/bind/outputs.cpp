@@ -1,12 +1,14 @@
-// a:record and a:vtk.
+// a:record, a:vtk and a:write.
 #include <algorithm>
 #include <functional>
 #include <set>
 
-#include "run/result_fields.hpp"
+#include "format/mesh_file.hpp"
+#include "run/vtk_frame.hpp"
 #include "script/at_work.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::script {
 
@@ -177,13 +179,79 @@ int vtk(Call& call) {
     lua_setfield(call.L(), -2, "options");
   }
   const Fields options = call.fields("options");
-  const std::vector<std::string> fields = text_list(options, "fields");
+  run::VtkContents contents{text_list(options, "fields")};
+  contents.reference = options.text("points") == "reference";
+  contents.averaged = options.flag("averaged");
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   std::string stem = call.text("stem");
   if (stem.ends_with(".pvd")) stem.resize(stem.size() - 4);
-  run->job.vtk(stem, interval_of(options), fields);
+  run->job.vtk(stem, interval_of(options), contents);
   return 1;
+}
+
+bool is_vtu(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string ending = dot == path.npos ? "" : path.substr(dot);
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return ending == ".vtu";
+}
+
+// The state as it is: a frame of a series where the format holds fields, else the mesh.
+int write(Call& call) {
+  const auto run = call.self<Run>();
+  luaL_checkstack(call.L(), 10, "write");
+  if (!call.has("options")) {
+    lua_newtable(call.L());
+    lua_setfield(call.L(), -2, "options");
+  }
+  const Fields options = call.fields("options");
+  run::VtkContents contents{text_list(options, "fields")};
+  contents.reference = options.text("points") == "reference";
+  contents.averaged = options.flag("averaged");
+  const std::string path = call.text("file");
+  if (!is_vtu(path) && (!contents.fields.empty() || contents.averaged))
+    options.refuse(contents.averaged ? "averaged" : "fields",
+                   "expected a file that ends in .vtu, which holds fields, got '" + path + "'");
+  run::check_fields(contents, "write");
+  lua_pushvalue(call.L(), 1);
+  if (call.session().options().check) return 1;
+  system::make_folder_for(path);
+  const run::Run& a = *run->analysis;
+  if (is_vtu(path)) {
+    format::write_vtu(path, run::VtkFrame(a, contents).grid());
+    return 1;
+  }
+  mesh::Mesh shape = a.model().mesh();
+  for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
+    const run::NodeValues node = a.node(static_cast<mesh::Index>(i));
+    shape.nodes[i] = contents.reference ? node.X : node.x;
+  }
+  format::write_mesh(path, shape);
+  return 1;
+}
+
+std::vector<Argument> contents_rows() {
+  return {value_("fields", table,
+                 "names of fields, or of single numbers: see the table of fields of a run; default: "
+                 "displacement velocity director reference reaction E S residual slack energy warp weft. "
+                 "Displacement and reference are always there")
+              .one_of(run::field_names())
+              .optional(),
+          value_("points", text,
+                 "where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by "
+                 "displacement shows the sheet as it is")
+              .one_of({"deformed", "reference"})
+              .or_else("deformed"),
+          value_("averaged", boolean,
+                 "fields of elements also on the nodes, under the same names: means of the elements that "
+                 "meet there, by area")
+              .or_else(false)};
+}
+
+std::vector<Argument> joined(std::vector<Argument> first, std::vector<Argument> rest) {
+  first.insert(first.end(), rest.begin(), rest.end());
+  return first;
 }
 
 Argument every_row() {
@@ -221,21 +289,26 @@ std::vector<Entry> rows() {
       {"analysis:vtk",
        Style::positional,
        {value_("stem", text, "out/drape writes out/drape.pvd and numbered .vtu files"),
-        fields_("options",
-                {every_row(),
-                 value_("fields", table,
-                        "names of fields, or of single numbers: see the table of fields of a run; default: "
-                        "displacement velocity director E S residual slack energy warp weft")
-                     .one_of(run::field_names())
-                     .optional()},
-                "how often, and what")
-            .optional()},
-       "Writes a series for ParaView as the run goes; the .pvd is valid at any moment.",
+        fields_("options", joined({every_row()}, contents_rows()), "how often, and what").optional()},
+       "Writes a series for ParaView as the run goes; the .pvd is valid at any moment. Node sets are arrays "
+       "of "
+       "0 and 1 on the points, E and S symmetric tensors in material axes (11 22 33 12 23 13; those of 33 "
+       "are "
+       "0), units stand with the arrays.",
        sample + "a:vtk(name..'/pull')\na:solve()\nassert(io.open(name..'/pull.pvd'):read 'a':find "
                 "'pull_00002.vtu')\n"
                 "for i = 0, 2 do os.remove(name..('/pull_%05d.vtu'):format(i)) end\n"
                 "os.remove(name..'/pull.pvd') os.remove(name..'/run.json') os.remove(name)",
        vtk},
+      {"analysis:write",
+       Style::positional,
+       {value_("file", text, std::string("ends in ") + format::mesh_endings),
+        fields_("options", contents_rows(), "what; fields go into a .vtu alone").optional()},
+       "Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a "
+       "frame of a:vtk into a .vtu, else as mesh:write does.",
+       sample + "a:solve()\nlocal file = name..'.stl'\na:write(file)\n"
+                "assert(math.abs(fabric.mesh.read(file).nodes[7][2] - a:node(7).y) < 1e-9)\nos.remove(file)",
+       write},
   };
 }
 

@@ -9,7 +9,7 @@
 #include "plot/picture.hpp"
 #include "run/bodies.hpp"
 #include "run/result_fields.hpp"
-#include "run/vtk_series.hpp"
+#include "run/vtk_frame.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "system/atomic.hpp"
@@ -166,8 +166,9 @@ class Frame {
       if (!wanted && field.name != "displacement") continue;
       const bool of_nodes = field.place == run::Place::node;
       format::Array array = run::array_of(a, field);
-      array.values.resize((of_nodes ? points.size() : cells.size()) * field.size(),
-                          std::numeric_limits<double>::quiet_NaN());
+      array.values.resize(
+          (of_nodes ? points.size() : cells.size()) * static_cast<std::size_t>(array.components),
+          std::numeric_limits<double>::quiet_NaN());
       (of_nodes ? grid.point_data : grid.cell_data).push_back(std::move(array));
     }
     format::write_vtu(path(), grid, system::Sync::no);

@@ -92,6 +92,7 @@ void bind_model(Session& session);
 void bind_files(Session& session);
 void bind_plot(Session& session);
 void bind_render(Session& session);
+void bind_gltf(Session& session);
 void bind_analysis(Session& session);
 void bind_static(Session& session);
 void bind_dynamic(Session& session);

@@ -29,6 +29,26 @@ wrong("fabric.export.mesh", "fabric.export.mesh{ mesh=mesh, file=7 }",
 wrong("fabric.export.mesh", "fabric.export.mesh{ mesh=mesh, file='x', run=5 }",
   "deck.lua:1: mesh: field 'run': expected an analysis, got 5")
 
+-- fabric.export.gltf
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', run=run, filed='uy' }",
+  "deck.lua:1: gltf: unknown field 'filed', did you mean 'field'?")
+wrong("fabric.export.gltf", "fabric.export.gltf{ run=run }",
+  "deck.lua:1: gltf: field 'file': expected a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', series=7 }",
+  "deck.lua:1: gltf: field 'series': expected a string, got 7")
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', run=5 }",
+  "deck.lua:1: gltf: field 'run': expected an analysis, got 5")
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', run=run, range={1, 'two'} }",
+  "deck.lua:1: gltf: field 'range': expected a table of numbers, got 'two' at place 2")
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', run=run, duration='1' }",
+  "deck.lua:1: gltf: field 'duration': expected a positive number in s, got '1'")
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', run=run, duration=-1 }",
+  "deck.lua:1: gltf: field 'duration': expected a positive number in s, got -1")
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', run=run, up='x' }",
+  "deck.lua:1: gltf: field 'up': expected 'z' or 'y', got 'x'")
+wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb' }",
+  "deck.lua:1: gltf: field 'series': expected either series or run, got neither")
+
 -- fabric.export.model
 wrong("fabric.export.model", "fabric.export.model{ model=model, warp=1, modelx=1 }",
   "deck.lua:1: model: unknown field 'modelx', did you mean 'model'?")

@@ -71,6 +71,20 @@ wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, 
 wrong("fabric.mesh.rectangle", "fabric.mesh.rectangle{ width=0.01, height=0.01, nx=2, ny=2, triangles='yes' }",
   "deck.lua:1: rectangle: field 'triangles': expected true or false, got 'yes'")
 
+-- mesh:deck_lines
+wrong("mesh:deck_lines", "mesh:deck_lines()",
+  "deck.lua:1: deck_lines: argument 'format': expected 'inp' or 'k' or 'rad', got nil (missing, or a misspelt variable)")
+wrong("mesh:deck_lines", "mesh:deck_lines 'dyn'",
+  "deck.lua:1: deck_lines: argument 'format': expected 'inp' or 'k' or 'rad', got 'dyn'")
+wrong("mesh:deck_lines", "mesh:deck_lines('k', 'mm')",
+  "deck.lua:1: deck_lines: argument 'length': expected a positive number, got 'mm'")
+wrong("mesh:deck_lines", "mesh:deck_lines('k', 0)",
+  "deck.lua:1: deck_lines: argument 'length': expected a positive number, got 0")
+wrong("mesh:deck_lines", "mesh:deck_lines('inp', 1, 'yes')",
+  "deck.lua:1: deck_lines: argument 'membrane': expected true or false, got 'yes'")
+wrong("mesh:deck_lines", "mesh:deck_lines('inp', 1, true, 7)",
+  "deck.lua:1: deck_lines: argument 'elements': expected a string, got 7")
+
 -- mesh:elements
 wrong("mesh:elements", "mesh:elements()",
   "deck.lua:1: elements: argument 'set': expected a string, got nil (missing, or a misspelt variable)")
@@ -150,7 +164,7 @@ wrong("mesh:orient", "mesh:orient{1, 0}",
   "deck.lua:1: orient: argument 'direction': expected {x, y, z}, got 2 numbers")
 wrong("fabric.mesh.read", "fabric.mesh.read 'none.msh'",
   "deck.lua:1: read: cannot read 'none.msh': No such file or directory")
-wrong("fabric.mesh.read", "fabric.mesh.read 'none.stl'",
-  "deck.lua:1: read: cannot read 'none.stl': expected a name that ends in .msh, .vtu, .vtk or .obj")
-wrong("mesh:write", "mesh:write 'mesh.obj'",
-  "deck.lua:1: write: cannot write 'mesh.obj': expected a name that ends in .vtu or .msh")
+wrong("fabric.mesh.read", "fabric.mesh.read 'none.rad'",
+  "deck.lua:1: read: cannot read 'none.rad': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k")
+wrong("mesh:write", "mesh:write 'mesh.step'",
+  "deck.lua:1: write: cannot write 'mesh.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad")

@@ -95,13 +95,38 @@ wrong("analysis:vtk", "run:vtk()",
 wrong("analysis:vtk", "run:vtk(7)",
   "deck.lua:1: vtk: argument 'stem': expected a string, got 7")
 wrong("analysis:vtk", "run:vtk('x', 5)",
-  "deck.lua:1: vtk: argument 'options': expected a table {every, fields}, got 5")
+  "deck.lua:1: vtk: argument 'options': expected a table {every, fields, points, averaged}, got 5")
 wrong("analysis:vtk", "run:vtk('x', { every='stpe' })",
   "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got 'stpe', did you mean 'step'?")
 wrong("analysis:vtk", "run:vtk('x', { every=-1 })",
   "deck.lua:1: vtk: field 'options.every': expected a positive number in s or 'step', got -1")
 wrong("analysis:vtk", "run:vtk('x', { fields=5 })",
   "deck.lua:1: vtk: field 'options.fields': expected a table, got 5")
+
+wrong("analysis:vtk", "run:vtk('x', { points='undeformed' })",
+  "deck.lua:1: vtk: field 'options.points': expected 'deformed' or 'reference', got 'undeformed'")
+wrong("analysis:vtk", "run:vtk('x', { averaged='yes' })",
+  "deck.lua:1: vtk: field 'options.averaged': expected true or false, got 'yes'")
+
+-- analysis:write
+wrong("analysis:write", "run:write()",
+  "deck.lua:1: write: argument 'file': expected a string, got nil (missing, or a misspelt variable)")
+wrong("analysis:write", "run:write(7)",
+  "deck.lua:1: write: argument 'file': expected a string, got 7")
+wrong("analysis:write", "run:write('x.vtu', 5)",
+  "deck.lua:1: write: argument 'options': expected a table {fields, points, averaged}, got 5")
+wrong("analysis:write", "run:write('x.vtu', { fields=5 })",
+  "deck.lua:1: write: field 'options.fields': expected a table, got 5")
+wrong("analysis:write", "run:write('x.vtu', { points='undeformed' })",
+  "deck.lua:1: write: field 'options.points': expected 'deformed' or 'reference', got 'undeformed'")
+wrong("analysis:write", "run:write('x.vtu', { averaged='yes' })",
+  "deck.lua:1: write: field 'options.averaged': expected true or false, got 'yes'")
+wrong("analysis:write", "run:write('x.stl', { averaged=true })",
+  "deck.lua:1: write: field 'options.averaged': expected a file that ends in .vtu, which holds fields, got 'x.stl'")
+wrong("analysis:write", "run:write('x.vtu', { fields={'S1'} })",
+  "deck.lua:1: write: field 'fields': unknown field 'S1', did you mean 'S11'?")
+wrong("analysis:write", "run:write 'x.step'",
+  "deck.lua:1: write: cannot write 'x.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad")
 
 -- fabric.dynamic
 wrong("fabric.dynamic", "fabric.dynamic{ modle=held }",

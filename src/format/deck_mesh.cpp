@@ -1,0 +1,141 @@
+#include "format/deck_mesh.hpp"
+
+#include <algorithm>
+
+namespace fabricsh::format {
+
+void DeckMesh::fail_at(std::size_t place, const std::string& why) {
+  source_.move_to(place);
+  source_.fail(why);
+}
+
+void DeckMesh::add_element(std::int64_t number, std::size_t place, const std::vector<std::int64_t>& corners) {
+  Element element{{}, static_cast<int>(corners.size())};
+  std::copy(corners.begin(), corners.end(), element.corners.begin());
+  if (!elements_.emplace(number, element).second)
+    source_.fail("element " + std::to_string(number) + " is there twice");
+  order_.emplace_back(number, place);
+}
+
+void DeckMesh::name_set(const std::string& key, Of of, const std::string& name) {
+  sets(of).try_emplace(key, Set{name});
+}
+
+void DeckMesh::add(const std::string& set, Of of, std::size_t place, std::int64_t number) {
+  const bool goes_on = !members_.empty() && members_.back().set == set && members_.back().of == of;
+  if (!goes_on) members_.push_back({set, of, place});
+  members_.back().numbers.push_back(number);
+}
+
+// Of the numbers from first to last those that are there. A range that counts far beyond what the deck can
+// hold is looked up the other way round.
+DeckMesh::Numbers DeckMesh::of_range(const Members& members, const Range& range) {
+  const std::int64_t low = std::min(range.first, range.last), high = std::max(range.first, range.last);
+  const auto step =
+      range.step < 0 ? 0 - static_cast<std::uint64_t>(range.step) : static_cast<std::uint64_t>(range.step);
+  if (step == 0) fail_at(members.place, "expected a step other than 0");
+  const std::uint64_t width = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+  if (width / step > most_)
+    fail_at(members.place, "a range from " + std::to_string(low) + " to " + std::to_string(high) +
+                               " in steps of " + std::to_string(step) +
+                               " counts further than a file of this size can go");
+  Numbers found;
+  for (std::uint64_t k = 0; k <= width / step; ++k) {
+    const auto number = static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + k * step);
+    const bool there =
+        members.of == Of::nodes ? builder_.has_node(number) : elements_.find(number) != elements_.end();
+    if (there) found.push_back(number);
+  }
+  most_ -= std::min<std::uint64_t>(most_, width / step);
+  return found;
+}
+
+void DeckMesh::collect(const Members& members) {
+  const bool of_nodes = members.of == Of::nodes;
+  Numbers found;
+  for (const std::int64_t number : members.numbers) {
+    if (of_nodes ? !builder_.has_node(number) : elements_.find(number) == elements_.end())
+      fail_at(members.place,
+              std::string(of_nodes ? "node " : "element ") + std::to_string(number) + " is not in the file");
+    found.push_back(number);
+  }
+  for (const Range& range : members.ranges) {
+    const Numbers there = of_range(members, range);
+    found.insert(found.end(), there.begin(), there.end());
+  }
+  for (const std::string& key : members.sets) {
+    const auto& among = members.of_elements ? element_sets_ : sets(members.of);
+    const auto other = among.find(key);
+    if (other == among.end())
+      fail_at(members.place, "there is no set " + in_quotes(key) + " of " +
+                                 (members.of_elements || !of_nodes ? "elements" : "nodes"));
+    const Numbers& numbers = other->second.numbers;
+    if (numbers.size() > most_)
+      fail_at(members.place, "the sets have more members than a file of this size can name");
+    most_ -= numbers.size();
+    if (!members.of_elements) found.insert(found.end(), numbers.begin(), numbers.end());
+    for (std::size_t i = 0; members.of_elements && i < numbers.size(); ++i) {
+      const Element& e = elements_.at(numbers[i]);
+      found.insert(found.end(), e.corners.begin(), e.corners.begin() + e.size);
+    }
+  }
+  Numbers& all = sets(members.of)[members.set].numbers;
+  all.insert(all.end(), found.begin(), found.end());
+}
+
+// A set of elements is that of their nodes.
+void DeckMesh::add_sets() {
+  for (const auto& [key, set] : node_sets_) builder_.add_to_set(set.name, set.numbers);
+  for (const auto& [key, set] : element_sets_) {
+    Numbers nodes;
+    for (const std::int64_t number : set.numbers) {
+      const Element& e = elements_.at(number);
+      nodes.insert(nodes.end(), e.corners.begin(), e.corners.begin() + e.size);
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    builder_.add_to_set(set.name, nodes);
+  }
+}
+
+mesh::Mesh DeckMesh::finish() {
+  for (const auto& [number, place] : order_) {
+    const Element& e = elements_.at(number);
+    source_.move_to(place);
+    const std::span<const std::int64_t> corners(e.corners.data(), static_cast<std::size_t>(e.size));
+    for (const std::int64_t node : corners)
+      if (!builder_.has_node(node))
+        source_.fail("element " + std::to_string(number) + ": node " + std::to_string(node) +
+                     " is not in the file");
+    if (e.size >= 3) builder_.add_element(number, corners);
+  }
+  for (const Members& members : members_) collect(members);
+  add_sets();
+  return builder_.finish();
+}
+
+std::string upper(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+  return out;
+}
+
+std::vector<std::string_view> comma_fields(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t from = 0; from <= line.size();) {
+    const std::size_t end = std::min(line.find(',', from), line.size());
+    fields.push_back(trimmed(line.substr(from, end - from)));
+    from = end + 1;
+  }
+  return fields;
+}
+
+bool parse_fortran(std::string_view word, double& value) {
+  std::string plain(word);
+  for (char& c : plain)
+    if (c == 'D' || c == 'd') c = 'e';
+  return parse(plain, value);
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,80 @@
+// What the readers of other solvers' decks share: nodes and elements by the deck's numbers, and sets of them,
+// which may be named before what is in them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "format/mesh_builder.hpp"
+#include "format/table_line.hpp"
+
+namespace fabricsh::format {
+
+class DeckMesh {
+ public:
+  // source: the deck, whose line errors name; it is moved about while sets are put together.
+  DeckMesh(Source& source, std::size_t bytes)
+      : source_(source), builder_(source, 16 * bytes), most_(16 * bytes) {}
+
+  enum class Of { nodes, elements };
+  struct Range {
+    std::int64_t first, last, step;
+  };
+  // A line of a set, found at `place` of the deck. Of a range counts what is there; of numbers and names all
+  // have to be.
+  struct Members {
+    std::string set;  // its key
+    Of of;
+    std::size_t place;
+    std::vector<std::int64_t> numbers = {};
+    std::vector<Range> ranges = {};
+    std::vector<std::string> sets = {};  // keys of other sets of the same kind, or `elements` below
+    bool of_elements = false;            // nodes: those of the element sets named
+  };
+
+  void add_node(std::int64_t number, const Vec3& position) { builder_.add_node(number, position); }
+  bool has_node(std::int64_t number) const { return builder_.has_node(number); }
+  // 1 to 4 nodes, which are looked up when all of the deck is read; fewer than 3 count for sets alone.
+  void add_element(std::int64_t number, std::size_t place, const std::vector<std::int64_t>& corners);
+  // The set as it will be called; the first spelling of a key stays.
+  void name_set(const std::string& key, Of of, const std::string& name);
+  void add(Members members) { members_.push_back(std::move(members)); }
+  void add(const std::string& set, Of of, std::size_t place, std::int64_t number);
+
+  mesh::Mesh finish();
+
+ private:
+  struct Element {
+    std::array<std::int64_t, 4> corners;
+    int size;
+  };
+  using Numbers = std::vector<std::int64_t>;
+  struct Set {
+    std::string name;
+    Numbers numbers = {};
+  };
+  [[noreturn]] void fail_at(std::size_t place, const std::string& why);
+  Numbers of_range(const Members& members, const Range& range);
+  void collect(const Members& members);
+  void add_sets();
+  std::map<std::string, Set>& sets(Of of) { return of == Of::nodes ? node_sets_ : element_sets_; }
+
+  Source& source_;
+  MeshBuilder builder_;
+  std::size_t most_;  // members that a deck of this size can name, and steps to look for them
+  std::vector<std::pair<std::int64_t, std::size_t>> order_;  // numbers of elements, and where they are
+  std::unordered_map<std::int64_t, Element> elements_;
+  std::vector<Members> members_;
+  std::map<std::string, Set> node_sets_, element_sets_;
+};
+
+// The parts of a line between commas, without the blanks around them.
+std::vector<std::string_view> comma_fields(std::string_view line);
+std::string upper(std::string_view text);
+// A number as Fortran writes it too: 1.5D-3.
+bool parse_fortran(std::string_view word, double& value);
+
+}  // namespace fabricsh::format

@@ -1,0 +1,252 @@
+// LS-DYNA's keyword files: *NODE, *ELEMENT_SHELL, *SET_NODE_..., *SET_SHELL_..., *PART, in fields of fixed
+// width, long ones, or between commas. What belongs to the problem and not to the mesh is passed over; other
+// elements, and what takes lines from elsewhere, are refused.
+#include "format/deck_mesh.hpp"
+#include "format/mesh_file.hpp"
+
+namespace fabricsh::format {
+
+namespace {
+
+using Of = DeckMesh::Of;
+
+class DynaReader {
+ public:
+  DynaReader(const std::string& name, std::string_view bytes)
+      : source_(name, bytes), mesh_(source_, bytes.size()) {}
+
+  mesh::Mesh read() {
+    std::string_view line;
+    while (next(line)) {
+      if (line.starts_with('*')) {
+        const std::string word = upper(trimmed(line.substr(1)));
+        if (word == "END") break;
+        open(word);
+      } else if (card_ != nullptr) {
+        (this->*card_)(line);
+      }
+    }
+    if (parts_.size() > 1)
+      for (const auto& [part, members] : parts_) add_part(part, members);
+    return mesh_.finish();
+  }
+
+ private:
+  using Card = void (DynaReader::*)(std::string_view);
+
+  bool next(std::string_view& line) {
+    while (true) {
+      place_ = source_.place();
+      if (!source_.next_line(line)) return false;
+      if (!line.starts_with('$') && !trimmed(line).empty()) return true;
+    }
+  }
+
+  // The parts of a card: widths in characters, or commas where the card has any.
+  std::vector<std::string_view> fields(std::string_view card,
+                                       std::initializer_list<std::size_t> widths) const {
+    if (card.find(',') != card.npos) return comma_fields(card);
+    std::vector<std::string_view> out;
+    std::size_t from = 0;
+    for (const std::size_t width : widths) {
+      if (from >= card.size()) break;
+      out.push_back(trimmed(card.substr(from, long_ ? 20 : width)));
+      from += long_ ? 20 : width;
+    }
+    return out;
+  }
+
+  std::int64_t whole(std::string_view field, const char* what) const {
+    std::int64_t number = 0;
+    if (field.empty()) return 0;
+    if (!parse(field, number))
+      source_.fail(std::string("expected ") + what + ", a whole number, got " + in_quotes(field));
+    return number;
+  }
+
+  static bool begins(const std::string& word, const char* with) { return word.starts_with(with); }
+
+  // A keyword may end with + for fields of 20 characters, or - for the usual ones.
+  void open(std::string word) {
+    card_ = nullptr;
+    long_ = all_long_;
+    if (word.ends_with('+') || word.ends_with('-')) {
+      long_ = word.back() == '+';
+      word = std::string(trimmed(std::string_view(word).substr(0, word.size() - 1)));
+    }
+    if (begins(word, "KEYWORD")) {
+      all_long_ = word.find("LONG=Y") != word.npos || word.find("LONG=K") != word.npos;
+    } else if (word == "NODE") {
+      card_ = &DynaReader::node;
+    } else if (begins(word, "ELEMENT_SHELL")) {
+      open_shells(word);
+    } else if (word == "PART") {
+      card_ = &DynaReader::part_title;
+    } else if (begins(word, "SET_NODE")) {
+      open_set(word, Of::nodes, word.substr(8));
+    } else if (begins(word, "SET_SHELL")) {
+      open_set(word, Of::elements, word.substr(9));
+    } else {
+      refuse(word);
+    }
+  }
+
+  void refuse(const std::string& word) const {
+    if (begins(word, "INCLUDE"))
+      source_.fail(
+          "*" + word +
+          " takes lines from another file, which is not read: expected one file with all of the mesh");
+    if (begins(word, "ELEMENT_"))
+      source_.fail("*" + word + ": expected *ELEMENT_SHELL, with 3 or 4 nodes, and no other elements");
+    if (begins(word, "NODE_"))
+      source_.fail("*" + word + " makes or moves nodes, which is not read: expected *NODE with all of them");
+  }
+
+  void open_shells(const std::string& word) {
+    std::string options = word.substr(13);
+    more_ = 0;
+    const auto take = [&options](const std::string& option) {
+      const auto at = options.find(option);
+      if (at != options.npos) options.erase(at, option.size());
+      return at != std::string::npos;
+    };
+    if (static_cast<int>(take("_THICKNESS")) + static_cast<int>(take("_BETA")) +
+            static_cast<int>(take("_MCID")) >
+        0)
+      ++more_;
+    if (take("_OFFSET")) ++more_;
+    if (!options.empty())
+      source_.fail("*" + word + ": expected *ELEMENT_SHELL, alone or with _THICKNESS, _BETA, _MCID, _OFFSET");
+    skip_ = 0;
+    card_ = &DynaReader::shell;
+  }
+
+  void node(std::string_view card) {
+    const auto f = fields(card, {8, 16, 16, 16, 8, 8});
+    const std::int64_t number = whole(f[0], "the number of a node");
+    Vec3 x = Vec3::Zero();
+    for (std::size_t i = 1; i < std::min<std::size_t>(f.size(), 4); ++i)
+      if (!f[i].empty() && !parse_fortran(f[i], x[static_cast<Eigen::Index>(i) - 1]))
+        source_.fail("node " + std::to_string(number) + ": expected a coordinate, got " + in_quotes(f[i]) +
+                     where(i));
+    mesh_.add_node(number, x);
+  }
+
+  std::string where(std::size_t i) const {
+    const std::size_t width = long_ ? 20 : 16, first = long_ ? 20 : 8;
+    return " in columns " + std::to_string(first + (i - 1) * width + 1) + " to " +
+           std::to_string(first + i * width);
+  }
+
+  // A triangle has its last node twice, or no fourth.
+  void shell(std::string_view card) {
+    if (skip_ > 0) {
+      --skip_;
+      return;
+    }
+    skip_ = more_;
+    const auto f = fields(card, {8, 8, 8, 8, 8, 8, 8, 8, 8, 8});
+    if (f.size() < 5) source_.fail("expected element, part and 3 or 4 nodes, got " + in_quotes(card));
+    const std::int64_t number = whole(f[0], "the number of an element"),
+                       part = whole(f[1], "the number of a part");
+    std::vector<std::int64_t> nodes;
+    for (std::size_t i = 2; i < f.size(); ++i) nodes.push_back(whole(f[i], "the number of a node"));
+    for (std::size_t i = 4; i < nodes.size(); ++i)
+      if (nodes[i] != 0)
+        source_.fail("element " + std::to_string(number) +
+                     " has more than 4 nodes: expected shells of first order");
+    nodes.resize(nodes.size() < 4 || nodes[3] == 0 || nodes[3] == nodes[2] ? 3 : 4);
+    mesh_.add_element(number, place_, nodes);
+    parts_[part].push_back(number);
+  }
+
+  void part_title(std::string_view card) {
+    title_ = std::string(trimmed(card));
+    card_ = &DynaReader::part_numbers;
+  }
+  void part_numbers(std::string_view card) {
+    titles_[whole(fields(card, {10, 10})[0], "the number of a part")] = title_;
+    card_ = &DynaReader::part_title;
+  }
+  void add_part(std::int64_t part, std::vector<std::int64_t> members) {
+    const auto title = titles_.find(part);
+    const std::string key = "part " + std::to_string(part);
+    mesh_.name_set(
+        key, Of::elements,
+        title == titles_.end() || title->second.empty() ? "part_" + std::to_string(part) : title->second);
+    DeckMesh::Members line{key, Of::elements, place_};
+    line.numbers = std::move(members);
+    mesh_.add(std::move(line));
+  }
+
+  void open_set(const std::string& word, Of of, std::string options) {
+    of_ = of;
+    titled_ = options.ends_with("_TITLE");
+    if (titled_) options.resize(options.size() - 6);
+    title_.clear();
+    if (options.empty() || options == "_LIST")
+      members_ = &DynaReader::list;
+    else if (options == "_LIST_GENERATE")
+      members_ = &DynaReader::ranges;
+    else if (options == "_COLUMN")
+      members_ = &DynaReader::column;
+    else
+      source_.fail("*" + word + ": expected *SET_NODE or *SET_SHELL with _LIST, _LIST_GENERATE or _COLUMN");
+    card_ = titled_ ? &DynaReader::set_title : &DynaReader::set_number;
+  }
+  void set_title(std::string_view card) {
+    title_ = std::string(trimmed(card));
+    card_ = &DynaReader::set_number;
+  }
+  void set_number(std::string_view card) {
+    const std::string number = std::to_string(whole(fields(card, {10})[0], "the number of a set"));
+    set_ = "set " + number;
+    mesh_.name_set(set_, of_, title_.empty() ? "set_" + number : title_);
+    card_ = members_;
+  }
+
+  std::vector<std::string_view> eight(std::string_view card) const {
+    return fields(card, {10, 10, 10, 10, 10, 10, 10, 10});
+  }
+  // Zeros fill up the last card.
+  void list(std::string_view card) {
+    DeckMesh::Members line{set_, of_, place_};
+    for (const std::string_view field : eight(card))
+      if (const std::int64_t number = whole(field, "the number of a member"); number != 0)
+        line.numbers.push_back(number);
+    mesh_.add(std::move(line));
+  }
+  void ranges(std::string_view card) {
+    DeckMesh::Members line{set_, of_, place_};
+    const auto f = eight(card);
+    for (std::size_t i = 0; i + 1 < f.size(); i += 2) {
+      const std::int64_t first = whole(f[i], "a first number"), last = whole(f[i + 1], "a last number");
+      if (first != 0) line.ranges.push_back({first, last, 1});
+    }
+    mesh_.add(std::move(line));
+  }
+  void column(std::string_view card) {
+    DeckMesh::Members line{set_, of_, place_};
+    line.numbers = {whole(fields(card, {10})[0], "the number of a member")};
+    mesh_.add(std::move(line));
+  }
+
+  Source source_;
+  DeckMesh mesh_;
+  Card card_ = nullptr, members_ = nullptr;  // what reads the next card
+  std::size_t place_ = 0;                    // of the line
+  bool all_long_ = false, long_ = false, titled_ = false;
+  int more_ = 0, skip_ = 0;  // cards behind that of an element, which hold nothing of the mesh
+  std::string set_, title_;
+  Of of_ = Of::nodes;
+  std::map<std::int64_t, std::vector<std::int64_t>> parts_;  // elements of each
+  std::map<std::int64_t, std::string> titles_;
+};
+
+}  // namespace
+
+mesh::Mesh read_dyna(const std::string& name, std::string_view bytes) {
+  return DynaReader(name, bytes).read();
+}
+
+}  // namespace fabricsh::format

@@ -1,0 +1,135 @@
+#include "run/vtk_frame.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "run/run.hpp"
+
+namespace fabricsh::run {
+
+namespace {
+
+std::vector<Vec3> points_of(const Run& run, bool reference) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < run.model().mesh().nodes.size(); ++i) {
+    const NodeValues node = run.node(static_cast<mesh::Index>(i));
+    points.push_back(reference ? node.X : node.x);
+  }
+  return points;
+}
+
+// 11 22 23 13 12 as VTK has symmetric tensors: 11 22 33 12 23 13. Across the sheet there is neither strain
+// (its thickness stays) nor stress.
+format::Array six(format::Array five) {
+  format::Array out{five.name, 6, {}, {}, false, five.unit};
+  const std::string letter = five.component_names[0].substr(0, five.component_names[0].size() - 2);
+  for (const char* pair : {"11", "22", "33", "12", "23", "13"}) out.component_names.push_back(letter + pair);
+  for (std::size_t i = 0; i < five.values.size(); i += 5) {
+    const double* v = &five.values[i];
+    out.values.insert(out.values.end(), {v[0], v[1], 0, v[4], v[2], v[3]});
+  }
+  return out;
+}
+
+bool has_array(const std::vector<format::Array>& arrays, const std::string& name) {
+  return std::any_of(arrays.begin(), arrays.end(), [&name](const auto& a) { return a.name == name; });
+}
+
+// The field with those of its numbers that are wanted; none: no components.
+format::Array chosen(const Run& run, const std::vector<std::string>& fields, const ResultField& field) {
+  std::vector<int> numbers;
+  bool whole = fields.empty() && field.usual;
+  whole = whole || field.name == "displacement" || field.name == "reference";
+  for (const std::string& name : fields) {
+    const FieldPart part = find_field(name);
+    if (part.field != &field) continue;
+    whole = whole || part.component < 0 || field.size() == 1 || field.shape == Shape::vector;
+    if (std::find(numbers.begin(), numbers.end(), part.component) == numbers.end())
+      numbers.push_back(part.component);
+  }
+  if (whole) return array_of(run, field);
+  format::Array array{field.name, static_cast<int>(numbers.size()), {}, {}, false, field.unit};
+  if (numbers.empty()) return array;
+  const std::vector<double> all = values_of(run, {&field, -1});
+  for (const int c : numbers) array.component_names.push_back(field.labels[c]);
+  for (std::size_t i = 0; i < all.size(); i += field.size())
+    for (const int c : numbers) array.values.push_back(all[i + c]);
+  return array;
+}
+
+}  // namespace
+
+format::Array array_of(const Run& run, const ResultField& field) {
+  format::Array array{
+      field.name, static_cast<int>(field.size()), values_of(run, {&field, -1}), field.labels, false,
+      field.unit};
+  return field.shape == Shape::tensor ? six(std::move(array)) : array;
+}
+
+void check_fields(const VtkContents& contents, const std::string& call) {
+  for (const auto& field : contents.fields) {
+    try {
+      find_field(field);
+    } catch (const Error& unknown) {
+      throw Error(call + ": field 'fields': " + unknown.what());
+    }
+  }
+}
+
+VtkFrame::VtkFrame(const Run& run, const VtkContents& contents)
+    : points_(points_of(run, contents.reference)), grid_{points_, run.model().mesh().elements} {
+  grid_.time = run.time();
+  for (const ResultField& field : result_fields()) add_field(run, contents, field);
+  add_sets(run);
+}
+
+void VtkFrame::add_field(const Run& run, const VtkContents& contents, const ResultField& field) {
+  if (!has(run, field)) return;
+  format::Array array = chosen(run, contents.fields, field);
+  if (array.components == 0) return;
+  if (field.place == Place::node) return grid_.point_data.push_back(std::move(array));
+  if (contents.averaged && field.continuous) add_average(run, array, field.shape == Shape::vector);
+  grid_.cell_data.push_back(std::move(array));
+}
+
+// On each node the mean of the elements that meet there, each counted by its area in the reference.
+// Directions stay of length 1.
+void VtkFrame::add_average(const Run& run, format::Array array, bool directions) {
+  const auto size = static_cast<std::size_t>(array.components);
+  std::vector<double> sum(points_.size() * size, 0.0), weight(points_.size(), 0.0);
+  const auto& X = run.assembly().reference();
+  for (std::size_t e = 0; e < grid_.cells.size(); ++e) {
+    const auto& ids = grid_.cells[e];
+    const Vec3 across = ids[3] < 0 ? Vec3((X[ids[1]] - X[ids[0]]).cross(X[ids[2]] - X[ids[0]]))
+                                   : Vec3((X[ids[2]] - X[ids[0]]).cross(X[ids[3]] - X[ids[1]]));
+    const double area = across.norm() / 2;
+    for (const mesh::Index id : ids) {
+      if (id < 0) continue;
+      const auto node = static_cast<std::size_t>(id);
+      weight[node] += area;
+      for (std::size_t c = 0; c < size; ++c) sum[node * size + c] += area * array.values[e * size + c];
+    }
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    double length = weight[i];
+    if (directions) length = Eigen::Map<const Eigen::VectorXd>(&sum[i * size], array.components).norm();
+    for (std::size_t c = 0; c < size && length > 0; ++c) sum[i * size + c] /= length;
+  }
+  array.values = std::move(sum);
+  grid_.point_data.push_back(std::move(array));
+}
+
+// A set that is called as an array is gets a word more.
+void VtkFrame::add_sets(const Run& run) {
+  for (const std::string& name : run.model().mesh().set_names()) {
+    const mesh::NodeSet& ids = run.model().mesh().set(name);
+    if (ids.size() == points_.size()) continue;
+    format::Array array{has_array(grid_.point_data, name) ? "set " + name : name, 1,
+                        std::vector<double>(points_.size(), 0.0)};
+    for (const mesh::Index id : ids) array.values[static_cast<std::size_t>(id)] = 1;
+    array.flags = true;
+    grid_.point_data.push_back(std::move(array));
+  }
+}
+
+}  // namespace fabricsh::run
