@@ -61,7 +61,7 @@ std::shared_ptr<model::Model> make(int n) {
   return m;
 }
 
-void run(int n) {
+void report(int n) {
   const double start = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   const auto m = make(n);
   run::Static a(m, {.duration = 1, .step = 0.25}, test::quiet());
@@ -84,5 +84,5 @@ int main(int argc, char** argv) {
   std::vector<int> sizes;
   for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
   if (sizes.empty()) sizes = {16, 32, 64};
-  for (const int n : sizes) run(n);
+  for (const int n : sizes) report(n);
 }

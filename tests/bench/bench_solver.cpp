@@ -68,7 +68,7 @@ void print(const char* name, const Factor& f) {
               f.numeric, f.solve, f.fill);
 }
 
-void run(const char* name, const card::Card& card, int n, bool orderings) {
+void report(const char* name, const card::Card& card, int n, bool orderings) {
   const int repeats = n <= 64 ? 5 : 2;
   auto plate = make_plate(card, n);
   mechanics::Assembly assembly(*plate);
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
   if (sizes.empty()) sizes = {32, 64, 128};
   for (const int n : sizes) {
-    run("isotropic", test::isotropic(1e7, 0.3, 1e-3), n, true);
-    run("woven (blend)", test::blend(), n, false);
+    report("isotropic", test::isotropic(1e7, 0.3, 1e-3), n, true);
+    report("woven (blend)", test::blend(), n, false);
   }
 }
