@@ -8,8 +8,9 @@
 namespace fabricsh::plot {
 
 struct Panel {
-  std::string vtu;    // path of the file
-  std::string label;  // above the panel
+  std::string vtu;                     // path of the file
+  std::string label = {};              // above the panel
+  double azimuth = 0, elevation = 90;  // degrees from which it is seen: 0, 90 from above; 0, 0 along +y
 };
 
 struct Picture {
@@ -22,10 +23,12 @@ struct Picture {
   double factor = 1;  // the bar shows factor times the value
   std::string bar;    // title of the colour bar, with the unit
   bool fixed_range = false;
-  double low = 0, high = 0;            // of the bar, where fixed
-  double azimuth = 0, elevation = 90;  // degrees from which it is seen: 0, 90 from above; 0, 0 along +y
-  int width = 1200, height = 900;      // pixels
-  bool edges = true, axes = true;      // of the elements; axes with a scale
+  double low = 0, high = 0;        // of the bar, where fixed
+  int width = 1200, height = 900;  // pixels
+  bool edges = true, axes = true;  // of the elements; axes with a scale
+  bool smooth = false;             // the field as one that changes evenly from node to node
+  double dpi = 0;                  // pixels per inch on paper; 0: a picture for the screen
+  double font_size = 8;            // points, on paper; on a screen letters go with the picture
 };
 
 // The text that goes to fabricsh-render, and back. Error: a line that is not one of these.
@@ -33,7 +36,8 @@ std::string picture_text(const Picture& picture);
 Picture read_picture(std::istream& text);
 
 // Replaces the PNG. `program`: path of fabricsh-render. Error: no such program, no display and no Xvfb to
-// make one, a file or field that is not there, with the program's words.
-void render(const Picture& picture, const std::string& program);
+// make one, a file or field that is not there, with the program's words. Returns what is to be told of words
+// that have no room.
+std::vector<std::string> render(const Picture& picture, const std::string& program);
 
 }  // namespace fabricsh::plot

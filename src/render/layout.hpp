@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fabricsh::render {
@@ -38,6 +39,7 @@ struct Space {
   double letter = 10;            // size of the letters
   // Width and height of a text in these letters.
   std::function<Point(const std::string&)> measure;
+  double most = 1e300;  // pixels per unit of length, at most
 };
 
 // The largest picture of the bounds, with the words of the axes, that lies within the space. Axes run along
@@ -45,7 +47,13 @@ struct Space {
 // lengths; empty: no axes at all.
 Layout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space);
 
-// Values at even distances from low to high as text, with digits enough that neighbours differ.
-std::vector<std::string> even_labels(double low, double high, int count);
+// A colour bar: its ends, and round numbers on it.
+struct Bar {
+  double low = 0, high = 1;
+  std::vector<std::pair<double, std::string>> numbers = {};
+};
+// Steps of 1, 2 or 5, about `count` numbers, with digits enough that neighbours differ. Ends that are not
+// fixed move out to the next number.
+Bar round_bar(double low, double high, bool fixed, int count);
 
 }  // namespace fabricsh::render

@@ -13,6 +13,8 @@
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
+#include <algorithm>
+
 namespace fabricsh::render {
 
 namespace {
@@ -20,7 +22,6 @@ namespace {
 template <class T>
 using Ref = vtkSmartPointer<T>;
 
-constexpr int kSmallest = 7;      // letters that can just be read
 constexpr int kDotsPerInch = 72;  // of the window
 
 void style(vtkTextProperty* text, int size) {
@@ -38,11 +39,12 @@ void shorten(std::string& text) {
   if (!text.empty()) text.pop_back();
 }
 
-void add_flat(vtkRenderer* renderer, vtkPolyData* shape, vtkPolyDataMapper2D* mapper) {
+void add_flat(vtkRenderer* renderer, vtkPolyData* shape, vtkPolyDataMapper2D* mapper, double width) {
   mapper->SetInputData(shape);
   const auto actor = Ref<vtkActor2D>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.3, 0.3, 0.3);
+  actor->GetProperty()->SetColor(0.2, 0.2, 0.2);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   renderer->AddActor2D(actor);
 }
 
@@ -68,18 +70,20 @@ void write(vtkRenderer* renderer, const std::string& text, int size, const Point
   renderer->AddActor2D(actor);
 }
 
-void write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
+bool write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
                   double room) {
-  while (size > kSmallest && text_size(text, size)[0] > room) --size;
+  const int smallest = std::max(7, 3 * size / 4);  // 7 pixels can just be read
+  while (size > smallest && text_size(text, size)[0] > room) --size;
   std::string begun = text, words = text;
   while (!begun.empty() && text_size(words, size)[0] > room) {
     shorten(begun);
     words = begun + "...";
   }
   write(renderer, words, size, centre);
+  return words == text;
 }
 
-void add_line(vtkRenderer* renderer, const Point& from, const Point& to) {
+void add_line(vtkRenderer* renderer, const Point& from, const Point& to, double width) {
   const auto points = Ref<vtkPoints>::New();
   points->InsertNextPoint(from[0], from[1], 0);
   points->InsertNextPoint(to[0], to[1], 0);
@@ -89,7 +93,7 @@ void add_line(vtkRenderer* renderer, const Point& from, const Point& to) {
   const auto shape = Ref<vtkPolyData>::New();
   shape->SetPoints(points);
   shape->SetLines(lines);
-  add_flat(renderer, shape, Ref<vtkPolyDataMapper2D>::New());
+  add_flat(renderer, shape, Ref<vtkPolyDataMapper2D>::New(), width);
 }
 
 void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low, const Point& high) {
@@ -116,7 +120,7 @@ void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low,
   mapper->SetScalarModeToUseCellData();
   mapper->SetScalarRange(range[0], range[1]);
   mapper->ScalarVisibilityOn();
-  add_flat(renderer, shape, mapper);
+  add_flat(renderer, shape, mapper, 1);
 }
 
 }  // namespace fabricsh::render

@@ -13,11 +13,11 @@ namespace fabricsh::render {
 Point text_size(const std::string& text, int size);
 
 void write(vtkRenderer* renderer, const std::string& text, int size, const Point& centre);
-// In smaller letters where the room is narrower than the text; what is too long even in the smallest ends in
-// three points.
-void write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre, double room);
+// In smaller letters where the room is narrower than the text, down to three quarters; what is too long even
+// in these ends in three points. Returns whether all of it stands there.
+bool write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre, double room);
 
-void add_line(vtkRenderer* renderer, const Point& from, const Point& to);
+void add_line(vtkRenderer* renderer, const Point& from, const Point& to, double width);
 // The table's colours from the lower end up, in the rectangle with these corners.
 void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low, const Point& high);
 

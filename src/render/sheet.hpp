@@ -17,6 +17,8 @@ struct Sheet {
 
 // Error: no such file, no such field (with those that there are).
 Sheet read_sheet(const std::string& path, const plot::Picture& picture);
+// Numbers of cells become those of points, each the mean of the cells around it.
+void make_smooth(Sheet& sheet);
 // Scales the points, all sheets alike.
 void scale(const Sheet& sheet, double factor);
 
