@@ -147,7 +147,8 @@ void add_bar(Scene& scene) {
   const int letter = font_size(scene.picture);
   const double width = bar_width(scene), top = (1 - title_part(scene.picture)) * scene.picture.height,
                line = points(scene.picture, 0.5);
-  const double low = 1.2 * letter, high = top - 3 * letter, left = letter, right = 2.3 * letter;
+  const double high = top - 3 * letter, low = std::max(1.2 * letter, high - 26.0 * letter), left = letter,
+               right = 2.3 * letter;
   const auto renderer = viewport(scene, 1 - width / scene.picture.width, 0, 1, 1 - title_part(scene.picture));
   add_colours(renderer, scene.table, {left, low}, {right, high});
   for (const auto& [from, to] : {std::pair{Point{left, low}, Point{right, low}},
@@ -254,8 +255,9 @@ void make_table(Scene& scene) {
   const double largest = std::max(std::abs(low), std::abs(high));
   if (largest == 0) low = -1, high = 1;
   if (high - low < 1e-6 * largest) low -= 0.05 * largest, high += 0.05 * largest;
-  const double room = (1 - title_part(scene.picture)) * scene.picture.height / font_size(scene.picture);
-  scene.bar = round_bar(low, high, scene.picture.fixed_range, std::clamp(static_cast<int>(room / 4), 2, 6));
+  const double letters = (1 - title_part(scene.picture)) * scene.picture.height / font_size(scene.picture);
+  scene.bar =
+      round_bar(low, high, scene.picture.fixed_range, std::clamp(static_cast<int>(letters / 4), 2, 6));
   scene.table = colours(scene.bar.low, scene.bar.high);
 }
 

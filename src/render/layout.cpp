@@ -115,7 +115,7 @@ class Draft {
     for (const double part : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
       const Ticks t = ticks(low, high, part * decade);
       const double distance = pixels * t.step / (high - low);
-      if (distance > 2 * space_.letter && distance > widest(t, along) + space_.letter) return t;
+      if (distance > 3.2 * space_.letter && distance > widest(t, along) + space_.letter) return t;
     }
     return ticks(low, high, 1000 * decade);
   }

@@ -14,7 +14,7 @@ namespace {
 const std::vector<Colour> rising = {{68, 1, 84},    {72, 40, 120},  {62, 74, 137},  {49, 104, 142},
                                     {38, 130, 142}, {31, 158, 137}, {53, 183, 121}, {109, 205, 89},
                                     {180, 222, 44}, {253, 231, 37}};
-constexpr Colour blue = {32, 8, -46}, white = {97, 0, 0}, red = {32, 42, 30};  // L*, a*, b*
+constexpr Colour blue = {32, 8, -42}, white = {97, 0, 0}, red = {32, 34, 26};  // L*, a*, b*
 
 // Of red, green and blue under daylight, from 0 to 255.
 Colour display(const Colour& lab) {
