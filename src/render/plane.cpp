@@ -14,6 +14,7 @@
 #include <vtkTextRenderer.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace fabricsh::render {
 
@@ -24,9 +25,26 @@ using Ref = vtkSmartPointer<T>;
 
 constexpr int kDotsPerInch = 72;  // of the window
 
+// The letters of the figures of curves where they are installed; the library's own know few signs.
+const std::string& font_file() {
+  static const std::string found = [] {
+    for (const char* name : {"liberation/LiberationSans-Regular.ttf",
+                             "liberation2/LiberationSans-Regular.ttf", "dejavu/DejaVuSans.ttf"})
+      if (std::string path = std::string("/usr/share/fonts/truetype/") + name; std::filesystem::exists(path))
+        return path;
+    return std::string();
+  }();
+  return found;
+}
+
 void style(vtkTextProperty* text, int size) {
   text->SetColor(0, 0, 0);
-  text->SetFontFamilyToArial();
+  if (font_file().empty()) {
+    text->SetFontFamilyToArial();
+  } else {
+    text->SetFontFamily(VTK_FONT_FILE);
+    text->SetFontFile(font_file().c_str());
+  }
   text->SetFontSize(size);
   text->BoldOff();
   text->ItalicOff();
