@@ -73,12 +73,12 @@ class Script {
     text_ += " front\n";
   }
 
-  // Curves with a colour of their own don't count among those that take the colours in turn.
+  // Curves with a colour of their own are counted by themselves, for their marks and patterns.
   static Look look_of(const Figure& f, std::size_t curve) {
-    std::size_t place = 0;
-    for (std::size_t i = 0; i < curve; ++i) place += f.curves[i].colour.empty() ? 1 : 0;
     const Curve& c = f.curves[curve];
-    Look result = look(c.colour.empty() ? place : 0, c.style);
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < curve; ++i) place += f.curves[i].colour.empty() == c.colour.empty() ? 1 : 0;
+    Look result = look(place, c.style);
     if (!c.colour.empty()) result.colour = c.colour;
     return result;
   }

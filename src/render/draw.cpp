@@ -268,6 +268,7 @@ void save(Scene& scene) {
   image->Update();
   const auto writer = Ref<vtkPNGWriter>::New();
   writer->SetFileName(scene.picture.png.c_str());
+  writer->SetCompressionLevel(9);
   writer->SetInputConnection(image->GetOutputPort());
   writer->Write();
   if (writer->GetErrorCode() != 0) throw Error("render: cannot write '" + scene.picture.png + "'");
