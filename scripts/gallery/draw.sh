@@ -47,9 +47,9 @@ page_figures() {
   page=$1
   shift
   mkdir -p "$work/$page"
-  (cd "$work/$page" && "$program" --quiet "$root/tests/doc/page.lua" "$root" "$root/share/doc/$page.md")
+  (cd "$work/$page" && "$program" "$root/tests/doc/page.lua" "$root" "$root/share/doc/$page.md")
   while [ $# -gt 0 ]; do
-    cp "$work/$page/$1" "$out/$2"
+    cp "$work/$page/page/$1" "$out/$2"
     shift 2
   done
 }

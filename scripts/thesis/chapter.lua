@@ -158,8 +158,9 @@ end
 -- Draws a sheet, or several on the width of two columns of a journal; without a display a warning. fields.height: mm.
 function chapter.render(name, sentence, fields)
   fields.file = ("%s/%s.png"):format(chapter.folder, name)
-  fields.size = { (fields.vtu and 170 or 85) * 1e-3, (fields.height or (fields.vtu and 100 or 80)) * 1e-3 }
-  fields.dpi, fields.height = fields.vtu and 150 or 200, nil
+  local several = type(fields.vtu) == "table"
+  fields.size = { (several and 170 or 85) * 1e-3, (fields.height or (several and 100 or 80)) * 1e-3 }
+  fields.dpi, fields.height = several and 150 or 200, nil
   local ok, drawn = pcall(fabric.render, fields)
   if not ok then
     assert(tostring(drawn):find("no display", 1, true), drawn)

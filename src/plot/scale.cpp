@@ -41,9 +41,9 @@ std::string decade_text(int power) {
 // The ends asked for, and of the others the nearest multiples of half the step outside.
 Scale linear(const Axis& axis, double low, double high, double step) {
   Scale s;
-  const double half_step = step / 2;
-  s.low = axis.low.value_or(std::min(low, half_step * std::floor(low / half_step + 1e-9)));
-  s.high = axis.high.value_or(std::max(high, half_step * std::ceil(high / half_step - 1e-9)));
+  const double half_step = step / 2;  // a thousandth of it beyond a tick is no reason for the next one
+  s.low = axis.low.value_or(std::min(low, half_step * std::floor(low / half_step + 1e-3)));
+  s.high = axis.high.value_or(std::max(high, half_step * std::ceil(high / half_step - 1e-3)));
   const double largest = std::max(std::abs(s.low), std::abs(s.high)), slack = 1e-9 * (s.high - s.low);
   const double first = std::ceil((s.low - slack) / half_step);
   for (int i = 0; i < 1000; ++i) {
