@@ -28,7 +28,7 @@ struct Picture {
   bool edges = true, axes = true;  // of the elements; axes with a scale
   bool smooth = false;             // the field as one that changes evenly from node to node
   double dpi = 0;                  // pixels per inch on paper; 0: a picture for the screen
-  double font_size = 8;            // points, on paper; on a screen letters go with the picture
+  double font_size = 7;            // points, on paper; on a screen letters go with the picture
 };
 
 // The text that goes to fabricsh-render, and back. Error: a line that is not one of these.

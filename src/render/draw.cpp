@@ -91,8 +91,8 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
   look->SetColor(0.82, 0.84, 0.88);
   scene.picture.smooth ? look->SetInterpolationToGouraud() : look->SetInterpolationToFlat();
   look->SetLighting(lit);
-  look->SetAmbient(0.55);
-  look->SetDiffuse(0.5);
+  look->SetAmbient(0.75);  // shade that leaves the colours of the bar readable
+  look->SetDiffuse(0.28);
   look->SetSpecular(0);
   look->SetEdgeVisibility(scene.picture.edges);
   look->SetEdgeColor(0.25, 0.25, 0.25);

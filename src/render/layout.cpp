@@ -112,11 +112,12 @@ class Draft {
     const double low = bounds_[static_cast<std::size_t>(2 * k)],
                  high = bounds_[static_cast<std::size_t>(2 * k + 1)];
     const double decade = std::pow(10, std::floor(std::log10(high - low)) - 1);
-    for (const double apart : {3.2, 2.0, 1.2})  // closer only where there would be less than two
+    for (const auto& [apart, gap] :
+         {std::pair{3.2, 1.0}, {2.0, 1.0}, {1.2, 0.5}})  // closer only where there would be less than two
       for (const double part : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
         const Ticks t = ticks(low, high, part * decade);
         const double distance = pixels * t.step / (high - low);
-        if (distance < apart * space_.letter || distance < widest(t, along) + space_.letter) continue;
+        if (distance < apart * space_.letter || distance < widest(t, along) + gap * space_.letter) continue;
         if (t.count >= 2) return t;
         break;
       }
@@ -125,7 +126,7 @@ class Draft {
 
   bool free(const Word& word) const {
     return std::none_of(words_.begin(), words_.end(),
-                        [&](const Word& other) { return overlap(word, other, 0.15 * space_.letter); });
+                        [&](const Word& other) { return overlap(word, other, 0.4 * space_.letter); });
   }
 
   void labels(int k, const Point& start, const Point& end, const Point& out) {

@@ -330,7 +330,7 @@ std::vector<Argument> arguments() {
                "{width, height} on paper, in the place of pixels: {85*mm, 60*mm} for a column of a journal"}
           .optional(),
       number_("dpi", "", Range{50, 1200}, "with size: pixels per inch").or_else(300.0),
-      number_("font_size", "points", Range{4, 40}, "with size: of all letters").or_else(8.0),
+      number_("font_size", "points", Range{4, 40}, "with size: of all letters").or_else(7.0),
       value_("smooth", boolean, "colours that change evenly between the nodes; else each element has its own")
           .or_else(false),
       value_("edges", boolean, "of the elements").or_else(true),
