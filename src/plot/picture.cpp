@@ -1,8 +1,8 @@
 #include "plot/picture.hpp"
 
-#include <fstream>
+#include <unistd.h>
+
 #include <functional>
-#include <iterator>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -92,13 +92,16 @@ Picture read_picture(std::istream& text) {
 namespace {
 
 // The library that writes the picture says nothing of its size on paper.
-void say_resolution(const std::string& png, double dpi) {
-  std::ifstream in(png, std::ios::binary);
-  const std::string drawn{std::istreambuf_iterator<char>(in), {}};
-  in.close();
-  std::ofstream out(png, std::ios::binary | std::ios::trunc);
-  out << finished_png(drawn, dpi);
-  if (!out.flush()) throw Error("render: cannot write '" + png + "'");
+void say_resolution(const system::AtomicFile& file, double dpi) {
+  std::string drawn;
+  {
+    const system::Descriptor in = system::Gate::of_process().open(file.temporary());
+    char bytes[1 << 16];
+    for (ssize_t n = 0; (n = ::read(in.number(), bytes, sizeof bytes)) > 0;)
+      drawn.append(bytes, static_cast<std::size_t>(n));
+  }
+  const system::Descriptor out = file.open();
+  if (const int reason = out.write(finished_png(drawn, dpi))) system::cannot_write(file.temporary(), reason);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -122,7 +125,7 @@ std::vector<std::string> render(const Picture& picture, const std::string& progr
   if (!result.good)
     throw Error("render: the program that draws ended before the picture was whole: '" + program + "'" +
                 (result.said.empty() ? "" : ", saying: " + result.said.substr(0, result.said.find('\n'))));
-  if (picture.dpi > 0) say_resolution(request.png, picture.dpi);
+  if (picture.dpi > 0) say_resolution(file, picture.dpi);
   file.commit(system::Sync::no);
   return lines_of(result.out);
 }

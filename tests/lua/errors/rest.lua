@@ -108,6 +108,14 @@ wrong("fabric.render", "fabric.render{ file='x', range={1, 'two'} }",
   "deck.lua:1: render: field 'range': expected a table of numbers, got 'two' at place 2")
 wrong("fabric.render", "fabric.render{ file='x', view='aboev' }",
   "deck.lua:1: render: field 'view': expected a table of numbers or 'above' or 'front' or 'side' or 'oblique', got 'aboev', did you mean 'above'?")
+wrong("fabric.render", "fabric.render{ file='x', views='front' }",
+  "deck.lua:1: render: field 'views': expected a table { 'front', 'side', 'above', 'oblique', {30, 25}, ... }, got 'front'")
+wrong("fabric.render", "fabric.render{ file='x', size={1, 'two'} }",
+  "deck.lua:1: render: field 'size': expected a table of numbers in m, got 'two' at place 2")
+wrong("fabric.render", "fabric.render{ file='x', font_size=1 }",
+  "deck.lua:1: render: field 'font_size': expected a number from 4 to 40 in points, got 1")
+wrong("fabric.render", "fabric.render{ file='x', smooth='yes' }",
+  "deck.lua:1: render: field 'smooth': expected true or false, got 'yes'")
 wrong("fabric.render", "fabric.render{ file='x', columns=2.5 }",
   "deck.lua:1: render: field 'columns': expected an integer of at least 1, got 2.5")
 wrong("fabric.render", "fabric.render{ file='x', columns=0 }",
