@@ -58,6 +58,8 @@ pages() {
   page_figures tutorial out/pull/strip.png tutorial_strip.png out/mine/compare.svg tutorial_compare.svg out/mine/bias.png tutorial_bias.png
   page_figures howto/drape out/drape.png howto_drape.png out/table.png howto_table.png
   page_figures howto/own-mesh out/disc.png howto_ring.png
+  page_figures howto/bias-angle out/angle.png howto_angle.png
+  page_figures howto/sleeve out/sleeve.png howto_sleeve.png
   page_figures howto/plot out/weft.svg howto_weft.svg out/spread.svg howto_spread.svg out/panels.svg howto_plots.svg out/bias.png \
     howto_panels.png out/views.png howto_views.png
 }
