@@ -1,4 +1,4 @@
--- fabric.columns: rows of a test, or lists of equal length, as columns that can be calculated with; fabric.show: such rows as a table.
+-- fabric.columns: rows of a test, or lists of equal length, as columns for calculations; fabric.show: prints such rows as a table.
 local define = require "fabric.define"
 local fail = define.fail
 
@@ -7,7 +7,7 @@ local column_kind, curve_kind = { __name = "fabric.column" }, { __name = "fabric
 
 local function column(values) return setmetatable(values, column_kind) end
 
--- The operand at each place: a number is the same everywhere, a list has one for each.
+-- The operand for each row: a number is the same for all, a list has one value per row.
 local function operand(value, count, sign)
   if type(value) == "number" then return function() return value end end
   if type(value) ~= "table" then fail(("column %s: expected a number or a list of numbers, got %s"):format(sign, type(value))) end
@@ -36,7 +36,7 @@ column_kind.__div = operator("/", function(a, b) return a / b end)
 column_kind.__pow = operator("^", function(a, b) return a ^ b end)
 function column_kind.__unm(a) return a * -1 end
 
--- The first extreme number and its place; gaps (nan) are passed over.
+-- The first extreme value and its index; gaps (nan) are skipped.
 local function extreme(values, better, name)
   local best, place
   for i, value in ipairs(values) do
@@ -99,7 +99,7 @@ function Curve:map(change)
   return column(out)
 end
 
--- y where x first passes the value, on the straight line between two rows; nil where it never does.
+-- y where x first passes the value, by linear interpolation between two rows; nil if it never does.
 function Curve:interpolate(y, x, value)
   if type(value) ~= "number" then
     fail(("curve:interpolate: expected two names and a number, as in curve:interpolate('S', 'E', 0.1), got %s"):format(tostring(value)))
@@ -124,7 +124,7 @@ function Curve:min(name)
   return value, self[place]
 end
 
--- curve.S is a column; a column that has the name of a method is had by curve:column.
+-- curve.S is a column; a column with the name of a method is available by curve:column.
 function curve_kind.__index(rows, name)
   if Curve[name] then return Curve[name] end
   if type(name) ~= "string" or not rawget(rows, 1) or rawget(rows[1], name) == nil then return nil end
@@ -132,7 +132,7 @@ function curve_kind.__index(rows, name)
 end
 curve_kind.__metatable = "fabric.curve"
 
--- Lists {E={...}, S={...}} as rows.
+-- Converts lists {E={...}, S={...}} to rows.
 local function rows_of_lists(lists)
   local count, first
   for name, values in pairs(lists) do
@@ -153,7 +153,7 @@ local function rows_of_lists(lists)
   return rows
 end
 
--- Columns as fabric.table reads them from a file: {name=, unit=, values=}.
+-- Converts columns as read from a file by fabric.table: {name=, unit=, values=}.
 local function rows_of_columns(columns)
   local lists = {}
   for _, each in ipairs(columns) do lists[each.name] = each.values end
@@ -162,7 +162,7 @@ end
 
 local function columns_of(rows)
   if getmetatable(rows) == "fabric.curve" then return rows end
-  if getmetatable(rows) ~= nil then rows = table.move(rows, 1, #rows, 1, {}) end -- a result that has a name of its own
+  if getmetatable(rows) ~= nil then rows = table.move(rows, 1, #rows, 1, {}) end -- a result with a metatable of its own
   if next(rows) == nil then fail "columns: expected at least one row, got an empty table" end
   if type(rows[1]) ~= "table" then return setmetatable(rows_of_lists(rows), curve_kind) end
   if type(rows[1].values) == "table" and rows[1].name then return setmetatable(rows_of_columns(rows), curve_kind) end
@@ -189,7 +189,7 @@ local function cell(value)
   return value == nil and "" or tostring(value)
 end
 
--- The rows to show: all, or those of the beginning and the end.
+-- The indices of the rows to show: all, or those at the beginning and the end.
 local function places(count, most)
   local out = {}
   for i = 1, count do
@@ -263,7 +263,7 @@ define {
   run = show,
 }
 
--- An empty curve, whose rows are still to come.
+-- An empty curve, to be filled with rows.
 local function made() return setmetatable({}, curve_kind) end
 
 return { made = made }

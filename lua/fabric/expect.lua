@@ -1,8 +1,8 @@
--- fabric.expect: a deck's own check. Prints a table; an error when a row misses, so that the deck ends with exit code 1.
+-- fabric.expect: a deck's check of its results. Prints a table; an error if a row fails, so that the exit code is 1.
 local define = require "fabric.define"
 local fail = define.fail
 
--- One row {label, got, want, relative= | absolute=}; returns got, want, error, limit, and how the error is meant.
+-- Evaluates one row {label, got, want, relative= | absolute=}; returns got, want, error, limit, and the kind of error.
 local function judge(row, place)
   local label, got, want = row[1], row[2], row[3]
   if type(label) ~= "string" then
@@ -24,7 +24,7 @@ local function print_row(label, got, want, miss, limit, good)
   print(("  %-44s %16.9g %16.9g %10.2e %10.2e  %s"):format(label, got, want, miss, limit, good and "ok" or "MISSED"))
 end
 
--- A hole in the list would end it without a word, and so would a name in place of a number.
+-- A hole in the list would end it unnoticed, and so would a name in place of a number.
 local function check_list(rows)
   local last = 0
   for place in pairs(rows) do
@@ -42,7 +42,7 @@ local function check_list(rows)
 end
 
 local function expect(rows)
-  if require "fabric".checking() then return end  -- what a run would have put into the rows is not there
+  if require "fabric".checking() then return end  -- the results of runs are not available here
   check_list(rows)
   print(("  %-44s %16s %16s %10s %10s"):format("expected", "got", "want", "error", "allowed"))
   local missed = {}

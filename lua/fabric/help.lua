@@ -1,10 +1,10 @@
--- fabric.help: what there is, from the registry's rows.
+-- fabric.help: information on functions and topics, from the rows of the registry.
 local define = require "fabric.define"
 local registry = define.registry
 
 local width = 100
 
--- Rooms of the overview, in the order in which one meets them: a title, and patterns of names.
+-- Rooms of the overview, in the order of typical use: a title, and patterns of names.
 local rooms = {
   { "cloth", "^fabric%.woven$", "^fabric%.svk$", "^fabric%.linear$", "^fabric%.cards?$", "^card[:.]" },
   { "one point of cloth", "^fabric%.point$", "^point[:.]" },
@@ -26,7 +26,7 @@ local function room_of(name)
   end
 end
 
--- Text broken at blanks, each line behind `indent`.
+-- Text wrapped at blanks, each line after `indent`.
 local function wrapped(text, indent)
   local lines, line = {}, indent
   for word in text:gmatch "%S+" do
@@ -44,7 +44,7 @@ local function first_sentence(text)
   return #first > 110 and first:sub(1, 107) .. "..." or first
 end
 
--- fabric.static{ model, duration, [step], ... }
+-- The form of a call: fabric.static{ model, duration, [step], ... }
 local function signature(row)
   local names = {}
   for i, argument in ipairs(row.arguments) do
@@ -79,7 +79,7 @@ local function list(rows, lines)
   end
 end
 
--- Rows under the titles of their rooms.
+-- Groups the rows under the titles of their rooms.
 local function grouped(rows, lines)
   local by_room = {}
   for _, row in ipairs(rows) do
@@ -122,7 +122,7 @@ local function overview()
   return lines
 end
 
--- A card's fields are those of its constructor.
+-- Lists the fields of a card, which are those of its constructor.
 local function card_fields(card, lines)
   lines[#lines + 1] = "fields (in SI; card:with{...} makes a copy with others)"
   for _, row in ipairs(registry.rows()) do
@@ -138,7 +138,7 @@ local function card_fields(card, lines)
   end
 end
 
--- An object: what it prints as, its properties with their values, its methods.
+-- Describes an object: its printed form, its properties with their values, its methods.
 local function about_object(object, class)
   local lines, properties, methods = { tostring(object) }, {}, {}
   for _, row in ipairs(registry.rows()) do
@@ -164,7 +164,7 @@ local function named(rows, word)
   end
 end
 
--- Rows of a class ("mesh") or of a table of functions ("fabric.lab").
+-- The rows of a class ("mesh") or of a table of functions ("fabric.lab").
 local function below(rows, word)
   local found, stem = {}, word:gsub("^fabric%.", "")
   for _, row in ipairs(rows) do
@@ -194,7 +194,7 @@ local function nothing(rows, word)
   return { ("nothing speaks of '%s'%s"):format(word, near and ", did you mean '" .. near .. "'?" or "; help() shows what there is") }
 end
 
--- Fields of a run that are called so, or have a number that is.
+-- Fields of a run with this name, or with a single value of this name.
 local function result_fields(word)
   local lines = {}
   for _, field in ipairs(registry.fields()) do
@@ -208,7 +208,7 @@ local function result_fields(word)
   return lines
 end
 
--- Rows that speak of the words as they stand, else of each of them.
+-- Rows that contain the words as a phrase, or otherwise each of the words.
 local function speaking(rows, words)
   local found = {}
   for _, row in ipairs(rows) do
@@ -236,7 +236,7 @@ local function search(word)
   return lines
 end
 
--- What a table of functions such as fabric.lab is called.
+-- The name of a table of functions such as fabric.lab.
 local function module_named(topic)
   local fabric = require "fabric"
   if topic == fabric then return "fabric" end

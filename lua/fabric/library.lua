@@ -1,4 +1,4 @@
--- What `require "fabric"` adds to the bindings: the part of the library that is written in Lua.
+-- The part of `require "fabric"` that is written in Lua, in addition to the bindings.
 require "fabric.expect"
 require "fabric.columns"
 require "fabric.lab"

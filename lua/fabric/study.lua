@@ -1,4 +1,4 @@
--- fabric.study: the same run for many parameters, side by side in processes; what is finished stays finished.
+-- fabric.study: the same run for many parameters, in parallel processes; finished cases are kept.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local fail = define.fail
@@ -18,7 +18,7 @@ local function check_value(path, value)
   end
 end
 
--- The list of cases as it is written: {{a=1, b=2}, ...}.
+-- The list of cases as given: {{a=1, b=2}, ...}.
 local function listed(list)
   for i, case in ipairs(list) do
     if type(case) ~= "table" then fail(("study: field 'parameters[%d]': expected a table of named values, got %s"):format(i, tostring(case))) end
@@ -30,7 +30,7 @@ local function listed(list)
   return list
 end
 
--- Every combination of {a={1,2}, b={...}}: names by the alphabet, the last one fastest.
+-- All combinations of {a={1,2}, b={...}}: names in alphabetical order, the last one varies fastest.
 local function grid(lists)
   local cases = { {} }
   for _, name in ipairs(sorted_keys(lists)) do
@@ -63,7 +63,7 @@ local function cases_of(parameters)
   return cases
 end
 
--- Which cases are this process' own: all, or those of a task in an array job.
+-- Reads which cases this process computes: all, or those of a task in an array job.
 local function whole_number(name, default)
   local text = os.getenv(name)
   if text == nil or text == "" then return default end
@@ -84,7 +84,7 @@ local function share()
   return function(i) return (i - 1) % count == place end
 end
 
--- A folder belongs to one deck as it stands: other results in it would be mixed up.
+-- A folder belongs to one version of a deck, so that different results are not mixed.
 local function claim(folder, deck)
   local path = folder .. "/study.txt"
   local f = io.open(path)
@@ -106,7 +106,7 @@ local function identity()
   return "fabricsh study 1\ndeck " .. case_file.hash(text) .. "\n"
 end
 
--- An error in words: a table without words of its own by its plain fields, nothing by its address.
+-- An error in words: a table without a text of its own is described by its plain fields, not by its address.
 local function words_of(trouble)
   local kind = type(trouble)
   local own = kind == "table" and getmetatable(trouble)
@@ -122,7 +122,7 @@ local function words_of(trouble)
   return "an error that is a table" .. (#fields > 0 and ": " .. table.concat(fields, ", ") or "")
 end
 
--- Names of columns of study.csv that no result may have: ours, and the parameters' unless it says the same.
+-- Column names of study.csv that a result must not have: the fixed ones, and those of parameters with another value.
 local function taken_names(cases)
   local taken = { case = "study.csv has a column of that name", trouble = "study.csv has a column of that name" }
   for _, case in ipairs(cases) do
@@ -146,11 +146,11 @@ end
 
 local function work(t, case)
   local good, values = pcall(function() return checked_values(t.run(case), t.taken, case) end)
-  collectgarbage()  -- closes files that run left open
+  collectgarbage()  -- closes files that a run has left open
   local trouble = not good and words_of(values) or nil
   case_file.save(t.folder, case, good and values or nil, trouble)
   if trouble then error(trouble, 0) end
-  return { 1 }  -- the values lie in the file
+  return { 1 }  -- the values are in the file
 end
 
 local function kept(t, cases)
@@ -159,7 +159,7 @@ local function kept(t, cases)
   return n
 end
 
--- Runs what is missing of this share; troubles of processes that left no file, by case.
+-- Computes the missing cases of this share; returns the errors of processes that left no file, by case.
 local function compute(t, cases)
   local mine, missing, troubles = share(), {}, {}
   for i, case in ipairs(cases) do
@@ -183,7 +183,7 @@ local function collect(t, cases, troubles)
   for i, case in ipairs(cases) do
     local known = case_file.load(t.folder, case)
     local row = { parameters = case, values = known and known.values, trouble = known and known.trouble }
-    if not known then  -- its process ended without a word: it runs again next time
+    if not known then  -- a process that ended without a message: the case is run again next time
       study.missing, row.trouble = study.missing + 1, troubles[i]
     elseif known.trouble then
       study.failed = study.failed + 1

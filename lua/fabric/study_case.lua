@@ -1,9 +1,9 @@
--- A finished case of a study in a file of its own: plain lines, read back without running anything.
+-- The file of a finished case of a study: plain lines, read without executing code.
 local fabric = require "fabric"
 
 local case_file = {}
 
--- FNV-1a, 64 bits: tells texts apart, no more.
+-- FNV-1a, 64 bits: distinguishes texts; not a cryptographic hash.
 function case_file.hash(text)
   local h = -3750763034362895579
   for i = 1, #text do h = (h ~ text:byte(i)) * 1099511628211 end
@@ -56,7 +56,7 @@ end
 
 local function path_of(folder, parameters) return folder .. "/case-" .. case_file.hash(case_file.key(parameters)) .. ".txt" end
 
--- Either values or trouble.
+-- Stores either values or trouble.
 function case_file.save(folder, parameters, values, trouble)
   local lines = { "fabricsh case 1", case_file.key(parameters) }
   if trouble then lines[#lines + 1] = line_of("trouble", "", trouble) end
@@ -65,7 +65,7 @@ function case_file.save(folder, parameters, values, trouble)
   fabric.write(path_of(folder, parameters), table.concat(lines, "\n"))
 end
 
--- {values} or {trouble}; nil: not there, or of other parameters.
+-- Returns {values} or {trouble}; nil if the file does not exist, or has other parameters.
 function case_file.load(folder, parameters)
   local f = io.open(path_of(folder, parameters))
   if not f then return nil end

@@ -16,7 +16,7 @@ namespace fabricsh::app {
 
 namespace {
 
-// Where PATH has a program; empty: nowhere.
+// The location of a program in PATH; empty: not found.
 std::string found(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);

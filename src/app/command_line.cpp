@@ -33,7 +33,7 @@ const char* const usage =
 
 namespace {
 
-// The long options that the usage names.
+// The long options in the usage text.
 std::vector<std::string> long_options() {
   std::vector<std::string> words;
   std::istringstream lines(usage);
@@ -42,7 +42,7 @@ std::vector<std::string> long_options() {
   return words;
 }
 
-// Reads options one by one; stops at the deck.
+// Reads options one by one up to the deck.
 class Reader {
  public:
   Reader(CommandLine& command, int count) : c_(command), count_(static_cast<std::size_t>(count)) {}
@@ -56,7 +56,7 @@ class Reader {
 
  private:
   void take_deck(const std::string& name) {
-    if (name.empty()) {  // as of a variable of the shell's that is not set
+    if (name.empty()) {  // for example from an unset variable of the shell
       c_.trouble = "the name of the deck is empty (- is standard input)";
       return;
     }
@@ -66,7 +66,7 @@ class Reader {
     c_.arguments.assign(c_.line.begin() + static_cast<std::ptrdiff_t>(at_) + 1, c_.line.end());
   }
 
-  // The value of -eX, or of -e X.
+  // The value of -eX or of -e X.
   bool value(const std::string& word, std::string& out) {
     out = word.substr(2);
     ++at_;
@@ -86,7 +86,7 @@ class Reader {
       c_.trouble = "--threads: expected an integer from 1 to 4096, got '" + text + "'";
   }
 
-  // The value of --name=X, or of --name X; false: it is another option, or has no value.
+  // The value of --name=X or of --name X; false: another option, or no value.
   bool long_value(const std::string& word, const std::string& name, std::string& out) {
     if (word.rfind(name + "=", 0) == 0) {
       out = word.substr(name.size() + 1);
@@ -164,7 +164,7 @@ class Reader {
   std::size_t count_;
   std::size_t at_ = 1;
   bool closed_ = false;
-  std::string only_safe_;  // the last option that means nothing without --safe
+  std::string only_safe_;  // the last option that is valid only with --safe
 };
 
 }  // namespace

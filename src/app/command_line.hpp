@@ -1,4 +1,4 @@
-// What the command line asks for.
+// The parsed command line.
 #pragma once
 #include <string>
 #include <utility>
@@ -13,16 +13,16 @@ struct CommandLine {
   bool interactive = false;                          // -i
   bool check = false, quiet = false, version = false, help = false;
   int threads = 0;
-  bool safe = false;           // --safe, and what goes with it
+  bool safe = false;           // --safe, and its further options
   std::string output;          // --output; empty: out
   script::SafeOptions limits;  // --limit-...
   std::string restart;         // path of a checkpoint; empty: none
   bool has_deck = false;
-  std::string deck;  // empty with has_deck: standard input
+  std::string deck;  // empty while has_deck is true: standard input
   std::size_t deck_place = 0;
-  std::vector<std::string> line;       // everything, the program's name first
-  std::vector<std::string> arguments;  // behind the deck
-  std::string trouble;                 // not empty: wrong use
+  std::vector<std::string> line;       // all words, the program's name first
+  std::vector<std::string> arguments;  // after the deck
+  std::string trouble;                 // not empty: a usage error
 };
 
 CommandLine read_command_line(int count, char** words);

@@ -12,8 +12,8 @@ namespace fabricsh::app {
 
 namespace {
 
-// Name of the kernels that OpenBLAS should rather take; null: its own choice is good, or another BLAS is
-// there.
+// Better kernels for OpenBLAS than those it would choose; null: its own choice is good, or the BLAS is
+// another one.
 const char* better_kernels() {
   using CoreName = char* (*)();
   const auto name = reinterpret_cast<CoreName>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));

@@ -1,17 +1,17 @@
-// What the libraries below read from the environment when they are loaded, before main() can speak to them.
+// Environment variables that libraries read when they are loaded, before main() begins.
 #pragma once
 #include <string>
 
 namespace fabricsh::app {
 
-// What cannot be in the environment: "FABRICSH_ISA: expected ...". Empty: nothing.
+// An invalid setting: "FABRICSH_ISA: expected ...". Empty: none.
 std::string environment_trouble();
 
-// Sets what nobody has set, and starts the program anew if that was anything; returns when there is nothing
-// to do or it can't be done.
-// GOMP_SPINCOUNT: how long a thread spins before it sleeps. By default for milliseconds, which on a busy
-// machine takes the processor from the very thread that it waits for.
-// OPENBLAS_CORETYPE: OpenBLAS falls back on kernels of 2004 where it doesn't know a processor.
+// Sets the variables below unless they are set already, and restarts the program if it has set any.
+// Returns if there is nothing to do or a restart is impossible. GOMP_SPINCOUNT: how long a thread
+// spins before it sleeps; by default some milliseconds, which on a busy machine takes the processor
+// from the thread that is waited for. OPENBLAS_CORETYPE: for an unknown processor OpenBLAS uses
+// kernels of 2004.
 void settle_environment(char** words);
 
 }  // namespace fabricsh::app

@@ -13,8 +13,8 @@ namespace fabricsh::app {
 
 namespace {
 
-// on_exit() alone tells the exit code. `owner` is the process that asked: a copy of it prints through the
-// same file.
+// Only on_exit() passes the exit code. `owner` is the process that called it: a copy of that process prints
+// through the same file.
 void look(int code, void* owner) {
   if (getpid() != static_cast<pid_t>(reinterpret_cast<std::intptr_t>(owner))) return;
   errno = 0;

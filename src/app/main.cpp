@@ -1,5 +1,5 @@
-// fabricsh: options and exit codes. 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended
-// by Ctrl-C, 143 by SIGTERM, 129 by SIGHUP.
+// fabricsh: options and exit codes. 0 success, 1 error in the deck, 2 usage error, 3 numerical failure, 130
+// ended by Ctrl-C, 143 by SIGTERM, 129 by SIGHUP.
 #include <omp.h>
 #include <unistd.h>
 
@@ -26,7 +26,7 @@ namespace {
 using namespace fabricsh;
 using repl::Outcome;
 
-// 0 where no signal has ended or stopped anything.
+// 0 if no signal has ended or stopped anything.
 int code_of_signal(const script::Session& session) {
   if (session.terminated() != 0) return 128 + session.terminated();
   return session.stopped_by_interrupt() ? 128 + SIGINT : 0;
@@ -47,14 +47,14 @@ bool is_dumb() {
   return kind == nullptr || std::string(kind) == "dumb";
 }
 
-// Notices and progress. A line that is being typed at the prompt takes them in.
+// Shows notices and progress, also while a line is being typed at the prompt.
 class Speaker {
  public:
   void say(const std::string& text) {
     progress.clear();
     std::fflush(stdout);
     if (lines == nullptr || !lines->interject(style_.dress(repl::Tone::notice, text)))
-      // In one piece: copies of a run that work side by side write to the same terminal.
+      // in one write, because parallel copies of a run use the same terminal
       std::cerr << style_.dress(repl::Tone::notice, text) + "\n" << std::flush;
   }
   repl::Lines* lines = nullptr;
@@ -80,7 +80,7 @@ script::Options session_options(const app::CommandLine& command, Speaker& speake
   return options;
 }
 
-// A checkpoint that no analysis of the deck took up.
+// Reports a checkpoint from which no analysis of the deck has started.
 repl::Result check_restart(const script::Session& session, repl::Result result) {
   const auto& from = session.restart();
   if (result.outcome != Outcome::done || !from || from->number <= session.analyses()) return result;
@@ -89,7 +89,7 @@ repl::Result check_restart(const script::Session& session, repl::Result result) 
                                    std::to_string(session.analyses())};
 }
 
-// -e and -l in their order, then the deck. The first failure ends it.
+// Runs -e and -l in their order, then the deck. The first failure ends it.
 repl::Result run_all(script::Session& session, const app::CommandLine& command) {
   repl::Result result;
   const bool spill = command.interactive || !command.has_deck || !command.before.empty();
@@ -104,7 +104,7 @@ repl::Result run_all(script::Session& session, const app::CommandLine& command) 
   return check_restart(session, result);
 }
 
-// A session that nobody sits at fails as a deck would, after all of it has been read.
+// Without a user at the prompt, the session reads all input and then fails as a deck would.
 int converse(script::Session& session, Speaker& speaker) {
   const bool terminal = isatty(STDIN_FILENO) != 0;
   const repl::InterruptGuard guard(session, terminal ? repl::Attended::yes : repl::Attended::no);
@@ -140,7 +140,7 @@ int main(int count, char** words) {
   if (command.check && !command.has_deck) return std::cerr << "fabricsh: --check needs a deck\n", 2;
   if (!command.restart.empty() && !command.has_deck && command.before.empty())
     return std::cerr << "fabricsh: --restart needs the deck that wrote the checkpoint\n", 2;
-  std::signal(SIGXFSZ, SIG_IGN);  // a file past the user's limit is an error that is said, as a full disk is
+  std::signal(SIGXFSZ, SIG_IGN);  // a file above the user's limit then gives an error, as does a full disk
   if (command.threads > 0) omp_set_num_threads(command.threads);
   try {
     if (command.safe) app::go_safe(command, words);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRedraw = 0.1, kFirstBar = 0.3;  // s, on a terminal
 constexpr double kFirstLine = 2, kNextLine = 10;  // s, in a log
-constexpr double kShare = 0.01;                   // of the time that the ledger may take
+constexpr double kShare = 0.01;                   // share of the time that the ledger may take
 
 int columns_of(std::FILE* stream) {
   winsize size{};
@@ -54,7 +54,7 @@ std::string bar_text(double share, int width) {
   return bar + "] ";
 }
 
-// Now and then, that it doesn't take more than its share of the time.
+// The ledger's error, updated so seldom that it takes no more than its share of the time.
 double ProgressLine::ledger(const script::Progress& p) {
   if (asked_ >= 0 && p.elapsed < asked_ + dear_ / kShare) return error_;
   const auto start = std::chrono::steady_clock::now();

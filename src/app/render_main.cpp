@@ -1,4 +1,4 @@
-// fabricsh-render: reads what is to be drawn from its input, writes a PNG. Started by fabric.render.
+// fabricsh-render: reads the description of a picture from its input and writes a PNG. Used by fabric.render.
 #include <iostream>
 
 #include "render/complaints.hpp"

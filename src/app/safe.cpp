@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Holds this process' number once its wall stands; a program that is started anew keeps its number.
+// Contains the process number once the wall is raised; a restarted program keeps its number.
 constexpr const char* mark = "FABRICSH_WALL";
 
-// HOME, and what the system has as the home folder, whatever HOME says.
+// HOME, and the home folder in the system's user database.
 std::vector<fs::path> homes() {
   std::vector<fs::path> folders;
   const auto add = [&folders](const char* path) {
@@ -33,21 +33,21 @@ std::vector<fs::path> homes() {
   return folders;
 }
 
-// Is `inner` the folder or below it? Both are canonical.
+// Whether `inner` is the folder or lies in it. Both paths are canonical.
 bool holds(const fs::path& folder, const fs::path& inner) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), inner.begin(), inner.end());
   return end == folder.end();
 }
 
-// The home folder, one that it lies in, or the root of the disk. A home that is the root of the disk or a
-// place where nothing is (of an account of a service) holds nothing of anybody's.
+// Whether the folder is or contains the home folder, or is the root. A home folder that is the root or does
+// not exist (of a service account) is ignored.
 bool holds_everything(const fs::path& folder) {
   if (folder == folder.root_path()) return true;
   const auto all = homes();
   return std::any_of(all.begin(), all.end(), [&](const fs::path& home) { return holds(folder, home); });
 }
 
-// The deck's own folder.
+// The folder of the deck.
 std::string folder_of_deck(const std::string& deck) {
   const fs::path folder = fs::weakly_canonical(fs::absolute(deck).parent_path());
   if (holds_everything(folder))
@@ -65,7 +65,7 @@ std::vector<std::string> readable_folders(const CommandLine& command) {
   return folders;
 }
 
-// Empty under --check, which writes nothing.
+// Empty with --check, which writes nothing.
 std::string output_folder(const CommandLine& command) {
   if (command.check) return {};
   const std::string folder = command.output.empty() ? "out" : command.output;

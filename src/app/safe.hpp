@@ -1,12 +1,12 @@
-// --safe: the folders and limits of a deck from elsewhere, and their order: the wall first, then the program
-// anew so that each of its threads stands behind it, then the gate, then the deck.
+// --safe: folders and limits for an untrusted deck. First the wall is raised, then the program is restarted
+// so that all its threads are behind the wall, then the gate is closed and the deck run.
 #pragma once
 #include "app/command_line.hpp"
 
 namespace fabricsh::app {
 
-// Raises the wall and starts the program anew; the second time, closes the gate and returns. Error: a folder
-// that cannot be, or one too wide to be given away.
+// Raises the wall and restarts the program; the second time it closes the gate and returns. Error: an invalid
+// folder, or one that contains too much.
 void go_safe(const CommandLine& command, char** words);
 
 }  // namespace fabricsh::app

@@ -22,7 +22,7 @@ namespace fabricsh::app {
 
 namespace {
 
-// The kernel's interface (linux/landlock.h), written out since older headers lack the later parts of it.
+// The kernel's interface (linux/landlock.h), repeated here because older headers are incomplete.
 constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 constexpr int path_beneath = 1;
 struct Ruleset {
@@ -39,9 +39,9 @@ constexpr std::uint64_t reads = read_file | read_folder;
 constexpr std::uint64_t writes =
     reads | write_file | remove_folder | remove_file | make_folder | make_file | refer | truncate;
 constexpr std::uint64_t of_files =
-    execute | write_file | read_file | truncate;  // what a rule for a file may name
+    execute | write_file | read_file | truncate;  // the rights that a rule for a file may contain
 
-// Rights of each version of Landlock: 13 at first, then refer, truncate, and control of devices.
+// Rights in each version of Landlock: 13 in the first, then refer, truncate and control of devices.
 std::uint64_t known_to(long version) {
   const int bits = version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13;
   return (1u << bits) - 1;
@@ -56,7 +56,7 @@ class Landlock {
     rules_ = system::Descriptor(static_cast<int>(syscall(create_ruleset, &all, size, 0)));
   }
 
-  // A path that is not there needs no right.
+  // A path that does not exist is skipped.
   void allow(const std::string& path, std::uint64_t rights) const {
     const system::Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
     struct stat about {};
@@ -75,7 +75,7 @@ class Landlock {
   system::Descriptor rules_;
 };
 
-// Programs are found as execvp finds them.
+// Programs are searched as execvp does.
 void allow_program(const Landlock& wall, const std::string& name) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
@@ -91,14 +91,14 @@ void allow_system(const Landlock& wall) {
         "/proc/cpuinfo", "/proc/meminfo", "/proc/self", "/dev/urandom"})
     wall.allow(folder, reads);
   for (const char* device : {"/dev/null", "/dev/tty"}) wall.allow(device, read_file | write_file);
-  // The loader of shared libraries counts as a program.
+  // The loader of shared libraries also needs the right to be executed.
   for (const char* loader : {"/lib64/ld-linux-x86-64.so.2", "/lib/ld-linux-aarch64.so.1",
                              "/lib/ld-linux-riscv64-lp64d.so.1", "/lib64/ld64.so.2"})
     wall.allow(loader, execute | read_file);
   const std::filesystem::path program = program_path();
   wall.allow(program, execute | read_file);
   for (const auto& folder : {program.parent_path(), program.parent_path().parent_path()})
-    wall.allow(folder / "fabricsh.home", read_file);  // says where the data are (system/paths.hpp)
+    wall.allow(folder / "fabricsh.home", read_file);  // contains the location of the data (system/paths.hpp)
   allow_program(wall, "gnuplot");
 }
 
@@ -111,7 +111,7 @@ void set_limit(int what, rlim_t soft, rlim_t margin) {
   setrlimit(static_cast<__rlimit_resource>(what), &limit);
 }
 
-// All that a signal handler may do: say it and end. Outputs are whole at any moment.
+// A signal handler may only write the message and end. Output files are complete at any moment.
 [[noreturn]] void end_in_time() {
   constexpr char words[] =
       "fabricsh: limit of computing time under --safe is reached (option --limit-seconds); ended\n";
@@ -136,13 +136,13 @@ void limit_process(const script::SafeOptions& limits) {
   struct sigaction action {};
   action.sa_handler = time_is_over;
   sigaction(SIGXCPU, &action, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead
+  std::signal(SIGXFSZ, SIG_IGN);  // so that the write fails instead
   const rlim_t gigabyte = rlim_t{1} << 30, threads = static_cast<rlim_t>(sysconf(_SC_NPROCESSORS_ONLN));
   set_limit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds), 5);
   limit_computing_time(static_cast<double>(limits.seconds), end_in_time);
   set_limit(RLIMIT_FSIZE, 4 * gigabyte, 0);
   set_limit(RLIMIT_CORE, 0, 0);
-#if !defined(__SANITIZE_ADDRESS__)  // whose shadow is larger than any limit
+#if !defined(__SANITIZE_ADDRESS__)  // whose shadow memory exceeds any limit
   set_limit(RLIMIT_DATA, (static_cast<rlim_t>(limits.megabytes) << 20) + gigabyte + threads * (16 << 20), 0);
 #endif
 }

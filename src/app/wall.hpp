@@ -1,5 +1,5 @@
-// What the system itself forbids this process under --safe, behind the gate of the room system: a second wall
-// for the case that the first has a hole. Nothing here can be taken back, and children inherit it.
+// What the operating system forbids this process under --safe, in addition to the gate of the room system, in
+// case the gate has a gap. It cannot be revoked, and children inherit it.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace fabricsh::app {
 
-// No new rights by starting programs (no_new_privs); where the kernel has Landlock, no files but the readable
-// and writable folders and what the program itself lives on, no network, and no programs but this one and
-// gnuplot. Call it before there is a second thread. Skips what the kernel does not know.
+// Forbids new rights by starting programs (no_new_privs). With Landlock in the kernel, also: all files except
+// the readable and writable folders and the program's own, the network, and all programs except this one and
+// gnuplot. To be called before a second thread exists. Features unknown to the kernel are skipped.
 void raise_wall(const std::vector<std::string>& readable, const std::string& writable);
 
-// Ends the process with a message when its computing time is over, whatever it does; a file of at most 4 GiB;
-// memory for data of the process at most the limit plus what its libraries and threads need.
+// Ends the process with a message when its CPU time is used up. Limits files to 4 GiB, and data memory to the
+// given limit plus the needs of libraries and threads.
 void limit_process(const script::SafeOptions& limits);
 
 }  // namespace fabricsh::app

@@ -1,11 +1,11 @@
-// Plain bytes of a state: one list of members serves to write them and to read them back, so that the two
-// can't differ. Numbers as the machine has them; who stores the bytes says for which machine.
+// The state of an object as plain bytes. One list of members serves for writing and for reading, so
+// that the two cannot differ. Numbers are stored in the format of this machine; whoever stores the
+// bytes records which machine that was.
 //
 //   void keep(Archive& archive) { archive(time_, steps_, names_); }
 //
-// A section is a part with a name and a hash of the kinds of its members in their order, so that bytes which
-// a build with other members wrote are refused by the name of what has changed, before any of them is taken
-// up:
+// A section is a part with a name and a hash of the kinds of its members in their order. Bytes from
+// a build with other members are refused, naming the section that has changed, before any is used:
 //
 //   archive.section("motion", [&] { archive(v_, a_); });
 #pragma once
@@ -29,19 +29,19 @@ class Archive {
   explicit Archive(std::string bytes) : bytes_(std::move(bytes)), mode_(Mode::read) {}
 
   bool reading() const { return mode_ == Mode::read; }
-  bool at_end() const { return at_ == bytes_.size(); }  // of reading
+  bool at_end() const { return at_ == bytes_.size(); }  // meaningful while reading
   const std::string& bytes() const { return bytes_; }
 
-  // Numbers, enums, texts, vectors and optionals of them, and whatever has a member keep(Archive&). Error
-  // when reading: the bytes end too early.
+  // Accepts numbers, enums, strings, vectors and optionals of these, and any type
+  // with a member keep(Archive&). Error when reading: the bytes end too early.
   template <class... T>
   void operator()(T&... values) {
     (one(values), ...);
   }
 
-  // `members` archives the members of the section; it is called once to write, and to read once before that
-  // to learn of which kinds they are here (reading() is false then). Error when reading: another section
-  // comes, or its members are of other kinds.
+  // `members` archives the members of the section. For writing it is called once. For reading it is
+  // called twice: first with reading() false, only to record the kinds of its members, then to
+  // read. Error when reading: the next section has another name, or its members are of other kinds.
   template <class Members>
   void section(const std::string& name, Members members) {
     if (mode_ == Mode::learn) return members();
@@ -53,7 +53,7 @@ class Archive {
     kinds_ = outer;
   }
 
-  // Numbers whose count is known: as many as there are. Error when reading: another count was written.
+  // Numbers whose count is fixed by the caller. Error when reading: another count was written.
   void filled(std::span<double> values) {
     std::uint64_t count = values.size();
     learn("numbers");
@@ -99,7 +99,7 @@ class Archive {
     if (at_ - begin != size) throw Error("its part '" + name + "' has another size than its members");
   }
 
-  // What a member is made of goes into the hash of its section once, however many of it there are.
+  // Adds the kind of a member to the hash of its section; the elements of a list are counted as one.
   void learn(const char* kind) {
     if (silent_ == 0) kinds_ = hash(kind, kinds_);
   }
@@ -187,12 +187,12 @@ class Archive {
   }
   void text(std::string& value) {
     if (mode_ == Mode::learn) return;
-    const std::size_t bytes = resize(value, 1);  // before data(), which it moves
+    const std::size_t bytes = resize(value, 1);  // before data(), because resizing moves the data
     raw(value.data(), bytes);
   }
 
-  // Writes the count of items, or reads it and makes room; at least `least` bytes an item follow. Returns the
-  // bytes.
+  // Writes the number of items, or reads it and resizes. `least`: the smallest size of an item
+  // in bytes, by which the count is checked against the bytes left. Returns count * least.
   template <class Items>
   std::size_t resize(Items& items, std::size_t least) {
     std::uint64_t count = items.size();
@@ -219,8 +219,8 @@ class Archive {
   std::string bytes_;
   std::size_t at_ = 0;
   Mode mode_ = Mode::write;
-  std::uint64_t kinds_ = 0;  // hash of the kinds of the members so far, of the innermost section
-  int silent_ = 0;           // inside a list, whose kind is known already
+  std::uint64_t kinds_ = 0;  // hash of the kinds of the members so far, in the innermost section
+  int silent_ = 0;           // above 0 inside a list, whose kind has been recorded already
 };
 
 }  // namespace fabricsh

@@ -1,5 +1,5 @@
-// Warnings, notices and progress go through a sink that the program installs: no room below app and repl
-// prints. The sink is handed down explicitly (no globals).
+// Warnings, notices and progress go to a sink that the program installs, because no room
+// below app and repl may print. The sink is passed as an argument; there are no globals.
 #pragma once
 #include <functional>
 #include <set>
@@ -7,7 +7,7 @@
 
 namespace fabricsh {
 
-// Where warnings and notices go. once(key, text) says a thing a single time in the life of this object.
+// Where warnings and notices go. once(key, text) shows the text for a key only once.
 class Notices {
  public:
   using Sink = std::function<void(const std::string& text)>;

@@ -9,7 +9,7 @@ namespace {
 
 template <class... Form>
 std::string text_of(double x, Form... form) {
-  if (std::isnan(x)) return "nan";  // whatever its sign
+  if (std::isnan(x)) return "nan";  // whatever the sign bit says
   char buffer[64];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, x, form...).ptr;
   return {buffer, end};

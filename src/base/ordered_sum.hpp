@@ -1,4 +1,4 @@
-// Sums that come out the same for any number of threads: by blocks of fixed size, added in order.
+// Sums whose bits do not depend on the number of threads: blocks of fixed size are added in order.
 #pragma once
 #include <algorithm>
 #include <cstddef>

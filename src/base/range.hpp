@@ -1,4 +1,4 @@
-// What a number may be, and the words for it in messages.
+// The permitted range of a number, and its description in messages.
 #pragma once
 #include <limits>
 #include <string>
@@ -17,7 +17,7 @@ inline constexpr Range not_negative{0};
 inline constexpr Range from_one{1};
 inline constexpr Range everything{};
 
-// " of at least 0", " above 0 to 1"; empty for everything.
+// " of at least 0", " above 0 to 1"; empty if every number is permitted.
 std::string range_words(const Range& range);
 // "a positive number in m", "an integer from 1 to 9".
 std::string number_words(const Range& range, const std::string& unit, const std::string& noun = "number");

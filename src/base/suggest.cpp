@@ -12,7 +12,7 @@ bool same(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-// Names as near as one edit per three letters (rounded up) are worth proposing; a single letter never is.
+// A name is proposed within one edit per three letters (rounded up); never for a single letter.
 bool near_enough(std::size_t distance, std::size_t letters) {
   return distance < letters && distance <= (letters + 2) / 3;
 }
@@ -39,7 +39,7 @@ std::string question(std::string_view wrong, std::span<const Name> names) {
 
 }  // namespace
 
-// Optimal string alignment, by rows: two rows above are enough to see a swap.
+// Optimal string alignment by rows; two previous rows are kept, because a swap refers back by two.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> above2(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

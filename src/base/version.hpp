@@ -1,10 +1,10 @@
-// What this program is: the version that CMakeLists.txt states.
+// The version of this program, as stated in CMakeLists.txt, and how it was built.
 #pragma once
 #include <string>
 
 namespace fabricsh {
 
-// A library as it was found at run time, or where it cannot be asked, when compiled.
+// A library and its version: that found at run time if the library tells it, else that compiled against.
 struct Library {
   std::string name, version;
 };

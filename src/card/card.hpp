@@ -1,5 +1,5 @@
-// A material card: the name of a law and its parameters, checked for form. Pure data, SI units.
-// Tensor strain everywhere except where a field says engineering. Material axes: 1 = warp, 2 = weft.
+// A material card: the name of a law and its parameters, checked for form only. Plain data in SI units.
+// Strains are tensor components unless a field says engineering. Material axes: 1 = warp, 2 = weft.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 namespace fabricsh::card {
 
 // A loading curve: either a polynomial tangent modulus D(x) = c0 + c1 x + ... (Pa), or measured points (x,
-// stress Pa) from (0, 0) on, x and stress strictly increasing. Exactly one of the two is non-empty.
+// stress in Pa) from (0, 0) on, both numbers strictly increasing. Exactly one of the two is not empty.
 struct Curve {
   std::vector<double> coefficients;
   std::vector<std::pair<double, double>> points;
@@ -26,9 +26,9 @@ enum class Measure { tensor, engineering };  // dS12/dE12 in E12 | dS12/d(2 E12)
 enum class ShearMemory {
   printed,
   fading
-};  // share/doc/law.md, shear: the old branch is forgotten at once, or fades
-// Elastic-frictional shear: the loading curve is elastic, and beside it friction of the yield stress
-// stress + growth |strain|, Pa, in the measure's strain.
+};  // share/doc/law.md, shear: memory of the branch left behind is erased at once, or fades
+// Elastic-frictional shear: the loading curve is elastic, and a friction with the yield
+// stress stress + growth |strain| (Pa) acts in parallel; the strain is that of the measure.
 struct ShearFriction {
   double stress = 0, growth = 0;
 };
@@ -40,7 +40,7 @@ struct Shear {
   std::optional<ShearFriction> friction = {};  // law "potential" only
 };
 
-struct Tested {  // strains up to which the curves were measured; shear in tensor E12. 0: not stated
+struct Tested {  // strains up to which the curves were measured; shear as tensor E12. 0: not stated
   double warp = 0, weft = 0, shear = 0;
 };
 
@@ -54,18 +54,18 @@ struct BendingFriction {  // KES 2HB: friction moment per width, N, and the curv
   double moment = 0, curvature = 0;
   FrictionMemory memory = FrictionMemory::slip;
 };
-// Rigidities, N.m (N.m^2 per metre of width); used instead of thickness integration. A curve in place of a
-// number: coefficients of the tangent rigidity B(kappa), N.m, N.m^2, ..., or points of curvature, 1/m, and
-// moment per width, N.
+// Rigidities, N.m (N.m^2 per metre of width); they replace integration through the thickness.
+// A rigidity may be given as a curve instead: the coefficients of the tangent rigidity
+// B(kappa) (N.m, N.m^2, ...), or points of curvature (1/m) and moment per width (N).
 struct Bending {
   double warp = 0, weft = 0, twist = 0;
   std::optional<BendingFriction> friction_warp, friction_weft;
-  Curve warp_curve = {}, weft_curve = {};  // empty: the number holds at any curvature
-  double tested = 0;                       // 1/m, up to which they were measured. 0: not stated
+  Curve warp_curve = {}, weft_curve = {};  // empty: the rigidity is constant
+  double tested = 0;                       // 1/m, curvature up to which they were measured. 0: not stated
 };
 
-// Confidence bands of measured parameters, in the order loading coefficients, unloading, poisson (shear has
-// no poisson). covariance is of the same parameters, row by row. Empty: not known.
+// Confidence bands of measured parameters, in the order loading coefficients, unloading, poisson
+// (shear has no poisson). covariance refers to the same parameters, row by row. Empty: not known.
 struct Band {
   std::vector<double> low, high, covariance;
 };
@@ -74,8 +74,8 @@ struct Bands {
   Band warp, weft, shear;
 };
 
-// A spring and a dashpot in series beside a spring: modulus in the strain's own measure, Pa, and the time in
-// which its stress falls to 1/e at rest, s.
+// Viscous shear: a spring and a dashpot in series, parallel to the elastic spring. modulus in the
+// strain's own measure, Pa; time (s) in which the stress of the dashpot falls to 1/e at constant strain.
 struct Relaxation {
   double modulus = 0, time = 0;
 };
@@ -108,7 +108,7 @@ struct Linear {  // linear orthotropic, small strain [williams2010, eq. 4.2]; re
   double warp = 0, weft = 0, shear = 0, nu12 = 0, nu21 = 0;
 };
 
-// What a card takes for its bending where it is asked to, since nobody measured it.
+// An assumed bending rigidity, for a card without a measured one that asks for an estimate.
 struct Estimate {
   Bending bending;
   std::string source;
@@ -121,7 +121,7 @@ struct Card {
   std::variant<Woven, Svk, Linear> law;
   std::optional<Bending> bending;
   std::optional<Estimate> estimate = {};
-  bool through_thickness = false;  // bending by integration is meant, however stiff it is
+  bool through_thickness = false;  // bending by integration is intended, however stiff it is
 };
 
 }  // namespace fabricsh::card

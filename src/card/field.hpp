@@ -1,6 +1,6 @@
-// One row per field of a card. Reading it from a deck, writing it, printing it for people, its checks, its
-// help and its page of the reference all go through that row, so that a field is told of in one place
-// (fields.cpp).
+// One row describes one field of a card. Reading from a deck,
+// writing, printing, checks, help and the reference page all use that
+// row, so that a field is described in one place only (fields.cpp).
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -16,21 +16,21 @@
 namespace fabricsh::card {
 
 using Points = std::vector<std::pair<double, double>>;
-// What a field holds; monostate where the card has no such thing.
+// The value of a field; monostate if the card does not have it.
 using Value = std::variant<std::monostate, double, bool, std::string, std::vector<double>, Points>;
 
 enum class Holds {
   number,
   flag,
-  text,     // a word of `words`, or any text where there are none
-  numbers,  // as many as `parts` names, or any number of them
-  ratios,   // the same; one number stands for all
-  curve,    // coefficients of a tangent modulus, or points from (0, 0) on that rise
+  text,     // one of `words`, or any text if there are none
+  numbers,  // one for each name in `parts`, or any number if there are none
+  ratios,   // like numbers; a single number stands for all
+  curve,    // coefficients of a tangent modulus, or ascending points from (0, 0)
   number_or_curve,
-  group,  // fields of its own
+  group,  // contains fields of its own
 };
 
-// What a row says of its field. Units are SI.
+// The description of a field. Units are SI.
 struct Row {
   std::string name;
   Holds holds = Holds::number;
@@ -38,19 +38,19 @@ struct Row {
   Range range;
   std::string sentence;
   bool required = true;
-  Value fallback;                  // where the deck does not say
-  std::vector<std::string> words;  // that a text may be
-  std::vector<std::string> parts;  // of numbers: "nu12", "nu21"; of a curve what its points are
-  Range cloth;  // outside: a question, most often about units. A curve is asked by its beginning
+  Value fallback;                  // used if the deck does not give the field
+  std::vector<std::string> words;  // the permitted texts
+  std::vector<std::string> parts;  // names of the numbers, "nu12", "nu21"; of a curve: its coordinates
+  Range cloth;  // usual range for cloth; outside it `question` is asked. For a curve: its slope at 0
   std::string question;
-  bool measured = false;  // a confidence band is about it
-  // In the text of a card: on the line of the field before; below it, inside a group; each field of a group
-  // on a line of its own; left out where it is the fallback; behind all others, also where it is printed.
+  bool measured = false;  // may have a confidence band
+  // Layout in a card's text. beside: on the previous field's line; below: under it, inside a group; tall:
+  // each field of a group on its own line; rare: omitted if it is the fallback; last: after all others.
   bool beside = false, below = false, tall = false, rare = false, last = false;
-  // For people: where it is printed, and how. With a column it is a cell of the table at the top, else a
-  // phrase on a line; `line` is the title of that row or line where it is not the group's, or the field's
-  // own, name (numbers in a column: a row for each of `lines`). "# mN" with the scale 1000 prints 0.002 as "2
-  // mN". No phrase: not printed.
+  // Layout when printed for people. With `column` the field is a cell of the table at the top,
+  // otherwise a phrase on a line. `line` is the title of that row or line, by default the name
+  // of the group or of the field; for numbers in a column, `lines` has one title per number. "#
+  // mN" with the scale 1000 prints 0.002 as "2 mN". Without a phrase the field is not printed.
   std::string column, line, phrase;
   std::vector<std::string> lines;
   double scale = 1;
@@ -60,8 +60,8 @@ template <class Owner>
 struct FieldOf : Row {
   std::function<Value(const Owner&)> get;
   std::function<void(Owner&, const Value&)> set;
-  std::function<std::string(const Owner&)> say;  // instead of the phrase; "": nothing to say
-  // Of a group: is it there, and make it so.
+  std::function<std::string(const Owner&)> say;  // replaces the phrase; "": print nothing
+  // For a group: whether the card has it, and a function that creates it.
   std::function<bool(const Owner&)> there;
   std::function<void(Owner&)> make;
   std::vector<FieldOf> rows;
@@ -119,7 +119,7 @@ struct FieldOf : Row {
   }
 };
 
-// --- rows out of members ---
+// --- making rows from members ---
 
 template <class Owner>
 FieldOf<Owner> row(std::string name, Holds holds, std::string unit, Range range, std::string sentence) {
@@ -163,7 +163,7 @@ FieldOf<Owner> text(std::string name, std::string Owner::*place, std::string sen
   return member(place, row<Owner>(std::move(name), Holds::text, "", {}, std::move(sentence)));
 }
 
-// words: of the enumerators, in their order; the first one is the fallback.
+// words: names of the enumerators in their order; the first one is the fallback.
 template <class Owner, class Enum>
 FieldOf<Owner> word(std::string name, Enum Owner::*place, std::vector<std::string> words,
                     std::string sentence) {
@@ -195,7 +195,7 @@ FieldOf<Owner> curve(std::string name, Curve Owner::*place, std::string sentence
   return f;
 }
 
-// A number, or in its place a curve whose slope at zero it stands for.
+// A number, or in its place a curve; the number is then the slope of the curve at zero.
 template <class Owner>
 FieldOf<Owner> number_or_curve(std::string name, double Owner::*place, Curve Owner::*as_curve,
                                std::string unit, Range range, std::string sentence) {
@@ -221,9 +221,9 @@ FieldOf<Owner> number_or_curve(std::string name, double Owner::*place, Curve Own
   return f;
 }
 
-// --- rows of a part as rows of the whole ---
+// --- making rows of a part into rows of the whole ---
 
-// enter: from the whole to its part, as a reference.
+// enter: returns a reference to the part of a whole.
 template <class Whole, class Part, class Enter>
 FieldOf<Whole> lifted(const FieldOf<Part>& f, Enter enter) {
   FieldOf<Whole> out;

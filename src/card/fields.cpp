@@ -21,7 +21,7 @@ FieldOf<Owner> modulus(std::string name, double Owner::*place, std::string sente
 
 std::string in_MPa(double x) { return fabricsh::number(x * per_MPa, 4); }
 
-// 8 + 826 E, in MPa; or how many measured points.
+// For example "8 + 826 E, in MPa", or the number of measured points.
 std::string curve_words(const Curve& curve, const std::string& strain) {
   if (!curve.points.empty())
     return std::to_string(curve.points.size()) + " points to " + in_MPa(curve.points.back().second) + " MPa";
@@ -140,7 +140,7 @@ FieldOf<Bands> band(const std::string& name, Band Bands::*place) {
   return f;
 }
 
-// Of which parts, and of which not.
+// Lists the parts that have confidence bands, and those that do not.
 std::string bands_words(const Bands& bands) {
   std::string with, without;
   for (const auto& [name, band] :
@@ -175,7 +175,7 @@ Rows<BendingFriction> friction_rows(const std::string& side) {
           })};
 }
 
-// 15, or 15 falling to 11 at 100 1/m.
+// For example "15", or "15 falling to 11 at 100 1/m".
 std::string rigidity_words(const std::string& name, double initial, const Curve& curve) {
   const auto micro = [](double B) { return fabricsh::number(1e6 * B, 4); };
   if (!curve.points.empty())
@@ -216,7 +216,7 @@ Rows<Bending> bending_rows() {
               .printed("tested to # 1/m")};
 }
 
-// Rows that are not printed.
+// Marks rows as not printed.
 template <class Owner>
 Rows<Owner> silent(Rows<Owner> rows) {
   for (auto& row : rows) {
@@ -293,7 +293,7 @@ FieldOf<Svk> young() {
                     "modulus of an isotropic sheet, instead of warp, weft, shear")
                .ask(1e3, 1e12, "is the modulus in Pa? (write 8*MPa; N/m divided by the thickness)")
                .optional();
-  f.set = [](Svk& law, const Value& v) {  // after the ratios
+  f.set = [](Svk& law, const Value& v) {  // to be set after the ratios
     law.warp = law.weft = std::get<double>(v);
     law.shear = law.warp / (2 * (1 + law.nu12));
   };
@@ -331,7 +331,7 @@ Rows<Linear> linear_rows() {
   return rows;
 }
 
-// Name, source, density, thickness are the heading of a card's print.
+// Name, source, density and thickness form the heading of a printed card.
 template <class Law>
 FieldTable table_of(const Rows<Law>& law) {
   FieldTable rows = {text("name", &Card::name, "of the fabric").or_else("").unprinted(),

@@ -1,4 +1,4 @@
-// The fields of each kind of card, and what can be done with all of them at once.
+// The fields of each kind of card, and operations on all of them at once.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,28 +7,28 @@
 
 namespace fabricsh::card {
 
-// "woven", "svk", "linear"; the constructors of a deck have the same names.
+// "woven", "svk" or "linear": the names of the constructors in decks.
 std::string kind(const Card& card);
-// A card of that kind with nothing in it.
+// An empty card of that kind.
 Card blank(const std::string& kind);
 
 const FieldTable& fields(const std::string& kind);
 inline const FieldTable& fields(const Card& card) { return fields(kind(card)); }
-// A field by its path, "warp.poisson"; null: the kind has no such field.
+// Finds a field by its path, "warp.poisson"; null if the kind has no such field.
 const Field* find_field(const FieldTable& table, const std::string& path);
 
-// The numbers of a group that a confidence band is about, in the order of its rows: of a yarn the
-// coefficients of loading, unloading, poisson.
+// The numbers of a group to which confidence bands refer, in the order of
+// its rows; for a yarn: the coefficients of loading, unloading, poisson.
 std::vector<double> parameters(const Field& group, const Card& card);
 void set_parameters(const Field& group, Card& card, const std::vector<double>& values);
 
-// Refuses a number that is not in its row's range. Error: "card 'x': field 'bending.weft': expected ..., got
-// ...".
+// Checks every number against the range in its row. Error:
+// "card 'x': field 'bending.weft': expected ..., got ...".
 void require(const Card& card);
-// "card 'blend': field 'warp': ", for an error.
+// The beginning of an error message: "card 'blend': field 'warp': ".
 std::string at_field(const Card& card, const std::string& path);
 
-// A number that is far from what cloth is: most often in another unit.
+// A number outside the usual range for cloth, most often because of a wrong unit.
 struct Doubt {
   std::string field, unit, question;
   double value;
@@ -36,7 +36,7 @@ struct Doubt {
 };
 std::vector<Doubt> doubts(const Card& card);
 
-// The card as a Lua file that reads back equal.
+// The card as a Lua file; reading it gives an equal card.
 std::string lua_text(const Card& card);
 
 }  // namespace fabricsh::card

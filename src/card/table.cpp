@@ -1,4 +1,4 @@
-// What is done with all fields of a card at once.
+// Operations on all fields of a card at once.
 #include <cmath>
 
 #include "base/error.hpp"
@@ -9,7 +9,7 @@ namespace fabricsh::card {
 
 namespace {
 
-// Calls visit(path, field, value) for every field of the card that is there, groups aside.
+// Calls visit(path, field, value) for every field that the card has, except groups.
 template <class Visit>
 void visit_fields(const FieldTable& table, const Card& card, const std::string& path, const Visit& visit) {
   for (const Field& field : table) {
@@ -29,7 +29,7 @@ double initial_modulus(const Value& curve) {
   return coefficients.empty() ? 0.0 : coefficients.front();
 }
 
-// The number that tells whether the unit is right.
+// The number that is compared with the usual range for cloth.
 std::optional<double> telling(const Field& field, const Value& value) {
   if (const auto* x = std::get_if<double>(&value)) return *x;
   if (field.holds == Holds::curve) return initial_modulus(value);

@@ -1,4 +1,4 @@
-// A card as a Lua file.
+// Writes a card as a Lua file.
 #include "base/number.hpp"
 #include "card/fields.hpp"
 
@@ -23,7 +23,7 @@ std::string quoted(const std::string& words) {
   return out + "\"";
 }
 
-// Minus zero is written without its sign, which Lua would not read back.
+// Minus zero is written without its sign, because Lua would not read the sign back.
 std::string text_of(double x) { return exact_number(x == 0 ? 0.0 : x); }
 
 std::string text_of(const std::vector<double>& values) {

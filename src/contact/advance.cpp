@@ -12,8 +12,8 @@ double distance(Simplices kind, const Corners& x) {
                                                      : squared_segment_segment(x[0], x[1], x[2], x[3]));
 }
 
-// The fastest that a point of one side can approach one of the other: corner by corner, since inside a
-// simplex no displacement is larger than at its corners.
+// Upper bound of the approach speed between a point of one simplex and a point of the other.
+// The corners suffice, because no point inside a simplex moves farther than its fastest corner.
 double approach(Simplices kind, const Corners& by) {
   const std::size_t first = kind == Simplices::point_triangle ? 1 : 2;  // corners of the first simplex
   double a = 0, b = 0;

@@ -8,7 +8,7 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double nearly = 1 - 1e-9;  // of the way that a list allows for: rounding never decides
+constexpr double nearly = 1 - 1e-9;  // of the motion that a list allows for: rounding never decides
 
 double mean_edge(const Scene& scene) {
   double sum = 0, count = 0;
@@ -20,7 +20,7 @@ double mean_edge(const Scene& scene) {
   return count > 0 ? sum / count : 1e-3;
 }
 
-// A pair's corners move from x to end; share of the way to its floor.
+// The corners of a pair move from x to end; the share of that motion until the pair reaches its floor.
 double pair_share(const Candidate& c, const Law& law, const Corners& x, const Corners& end) {
   const double least = c.pair.offset + law.floor() * c.pair.scale;
   const auto pairs = Simplices::segment_segment;
@@ -42,7 +42,7 @@ double pair_share(const Candidate& c, const Law& law, const Corners& x, const Co
   return to >= 0.1 * from ? 1 : 0.9 * from / (from - to);
 }
 
-// Neighbours in a sheet have less way than the law, by what their lengths are scaled.
+// Scaling the law's lengths for neighbours in a sheet also scales the way from gap to floor.
 double narrowest(const Scene& scene, double least) {
   double gap = 0;
   for (const Interaction& it : scene.interactions()) {
@@ -69,7 +69,7 @@ Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins
   pressure_.assign(scene.reference().size(), 0);
 }
 
-// The largest displacement against the mean one, m. The mean decides nothing but how long the lists last.
+// The largest displacement relative to the mean one, m. The mean decides only how long the lists last.
 double Contact::moved(std::span<const Vec3> x, const std::vector<Vec3>& since) const {
   const auto n = std::ptrdiff_t(x.size());
   double a = 0, b = 0, c = 0, most = 0;
@@ -118,7 +118,7 @@ void Contact::refine(std::span<const Vec3> x) {
   index_slots();
 }
 
-// For each point the slots that hold forces on it, in the pairs' order.
+// For each point, the slots that hold forces on it, in the order of the pairs.
 void Contact::index_slots() {
   slots_.resize(inner_.size());
   std::vector<std::uint32_t> count(scene_->reference().size() + 1, 0);
@@ -190,7 +190,7 @@ void Contact::gather(std::span<Vec3> force, Totals& totals) {
       if (!slot.active) continue;
       nearest = std::min(nearest, slot.gap);
       sum += slot.on[of_point_[k] % 4];
-      if (of_point_[k] % 4 != 0) continue;  // a pair's energies are counted at its first corner
+      if (of_point_[k] % 4 != 0) continue;  // the energies of a pair are counted at its first corner
       contact += slot.contact;
       guard += slot.guard;
       lost += slot.lost;
@@ -205,7 +205,7 @@ void Contact::gather(std::span<Vec3> force, Totals& totals) {
     pressure_[p] = area > 0 ? sum.norm() / area : 0;
   }
   totals.touching = touching;
-  // Over all points rather than those listed, which depend on the skin.
+  // Over all points and not only those in the lists, which depend on the skin.
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     totals.contact += energy_[row];
     totals.guard += guard_[row];

@@ -1,10 +1,10 @@
-// Contact between the surfaces of a scene at given positions: forces, energies, stiffness, how far a step may
-// go.
+// Contact between the surfaces of a scene at given positions: forces, energies, stiffness, safe share of a
+// step.
 //
-// Lists of near pairs are kept while nothing has moved, against the mean motion, by more than they allow for:
-// an outer one, found by the grid, and an inner one, those of the outer that are nearest. What comes out
-// doesn't depend on the lists: pairs come in a fixed order, their forces go into slots of their own and are
-// added up node by node in that order, so the bits are the same for any number of threads and any skin.
+// Lists of near pairs are kept until a point has moved, relative to the mean motion, farther than they allow
+// for: an outer list, found with the grid, and an inner one with its nearest pairs. The results do not
+// depend on the lists: pairs come in a fixed order, and their forces go into separate slots that are summed
+// node by node in that order. The bits are therefore the same for any number of threads and any skin.
 #pragma once
 #include <functional>
 #include <vector>
@@ -13,19 +13,19 @@
 
 namespace fabricsh::contact {
 
-// What explicit friction needs to know of the motion, for all points of the scene.
+// The motion as explicit friction needs it, for all points of the scene.
 struct Motion {
   std::span<const Vec3> velocity;        // m/s
-  std::span<const double> inverse_mass;  // 1/kg; 0: held or driven
+  std::span<const double> inverse_mass;  // 1/kg; 0: the point is held or driven
   double step = 0;                       // s
 };
 
 struct Totals {
   double contact = 0, guard = 0;  // J
-  double lost = 0;                // W with a Motion, J with a start: what friction takes
-  double gap =
-      0;  // m: the smallest gap above the floor, of all pairs within reach of contact; the smallest
-          // way between a gap and its floor that a pair can have where there is none: so none has less
+  double lost = 0;                // W with a Motion, J with a start position: loss by friction
+  // m: smallest gap above the floor of all pairs within range of contact; if there is none, the least
+  // distance from gap to floor of any pair, which is then a lower bound.
+  double gap = 0;
   std::size_t touching = 0;  // pairs
 };
 
@@ -39,44 +39,44 @@ class Contact {
 
   const Scene& scene() const { return *scene_; }
 
-  // All `x`: positions of the scene's points, cloth and rigid vertices, m. They must be finite.
-  // Adds the forces on every point to `force`, N; with `motion` those of friction as well.
+  // `x` always means the positions of the scene's points (cloth nodes and rigid vertices), m; they must
+  // be finite. Adds the forces on every point to `force`, N; with `motion` also those of friction.
   Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion = nullptr);
 
-  // Stiffness of the pairs that touch: visit(their points, energy's Hessian, N/m), in the pairs' order. With
-  // a `start` (positions at the step's start, m) and `creep` (m) friction's part is added: -d force/dx,
-  // unsymmetric.
+  // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair,
+  // Hessian of its energy, N/m). With `start` (positions at the beginning of the step,
+  // m) and `creep` (m) the part of friction is added: -d force/dx, not symmetric.
   using VisitStiffness = std::function<void(const std::array<std::int32_t, 4>&, const Matrix12&)>;
   void stiffness(std::span<const Vec3> x, const VisitStiffness& visit, std::span<const Vec3> start = {},
                  double creep = 0);
-  // Adds friction's forces of an implicit or static step from `start`; returns what it takes over the step,
-  // J.
+  // Adds the friction forces of an implicit or static step that
+  // began at `start`; returns the energy lost over the step, J.
   double add_friction(std::span<const Vec3> x, std::span<const Vec3> start, double creep,
                       std::span<Vec3> force);
-  // Points of the pairs that touch or soon may, and a number that changes whenever these pairs do: what the
-  // sparse pattern of the stiffness must hold.
+  // Visits the points of each pair that touches or soon may. Returns a number that changes
+  // whenever this set of pairs does, so that the sparse pattern of the stiffness can be updated.
   void couples(std::span<const Vec3> x, const std::function<void(const std::array<std::int32_t, 4>&)>& visit);
   std::uint64_t version() const { return version_; }
 
-  // Share, 0 to 1, of the displacement `by` (m) that no pair passes on the way to its floor.
+  // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor.
   double safe_share(std::span<const Vec3> x, std::span<const Vec3> by) const;
 
-  // Pairs nearer than their floor, and edges that cut a facet: a state that can't be.
+  // Pairs below their floor, and edges that cut a facet: states that cannot be computed.
   struct Overlap {
     std::array<std::int32_t, 4> point;  // corners, -1: none
-    double gap;                         // m; 0 where they cut
+    double gap;                         // m; 0 if the edge cuts the facet
   };
   std::vector<Overlap> overlaps(std::span<const Vec3> x) const;
-  // The pair within reach of contact that is nearest to its floor, its gap above that; none: no corners, and
-  // the gap that contact reaches.
+  // The pair that is closest to its floor among those within the range of contact; `gap` is measured
+  // above the floor. Without such a pair there are no corners, and `gap` is the range of contact.
   Overlap nearest(std::span<const Vec3> x);
-  double reach() const { return widest_; }  // m, above the floor: the largest of all laws
+  double reach() const { return widest_; }  // m, above the floor: the largest range of all laws
 
-  // Per point: the smallest gap (m, no more than the law's) and the pressure on it (Pa) of the last forces.
+  // For each point the smallest gap (m, at most the law's) and the pressure (Pa) when forces were last added.
   std::span<const double> gaps() const { return gap_; }
   std::span<const double> pressures() const { return pressure_; }
 
-  std::size_t searches() const { return searches_; }  // how often the grid was asked
+  std::size_t searches() const { return searches_; }  // how often the grid was searched
   std::size_t listed() const { return inner_.size(); }
 
  private:
@@ -90,7 +90,7 @@ class Contact {
 
   const Scene* scene_;
   Skins skins_;
-  double widest_ = 0, narrowest_ = 0;  // m: the largest and smallest way between a pair's gap and its floor
+  double widest_ = 0, narrowest_ = 0;  // m: largest and smallest distance from gap to floor of any pair
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_;
   std::vector<Force> slots_;

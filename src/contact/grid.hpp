@@ -1,4 +1,4 @@
-// Points sorted into the cells of a uniform grid; those of a cell in ascending order.
+// Points sorted into the cells of a uniform grid; within a cell they are in ascending order.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ struct Box {
 
 class Grid {
  public:
-  // `place(i)`: position of point i of `count`. Points outside `room` are left out; `cell` is the cells'
-  // width (m), made larger where the room has more than eight cells a point.
+  // `place(i)` returns the position of point i of `count`. Points outside `room` are left out. `cell`
+  // is the cell width (m); it is increased if the room would have more than eight cells per point.
   template <class Place>
   Grid(const Box& room, double cell, std::size_t count, Place place) : room_(room) {
     const Vec3 size = (room.high - room.low).cwiseMax(1e-30);
@@ -48,7 +48,7 @@ class Grid {
       if (in[i] >= 0) points_[next[std::size_t(in[i])]++] = std::int32_t(i);
   }
 
-  // Calls visit(point) for every point in the cells that the box reaches.
+  // Calls visit(point) for every point in the cells that intersect the box.
   template <class Visit>
   void in(const Box& box, Visit visit) const {
     if (!box.meets(room_)) return;

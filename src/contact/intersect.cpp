@@ -8,7 +8,7 @@ bool cuts(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3
   // [moller1997], with the border counted as inside.
   const Vec3 along = q - p, u = b - a, v = c - a, h = along.cross(v);
   const double det = u.dot(h), size = along.norm() * u.norm() * v.norm();
-  if (std::fabs(det) <= 1e-15 * size) return false;  // parallel: its ends and edges are met by other pairs
+  if (std::fabs(det) <= 1e-15 * size) return false;  // parallel: ends and edges are found by other pairs
   const Vec3 s = p - a, w = s.cross(u);
   const double i = 1 / det, first = i * s.dot(h), second = i * along.dot(w), t = i * v.dot(w);
   return first >= 0 && second >= 0 && first + second <= 1 && t >= 0 && t <= 1;

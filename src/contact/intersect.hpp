@@ -1,5 +1,5 @@
-// Does a surface cut itself or another? By brute force over edges and triangles: for tests and for the state
-// at the start, not for use in a loop.
+// Whether a surface intersects itself or another one. All edges are compared with all
+// triangles, so this is for tests and for the initial state, not for use in a loop.
 #pragma once
 #include <span>
 #include <utility>
@@ -9,12 +9,12 @@
 
 namespace fabricsh::contact {
 
-// Does the segment from p to q pass through the triangle, its border included?
+// Whether the segment from p to q intersects the triangle, its border included.
 bool cuts(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c);
 
 using Edge = std::array<std::int32_t, 2>;
 using Triangle = std::array<std::int32_t, 3>;
-// Every (edge, triangle), by their numbers, that cut and share no corner; ascending.
+// All pairs (edge, triangle), by number, that intersect and share no corner; ascending.
 std::vector<std::pair<std::size_t, std::size_t>> intersections(std::span<const Vec3> x,
                                                                std::span<const Edge> edges,
                                                                std::span<const Triangle> triangles);

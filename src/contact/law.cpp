@@ -10,8 +10,8 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double onset = 0.2;     // share of the crush range over which stiffness comes up
-constexpr double guarded = 0.25;  // share of the crush range above the floor that the guard holds
+constexpr double onset = 0.2;     // share of the crush range over which the stiffness rises to kappa
+constexpr double guarded = 0.25;  // share of the crush range, next to the floor, in which the guard acts
 
 [[noreturn]] void refuse(const std::string& what) { throw Error("contact: " + what); }
 
@@ -35,7 +35,7 @@ void check_curve(const LawData& data) {
            std::to_string(c.front().first) + " m");
 }
 
-// Slope of a monotone curve at a point between two secants: their harmonic mean.
+// Slope of a monotone curve at a point between two secants: the harmonic mean of their slopes.
 double between(double a, double b) { return 2 * a * b / (a + b); }
 
 }  // namespace
@@ -62,7 +62,7 @@ Law::Law(const LawData& data) : floor_(data.floor) {
   guard_energy_ = stiffest_ * quarter * quarter;
 }
 
-// The next knot downwards. Over a linear stiffness pressure is a parabola and energy a cubic.
+// Adds a knot below the last one. Between knots stiffness is linear, pressure quadratic, energy cubic.
 void Law::add(double gap, double stiffness) {
   Knot knot{gap, stiffness, 0, 0};
   if (!knots_.empty()) {
@@ -74,8 +74,8 @@ void Law::add(double gap, double stiffness) {
   knots_.push_back(knot);
 }
 
-// A monotone parabolic spline, two pieces an interval [schumaker1983]. Above the largest measured gap a
-// parabola runs out to no pressure and no stiffness. A bound on the stiffness cuts off what is stiffer.
+// A monotone quadratic spline, two pieces per interval [schumaker1983]. Above the largest measured
+// gap a parabola runs out to zero pressure and stiffness. A given bound replaces a larger stiffness.
 void Law::add_curve(const LawData& data) {
   const auto& c = data.curve;
   const std::size_t n = c.size();

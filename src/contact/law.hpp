@@ -1,10 +1,10 @@
-// The law of contact: energy and pressure by the gap between two midsurfaces.
+// The law of contact: energy and pressure as functions of the gap d between two midsurfaces.
 //
-//   stiffness -dp/dd is a piecewise linear function of the gap d, zero from the gap d0 on: so the potential
-//   has two continuous derivatives. Without a measured curve it rises from zero to kappa over the first fifth
-//   of the way from d0 to the floor d_f and stays there; a measured compression curve gives its own.
-//   Below the last quarter above the floor a guard joins, g (1 - y)^3 / y with y = (d - d_f)/(a quarter of
-//   the way): it has two continuous derivatives where it begins and rises without bound at the floor.
+//   The stiffness -dp/dd is a piecewise linear function of d and zero for d >= d0, so that the energy
+//   has two continuous derivatives. Without a measured curve it rises from zero to kappa over the first
+//   fifth of the way from d0 to the floor d_f and stays there; a measured compression curve replaces it.
+//   In the last quarter of the way above the floor a guard g (1 - y)^3 / y with y = (d - d_f)/(a quarter of
+//   the way) is added. It has two continuous derivatives where it begins and is unbounded at the floor.
 #pragma once
 #include <utility>
 #include <vector>
@@ -12,8 +12,8 @@
 namespace fabricsh::contact {
 
 struct LawData {
-  double gap = 0;    // d0, m: where contact begins; ignored where there is a curve
-  double floor = 0;  // d_f, m: what the fibres alone fill
+  double gap = 0;    // d0, m: where contact begins; not used with a curve
+  double floor = 0;  // d_f, m: thickness of the compacted fibres
   double stiffness =
       0;  // kappa, Pa/m: of the linear part; with a curve the most that is allowed, 0: no bound
   // Measured compression: gap (m) ascending, pressure (Pa) descending and positive. Empty: linear.
@@ -37,10 +37,10 @@ class Law {
   double floor() const { return floor_; }        // m
   double guard_gap() const { return guard_; }    // m: where the guard begins
   double stiffest() const { return stiffest_; }  // Pa/m, without the guard
-  // At a gap d (m). At and below the floor everything is infinite: such a state cannot be.
+  // Evaluates at a gap d (m). At and below the floor all values are infinite: such a state cannot occur.
   Answer operator()(double d) const;
-  // The same law with all lengths times `scale` (0 to 1) and the same stiffness: for neighbours in a sheet
-  // that are closer in the reference than the gap.
+  // The same law with all lengths multiplied by `scale` (0 to 1) and the same stiffness,
+  // for neighbours in a sheet whose reference distance is smaller than the gap.
   Answer scaled(double d, double scale) const;
 
  private:
@@ -49,7 +49,7 @@ class Law {
   };
   void add(double gap, double stiffness);
   void add_curve(const LawData& data);
-  std::vector<Knot> knots_;  // descending gaps; stiffness constant below the last
+  std::vector<Knot> knots_;  // in order of descending gaps; the stiffness is constant below the last knot
   double gap_ = 0, floor_ = 0, guard_ = 0, guard_energy_ = 0, stiffest_ = 0;
 };
 

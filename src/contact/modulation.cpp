@@ -5,10 +5,10 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double parallel = 0.02;  // sine squared of the angle below which two segments fade
+constexpr double parallel = 0.02;  // squared sine of the angle below which two segments fade
 
-// A number with its derivatives by the five products that the closest points of two lines depend on:
-// u.u, u.v, v.v, u.r, v.r, where u and v are the segments and r goes from the second's start to the first's.
+// A number with its derivatives by the five products on which the closest points of two lines depend:
+// u.u, u.v, v.v, u.r, v.r; u and v are the segments, and r goes from the second's start to the first's.
 template <bool second>
 struct Jet {
   static constexpr int n = 5;
@@ -25,7 +25,7 @@ Jet<second> variable(double value, int place) {
   return out;
 }
 
-// f(a, b) by its values and derivatives: fa = df/da, fab = d2f/da db, ...
+// The values and derivatives of f(a, b): fa = df/da, fab = d2f/da db, ...
 struct Rule {
   double value, fa, fb, faa, fab, fbb;
 };
@@ -62,7 +62,7 @@ Jet<second> chain(const Jet<second>& a, double value, double slope, double curva
   return combine(a, Jet<second>{}, {value, slope, 0, curvature, 0, 0});
 }
 
-// 1 - (1 - k/k0)^3 of the sine squared k of the angle.
+// 1 - (1 - k/k0)^3, where k is the squared sine of the angle.
 template <bool second>
 Jet<second> fade_parallel(const Jet<second>& k) {
   const double left = 1 - k.value / parallel;
@@ -70,7 +70,7 @@ Jet<second> fade_parallel(const Jet<second>& k) {
   return chain(k, 1 - left * left * left, 3 * left * left / parallel, -6 * left / (parallel * parallel));
 }
 
-// From 0 at an end of a segment to 1 at `zone` of its length from it.
+// Rises from 0 at an end of a segment to 1 at the distance `zone` (share of its length) from it.
 template <bool second>
 Jet<second> fade_end(const Jet<second>& s, double zone) {
   const double turn = s.value > 0.5 ? -1 : 1,
@@ -79,8 +79,8 @@ Jet<second> fade_end(const Jet<second>& s, double zone) {
                60 * x * (1 - x) * (1 - 2 * x) / (zone * zone));
 }
 
-// From derivatives by the products to derivatives by u, v, r and then by the corners:
-// u = x1 - x0, v = x3 - x2, r = x0 - x2.
+// Converts derivatives by the products to derivatives by u, v, r, and these
+// to derivatives by the corners: u = x1 - x0, v = x3 - x2, r = x0 - x2.
 struct ByVectors {
   Eigen::Matrix<double, 9, 5> slope = Eigen::Matrix<double, 9, 5>::Zero();
   ByVectors(const Vec3& u, const Vec3& v, const Vec3& r) {

@@ -1,7 +1,7 @@
-// How much two segments count as crossing, from 0 to 1, with two continuous derivatives.
+// A weight from 0 to 1, with two continuous derivatives, by which two crossing segments count.
 //
-//   It falls to zero where they are parallel, since their closest points are then not one place, and, if so
-//   asked, where the closest points come to an end of either segment, since a corner takes over there.
+// It falls to zero where the segments are parallel, since their closest points are then not unique;
+// and, if requested, where a closest point reaches a segment's end, since a corner takes over there.
 #pragma once
 #include "contact/touch.hpp"
 
@@ -9,17 +9,17 @@ namespace fabricsh::contact {
 
 struct Fading {
   bool at_ends = false;
-  double first = 0.5, second = 0.5;  // share of each segment's length over which it fades, 0 to 1/2
+  double first = 0.5, second = 0.5;  // share of each segment's length over which the weight fades, 0 to 1/2
 };
 
 struct Modulation {
   double value = 0;
-  bool constant = true;  // no derivative to be added
+  bool constant = true;  // all derivatives are zero
   Vector12 gradient = Vector12::Zero();
-  Matrix12 hessian = Matrix12::Zero();  // where it was asked for
+  Matrix12 hessian = Matrix12::Zero();  // if requested
 };
 
-// For the segments 0-1 and 2-3.
+// The modulation of the segments 0-1 and 2-3.
 Modulation modulation(const Corners& x, const Fading& fading, bool with_hessian);
 
 }  // namespace fabricsh::contact

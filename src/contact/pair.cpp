@@ -7,14 +7,14 @@
 namespace fabricsh::contact {
 namespace {
 
-// One place with what the law says of it, and the pair's modulation.
+// One place of contact, the law's answer there, and the derivatives of its weight.
 struct Pressed {
   const Place& place;
   Answer answer;
   double count;  // m2: area times how often it counts
 };
 
-// Calls visit(pressed, modulation) for every place within the law's gap; returns the smallest gap.
+// Calls visit(pressed, modulation) for every place within the law's range; returns the smallest gap.
 template <class Visit>
 double visit_pressed(const Law& law, const Pair& pair, const Corners& x, bool second, Visit visit) {
   Modulation m;
@@ -98,7 +98,7 @@ Matrix12 positive_part(const Matrix12& hessian) {
 
 namespace {
 
-// f(y)/y of y = slip/creep over the slip itself, 1/m, and its derivative by the slip over the slip, 1/m3.
+// f(y)/slip for y = slip/creep (1/m), and the derivative of that by the slip, divided by the slip (1/m3).
 struct Hold {
   double value, slope;
 };
@@ -107,10 +107,10 @@ Hold hold(double slip, double creep) {
   return {(2 - slip / creep) / creep, slip > 0 ? -1 / (creep * creep * slip) : 0};
 }
 
-// Derivatives by one corner of all that friction at a place is made of.
+// Derivatives by one corner of all quantities in the friction at a place.
 struct Place3 {
-  Mat3 sliding;               // of the sliding across the normal
-  std::array<Vec3, 2> slide;  // of the free parameters of the closest points
+  Mat3 sliding;               // of the sliding perpendicular to the normal
+  std::array<Vec3, 2> slide;  // of the parameters of the closest points
 };
 
 Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& moved, const Vec3& u,
@@ -150,7 +150,7 @@ Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const
     out.lost += pull.dot(slid);
     if (!with_jacobian) return;
 
-    // Normal force by all corners, the modulation's part included.
+    // Derivative of the normal force by all corners, including that of the modulation.
     Vector12 press = -at.count * at.answer.stiffness * distance_gradient(touch);
     if (at.place.modulated != 0 && !m.constant)
       press += pair.area * at.place.modulated * at.answer.pressure * m.gradient;

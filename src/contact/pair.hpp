@@ -1,9 +1,9 @@
-// The energy of one pair of simplices, its forces and its stiffness.
+// Energy, forces and stiffness of one pair of simplices.
 //
 //   energy = area * sum over places of count * Phi(distance - offset)
 //
-// A pair has one place of contact or several; see share/doc/contact.md for how they are counted, so that a
-// place that several facets share counts once.
+// A pair has one or several places of contact. share/doc/contact.md describes
+// their weights, which make a place that several facets share count only once.
 #pragma once
 #include "contact/law.hpp"
 #include "contact/modulation.hpp"
@@ -13,39 +13,39 @@ namespace fabricsh::contact {
 
 enum class Kind : std::uint8_t {
   facet,    // point 0 against the triangle 1, 2, 3
-  plane,    // point 0 against the whole plane through 1, 2, 3, on the side that sees them counter-clockwise
-  edges,    // segment 0-1 against segment 2-3 where they cross, fading towards their ends
-  wrap,     // segment 0-1 lying about the axis 2-3: its nearest place, and its ends as far as it is parallel
+  plane,    // point 0 against the whole plane through 1, 2, 3, from the side that sees them counter-clockwise
+  edges,    // segment 0-1 against segment 2-3 where they cross, with a weight that fades towards their ends
+  wrap,     // segment 0-1 wrapped about axis 2-3: its nearest place, and its ends where nearly parallel
   segment,  // point 0 against the segment 1-2
   centre    // point 0 against point 1
 };
 
 struct Pair {
   Kind kind = Kind::facet;
-  double area = 0;    // m2, reference area that the pair stands for
-  double scale = 1;   // of the law's lengths, for neighbours in a sheet
+  double area = 0;    // factor on the law's lengths, for neighbours in a sheet
+  double scale = 1;   // m: radii subtracted from the distance
   double offset = 0;  // m: radii taken off the distance
-  // Of a facet: how often its edge opposite to each corner and each corner itself count beside the facet.
+  // For a facet: weights of the edge opposite to each corner and of each corner, beside the facet's 1.
   std::array<std::int8_t, 3> edge{}, corner{};
-  Fading fading = {};  // of edges
+  Fading fading = {};  // for `edges`
 };
 
-// Friction in an explicit step, against the velocity with which the places slide:
-// min(mu * normal force, 0.2 m v / dt), where m is the mass that the pair has at the place, so that it stops
-// sliding and never turns it round.
+// Friction of an explicit step, against the sliding velocity v of the places: min(mu
+// * normal force, 0.2 m v / dt), where m is the effective mass of the pair at the
+// place. The second bound lets friction stop the sliding but never reverse it.
 struct Sliding {
   double friction = 0;                                                                      // mu
   double step = 0;                                                                          // s
   std::array<Vec3, 4> velocity = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // m/s
-  std::array<double, 4> inverse_mass{};  // 1/kg; 0: held or driven
+  std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
 };
 
 struct Force {
   std::array<Vec3, 4> on = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // N, friction included
   double contact = 0, guard = 0;                                                      // J
-  double lost = 0;                                                                    // W, to friction
+  double lost = 0;                                                                    // W, lost by friction
   double gap = 0;       // m, the smallest distance above the floor
-  bool active = false;  // some place is within the law's gap
+  bool active = false;  // at least one place is within the law's range
 };
 
 // Forces on the corners.
@@ -57,19 +57,19 @@ struct Derivatives {
   Matrix12 hessian = Matrix12::Zero();   // N/m
 };
 Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x);
-// The nearest matrix (Frobenius) without negative eigenvalues.
+// The nearest matrix (in the Frobenius norm) without negative eigenvalues.
 Matrix12 positive_part(const Matrix12& hessian);
 
-// Friction of an implicit or static step: mu * normal force at the end of the step, against what the places
-// slide from the step's start; below `creep` it comes up smoothly, f(y) = 2 y - y^2.
+// Friction of an implicit or static step: mu * normal force at the end of the step, against
+// the sliding since its beginning. Below `creep` it rises smoothly, f(y) = 2 y - y^2.
 struct Slip {
   double friction = 0;  // mu
   double creep = 0;     // m
-  Corners start;        // m, corners at the start of the step
+  Corners start;        // m, corners at the beginning of the step
 };
 struct Friction {
   Vector12 force = Vector12::Zero();     // N
-  Matrix12 jacobian = Matrix12::Zero();  // d force / d x, N/m, not symmetric; where it was asked for
+  Matrix12 jacobian = Matrix12::Zero();  // d force / d x, N/m, not symmetric; only if requested
   double lost = 0;                       // J over the step
 };
 Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const Slip& slip,

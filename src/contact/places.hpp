@@ -1,18 +1,18 @@
-// The places at which a pair touches; shared by what needs forces, stiffness and friction of them.
+// The places where a pair touches; used for forces, stiffness and friction.
 #pragma once
 #include "contact/pair.hpp"
 
 namespace fabricsh::contact {
 
-// A place counts plain + modulated * (the modulation of the pair) times.
+// The weight of a place is plain + modulated * (the modulation of the pair).
 struct Place {
   Touch touch;
   double plain = 1, modulated = 0;
 };
 
-// Calls visit(place) for each place of the pair whose gap (the touch's distance less the offset) is below
-// `reach`, m. Returns the smallest gap. What a facet has beside itself (edges, corners) is never nearer than
-// the facet, so a facet out of reach needs no further look.
+// Calls visit(place) for each place of the pair whose gap (distance of the touch less the
+// offset) is below `reach`, m. Returns the smallest gap. The edges and corners of a facet
+// are never nearer than the facet, so they are skipped when the facet is out of reach.
 template <class Visit>
 double visit_places(const Pair& pair, const Corners& x, double reach, Visit visit) {
   const auto within = [&](const Touch& touch, double plain, double modulated) {

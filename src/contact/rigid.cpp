@@ -13,13 +13,13 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw Error("rigid body: " + what); }
 
-// Inertia of a body of revolution from its moments along and across its axis.
+// Inertia of a body of revolution from its moments along and perpendicular to its axis.
 Mat3 about_axis(const Vec3& axis, double along, double across) {
   const Vec3 n = axis.normalized();
   return across * Mat3::Identity() + (along - across) * n * n.transpose();
 }
 
-// Every edge must be walked once each way.
+// The surface is closed if each edge occurs once in either direction.
 void check_closed(std::span<const Triangle> triangles) {
   std::map<Edge, int> walked;
   for (const Triangle& t : triangles)
@@ -46,7 +46,7 @@ Mass ball_mass(const Vec3& centre, double radius, double mass) {
 
 Mass rod_mass(const Vec3& from, const Vec3& to, double radius, double mass) {
   const double l = (to - from).norm(), r = radius;
-  const double cylinder = l * r * r, ball = 4.0 / 3 * r * r * r;  // volumes over pi
+  const double cylinder = l * r * r, ball = 4.0 / 3 * r * r * r;  // volumes divided by pi
   const double mc = mass * cylinder / (cylinder + ball), mb = mass - mc;
   const double along = mc * r * r / 2 + mb * 0.4 * r * r;
   const double across = mc * (l * l / 12 + r * r / 4) + mb * (0.4 * r * r + l * l / 4 + 3 * l * r / 8);
@@ -62,9 +62,9 @@ Mass solid_mass(std::span<const Vec3> vertices, std::span<const Triangle> triang
   check_closed(triangles);
   double volume = 0;
   Vec3 first = Vec3::Zero();
-  Mat3 second = Mat3::Zero();  // integral of x x'
+  Mat3 second = Mat3::Zero();  // integral of x x^T
   const Vec3 origin = vertices.empty() ? Vec3(Vec3::Zero()) : vertices[0];
-  for (const Triangle& t : triangles) {  // tetrahedra from the origin
+  for (const Triangle& t : triangles) {  // sum over tetrahedra with a corner at the origin
     const Vec3 a = vertices[std::size_t(t[0])] - origin, b = vertices[std::size_t(t[1])] - origin,
                c = vertices[std::size_t(t[2])] - origin, sum = a + b + c;
     const double v = a.dot(b.cross(c)) / 6;
@@ -97,8 +97,8 @@ void FreeBody::kick(const Vec3& force, const Vec3& torque, double dt) {
   momentum_ += dt * torque;
 }
 
-// The exact motion of the part H = own_axis^2 / (2 moment) of the energy, with the momentum in principal
-// axes.
+// The exact motion under the part H = own_axis^2 / (2 moment)
+// of the energy, with the angular momentum in principal axes.
 void FreeBody::turn_about(int axis, Vec3& own, double dt) {
   const double angle = dt * own[axis] / moments_[axis];
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -118,8 +118,8 @@ void FreeBody::drift(double dt) {
   turn_about(2, own, dt);
   turn_about(1, own, dt / 2);
   turn_about(0, own, dt / 2);
-  // Rounding would let the axes drift from being orthonormal; one step towards the nearest rotation keeps
-  // them.
+  // Rounding would make the axes drift from orthonormality;
+  // one Newton step towards the nearest rotation prevents it.
   turn_ = 0.5 * turn_ * (3 * Mat3::Identity() - turn_.transpose() * turn_);
 }
 

@@ -194,7 +194,7 @@ int Scene::add_triangles(Surface surface, std::span<const Triangle> triangles,
   return number;
 }
 
-// Edges in ascending order of their ends.
+// Adds the edges of a surface, in ascending order of their ends.
 void Scene::add_edges(Surface& surface) {
   struct Side {
     Edge ends;
@@ -227,9 +227,9 @@ void Scene::add_edges(Surface& surface) {
   surface.edges = std::int32_t(edges_.size()) - surface.first_edge;
 }
 
-// Facets less the edges that m of them share, m - 1 times, plus what is missing at corners: so that a place
-// counts once, wherever on a smooth surface it lies. The first triangle of an edge or a corner looks after
-// it.
+// The weights of facets, edges and corners: an edge shared by m facets counts 1 - m times,
+// and corners make up the rest, so that a place counts once anywhere on a smooth surface.
+// The weights of an edge or a corner are stored in the first triangle that has it.
 void Scene::count_places(const Surface& surface) {
   for (std::int32_t t = surface.first_triangle; t < surface.first_triangle + surface.triangles; ++t) {
     TriangleRow& row = triangles_[std::size_t(t)];
@@ -243,7 +243,7 @@ void Scene::count_places(const Surface& surface) {
       const std::int32_t node = triangles_[std::size_t(t)].nodes[k];
       const auto& at = at_point_[std::size_t(node)];
       const auto first =
-          std::lower_bound(at.begin(), at.end(), surface.first_triangle);  // a node of two surfaces
+          std::lower_bound(at.begin(), at.end(), surface.first_triangle);  // for a node of two surfaces
       if (*first != t) continue;
       std::ptrdiff_t count = 1;
       for (auto other = first; other != at.end() && *other < surface.first_triangle + surface.triangles;

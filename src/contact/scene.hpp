@@ -1,12 +1,12 @@
-// The surfaces that may touch: cloth, solids of triangles, balls, rods and walls, as points, edges and
-// triangles in one numbering, and which of them meet under which law.
+// The surfaces that may touch: cloth, solids of triangles, balls, rods and walls, stored as
+// points, edges and triangles with common numbering; and which of them meet under which law.
 //
-//   Points: the nodes of the cloth first, in the model's numbering, then the vertices of rigid shapes. A ball
-//   is one point with a radius, a rod one segment with a radius, a wall three points of its plane, a solid
-//   triangles with a radius (a rounded disc, say, or 0). So rigid shapes are moved by moving their vertices,
-//   and a force on a shape is the forces on its vertices.
+// Points: first the nodes of the cloth in the model's numbering, then the vertices of rigid shapes.
+// A ball is one point with a radius, a rod a segment with a radius, a wall three points of its
+// plane, a solid a set of triangles with a radius (for a rounded disc; may be 0). Rigid shapes are
+// moved by moving their vertices, and the force on a shape is the sum of the forces on its vertices.
 //
-// What counts how often is said in share/doc/contact.md.
+// The weights of facets, edges and corners are explained in share/doc/contact.md.
 #pragma once
 #include <span>
 #include <vector>
@@ -18,8 +18,8 @@
 
 namespace fabricsh::contact {
 
-// Quadrilaterals cut along the shorter reference diagonal (even ones by the parity of the element's number),
-// triangles as they are; counter-clockwise as the elements. `element[i]`: which element triangle i is of.
+// Quadrilaterals cut along the shorter reference diagonal (for equal ones by the parity of the element's
+// number), and triangles as they are, oriented as the elements. `element[i]` is the element of triangle i.
 struct Split {
   std::vector<Triangle> triangles;
   std::vector<std::int32_t> element;
@@ -35,13 +35,13 @@ struct Surface {
   std::int32_t first_edge = 0, edges = 0;          // rows of Scene::edges
   std::int32_t first_triangle = 0, triangles = 0;  // rows of Scene::triangles
   std::vector<std::int32_t> points;                // ascending
-  double mean_area = 0;                            // m2 a point
+  double mean_area = 0;                            // m2 per point
 };
 
 struct EdgeRow {
   std::int32_t a = 0, b = 0, surface = 0;
   double length = 0;  // m, reference
-  double area = 0;    // m2: a third of its triangles'
+  double area = 0;    // m2: a third of the area of its triangles
 };
 
 struct TriangleRow {
@@ -50,11 +50,11 @@ struct TriangleRow {
   double area = 0;                         // m2, reference
   std::array<std::int32_t, 3> edge_row{};  // opposite to each corner
   std::array<std::int8_t, 3> edge{},
-      corner{};  // counts of the edges and corners that this triangle looks after
+      corner{};  // weights of the edges and corners that are stored in this triangle
 };
 
 struct Interaction {
-  std::int32_t first = 0, second = 0;  // surfaces; the same twice: a cloth with itself
+  std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself
   Law law;
   double friction = 0;
 };
@@ -64,23 +64,23 @@ class Scene {
   // `nodes`: reference positions of all nodes of the model, m.
   explicit Scene(std::vector<Vec3> nodes);
 
-  // Each returns the surface's number. Errors: an unknown node, a triangle without area, a radius that is not
-  // positive and finite (a solid's may be 0), a wall's normal of no length, a rod of no length.
+  // Each returns the number of the surface. Errors: an unknown node, a triangle without area, a radius that
+  // is not positive and finite (that of a solid may be 0), a wall with a zero normal, a rod without length.
   int add_cloth(std::span<const std::array<mesh::Index, 4>> elements);
   int add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius);
   int add_ball(const Vec3& centre, double radius);
   int add_rod(const Vec3& from, const Vec3& to, double radius);
   int add_wall(const Vec3& point, const Vec3& normal);
-  // A flat disc with a rounded edge: `radius` (m) over all, `edge` the rounding's radius, `sides` of the
-  // polygon that stands for the circle.
+  // A flat disc with a rounded edge: `radius` (m) is the outer radius, `edge` (m) that of
+  // the rounding, `sides` the number of sides of the polygon that approximates the circle.
   int add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides = 128);
 
-  // Two surfaces, at least one of them cloth, meet under a law. Errors: unknown surfaces, two rigid ones,
-  // friction below 0 or not finite, a pair that meets already.
+  // Declares that two surfaces, at least one of them cloth, meet under a law. Errors: unknown
+  // surfaces, two rigid ones, friction that is negative or not finite, a pair declared already.
   void meet(int first, int second, const Law& law, double friction);
 
   const std::vector<Vec3>& reference() const { return reference_; }
-  std::size_t nodes() const { return nodes_; }  // of the cloth; rigid vertices follow
+  std::size_t nodes() const { return nodes_; }  // of the cloth; the rigid vertices follow them
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   const std::vector<EdgeRow>& edges() const { return edges_; }
   const std::vector<TriangleRow>& triangles() const { return triangles_; }

@@ -7,9 +7,9 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double neighbour_share = 0.9;  // of the distance in the reference that neighbours may come near
-constexpr double crossing_share = 0.5;   // of the area that two crossing edges stand for, see the theory page
-constexpr double shared = 0.5;  // two cloths press on each other from both sides; nodes and facets on a ball
+constexpr double neighbour_share = 0.9;  // of their reference distance, as the gap of neighbours
+constexpr double crossing_share = 0.5;   // share of the area of two crossing edges, see contact.md
+constexpr double shared = 0.5;  // weight where both surfaces have facets: two cloths press from both sides
 
 using Rows = std::vector<Candidate>;
 
@@ -47,7 +47,7 @@ class Search {
     return number_[std::size_t(a) * scene_.surfaces().size() + std::size_t(b)];
   }
 
-  // The room that the cloth takes, and how large its edges are.
+  // The bounding box of the cloth and the size of its edges.
   void measure() {
     double sum = 0, count = 0;
     for (std::size_t s = 0; s < scene_.surfaces().size(); ++s) {
@@ -79,7 +79,7 @@ class Search {
     return box.grown(reach);
   }
 
-  // Work on `count` rows in parallel; what they find is joined in their order.
+  // Runs work on `count` rows in parallel; the results are joined in the order of the rows.
   template <class Work>
   void join(std::size_t count, Rows& out, Work work) const {
     const auto threads = std::size_t(omp_get_max_threads());
@@ -130,7 +130,7 @@ class Search {
     });
   }
 
-  // 1, or what the law's lengths shrink to for neighbours; 0 for pairs that share a node.
+  // Factor on the law's lengths: 1, less for neighbours in a sheet, 0 for pairs that share a node.
   double scale(double reference_distance, const Law& law) const {
     return std::min(1.0, neighbour_share * reference_distance / law.gap());
   }
@@ -173,8 +173,8 @@ class Search {
     if (owner == row.surface) uncount_neighbours(rows.back(), row, law);
   }
 
-  // Beside a neighbour's facet nothing is taken off: places there count more than once rather than not at
-  // all.
+  // Next to a facet that has the point as a neighbour nothing is
+  // subtracted: places there count more than once rather than not at all.
   void uncount_neighbours(Candidate& out, const TriangleRow& row, const Law& law) const {
     const auto neighbour = [&](std::span<const std::int32_t> triangles) {
       for (const std::int32_t t : triangles) {
@@ -215,7 +215,7 @@ class Search {
     keep(out, law, rows);
   }
 
-  // Balls, rods and walls against every cloth that they meet.
+  // Pairs of balls, rods and walls with every cloth that they meet.
   void simple_shapes(Rows& out) const {
     for (std::size_t i = 0; i < scene_.interactions().size(); ++i) {
       const Interaction& it = scene_.interactions()[i];
@@ -286,7 +286,7 @@ class Search {
   std::vector<std::int32_t> points_, owner_;  // points of cloths and solids
   std::vector<std::int32_t> cloth_edges_;
   Box room_;
-  double half_ = 0, cell_ = 1;  // m: half of the longest edge, a cell
+  double half_ = 0, cell_ = 1;  // m: half of the longest edge; width of a cell
 };
 
 }  // namespace

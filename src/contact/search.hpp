@@ -10,13 +10,13 @@ struct Candidate {
   Pair pair;
 };
 
-// All pairs that are nearer than their gap plus `skin` (m) at the positions `x` (cloth and rigid vertices),
-// in an order that depends on the surfaces alone: so of two pairs the same one comes first for any skin and
-// any number of threads. Pairs of one cloth that share a node are none; of those nearer to each other in the
-// reference than the gap allows, the law's lengths are scaled down to 0.9 of that distance.
+// All pairs that are nearer than their gap plus `skin` (m) at the positions `x` (cloth and rigid
+// vertices). Their order depends on the surfaces only, so that it is the same for any skin and any number
+// of threads. Pairs of one cloth that share a node are left out. For neighbours whose reference distance
+// is smaller than the gap, the law's lengths are scaled down so that the gap is 0.9 of that distance.
 std::vector<Candidate> find_pairs(const Scene& scene, std::span<const Vec3> x, double skin);
 
-// Distance of a pair's cores less its radii, m.
+// Distance of a pair less its radii, m.
 double gap_of(const Candidate& candidate, const Corners& x);
 Corners corners_of(const Candidate& candidate, std::span<const Vec3> x);
 

@@ -6,7 +6,7 @@
 namespace fabricsh::contact {
 namespace {
 
-// Completes a touch whose weights are known.
+// Computes vector, distance and normal of a touch whose weights are known.
 void measure(const Corners& x, Touch& touch) {
   Vec3 r = Vec3::Zero();
   for (std::size_t i = 0; i < 4; ++i)
@@ -15,7 +15,7 @@ void measure(const Corners& x, Touch& touch) {
   if (touch.distance > 0) touch.normal = r / touch.distance;
 }
 
-// The closest point's parameter on a segment, from 0 to 1.
+// The parameter of the closest point on a segment, from 0 to 1.
 double along(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 u = b - a;
   const double length = u.squaredNorm();
@@ -27,10 +27,10 @@ void set_parameter(Touch& touch, int k, int plus, int minus) {
   touch.minus[std::size_t(k)] = static_cast<std::int8_t>(minus);
 }
 
-// A point inside a triangle, or the region outside it that it falls into [ericson2005, sec. 5.1.5].
+// Where the closest point of a triangle lies: the face, or a border region [ericson2005, sec. 5.1.5].
 struct Region {
   int on = 0;           // 0: the face
-  bool corner = false;  // `on` is a corner; else the corner opposite to an edge
+  bool corner = false;  // `on` is a corner; otherwise an edge, named by its opposite corner
   double v = 0, w = 0;  // weights of the second and third corner on the face
 };
 
@@ -165,8 +165,8 @@ Slides slides(const Corners& x, const Touch& touch) {
   for (auto& row : out) row.fill(Vec3::Zero());
   const int n = touch.freedoms();
   if (n == 0) return out;
-  // The closest points satisfy r . r,k = 0. With r linear in the parameters its derivative is
-  // (r,k . r,l) dxi_l/dx_j = -(dw_j/dxi_k r + w_j r,k).
+  // At the closest points r . r,k = 0. Since r is linear in the parameters, the
+  // derivative of that is (r,k . r,l) dxi_l/dx_j = -(dw_j/dxi_k r + w_j r,k).
   const Vec3 r = touch.distance * touch.normal;
   std::array<Vec3, 2> direction;
   std::array<std::array<Vec3, 4>, 2> right;
@@ -196,8 +196,8 @@ Vector12 distance_gradient(const Touch& touch) {
 }
 
 Matrix12 distance_hessian(const Corners& x, const Touch& touch) {
-  // Of r.r/2: w_i w_j I + sum over k of (dw_i/dxi_k r + w_i r,k) dxi_k/dx_j. Less the gradient's square, over
-  // the distance, it is the distance's own.
+  // The Hessian of r.r/2 is w_i w_j I + sum over k of (dw_i/dxi_k r + w_i r,k) dxi_k/dx_j. Subtracting
+  // the square of the gradient and dividing by the distance gives the Hessian of the distance.
   const Slides slide = slides(x, touch);
   const Vec3 r = touch.distance * touch.normal;
   const Mat3 across = Mat3::Identity() - touch.normal * touch.normal.transpose();
@@ -214,7 +214,7 @@ Matrix12 distance_hessian(const Corners& x, const Touch& touch) {
       }
       h.block<3, 3>(3 * int(i), 3 * int(j)) = block;
     }
-  // Nearly cancelling terms leave a rounding error that is not symmetric.
+  // Terms that almost cancel leave an unsymmetric rounding error, which is removed here.
   return 0.5 / touch.distance * (h + h.transpose());
 }
 

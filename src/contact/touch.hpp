@@ -1,9 +1,9 @@
-// Where two simplices (point, segment, triangle) come closest, and how that depends on their corners.
+// The closest points of two simplices (point, segment, triangle), and their dependence on the corners.
 //
 // A pair has up to four corners x_i. The vector between its closest points is r = sum weight_i x_i, and the
-// distance is |r|. The weights are signed: positive on the first simplex, where they add up to 1, negative on
-// the second, where they add up to -1. Because the closest points are stationary, the distance's first
-// derivative is weight_i n with n = r/|r|; how the closest points slide enters the second derivative alone.
+// distance is |r|. The weights are signed: on the first simplex they are positive with the sum 1, on the
+// second negative with the sum -1. Because the closest points are stationary, the first derivative of the
+// distance is weight_i n with n = r/|r|; the motion of the closest points enters only the second derivative.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ using Corners = std::array<Vec3, 4>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
-// The parts of a pair that hold its closest points.
+// The parts of a pair on which its closest points lie.
 enum class Feature : std::uint8_t {
   point_point,  // two corners
   point_edge,   // a corner, and the inside of a segment
@@ -26,11 +26,11 @@ enum class Feature : std::uint8_t {
 
 struct Touch {
   double distance = 0;             // m
-  Vec3 normal = Vec3::Zero();      // unit, from the second simplex to the first; zero where they meet
+  Vec3 normal = Vec3::Zero();      // unit, from the second simplex to the first; zero at distance 0
   std::array<double, 4> weight{};  // of each corner, without unit
   Feature feature = Feature::point_point;
-  // The closest points have as many free parameters as their feature has dimensions. Along parameter k the
-  // weight of corner plus[k] grows at the rate 1 and that of corner minus[k] falls at the same rate.
+  // The closest points have as many free parameters as their feature has dimensions. Along parameter k
+  // the weight of corner plus[k] grows at the rate 1 and that of corner minus[k] falls at the same rate.
   std::array<std::int8_t, 2> plus{}, minus{};
 
   int freedoms() const {
@@ -38,12 +38,12 @@ struct Touch {
   }
 };
 
-// Corners take part by their place in `x`; those that a function does not name have the weight zero.
+// Corners are given by their index in `x`; corners that are not named have the weight zero.
 Touch point_point(const Corners& x, int p, int q);
 // Point p against the segment from a to b.
 Touch point_segment(const Corners& x, int p, int a, int b);
-// Point 0 against the triangle 1, 2, 3. `on`: the corner (1 to 3), or else the corner opposite to the edge,
-// that holds the closest point.
+// Point 0 against the triangle 1, 2, 3. `on` is the corner (1 to 3)
+// with the closest point, or the corner opposite to the edge with it.
 struct FacetTouch {
   Touch touch;
   int on = 0;
@@ -55,16 +55,16 @@ Touch point_plane(const Corners& x);
 // The segment from 0 to 1 against the segment from 2 to 3.
 Touch segment_segment(const Corners& x);
 
-// Distances alone, m, squared: for searches.
+// Squared distances alone, m2: for searches.
 double squared_point_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 double squared_point_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 double squared_segment_segment(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-// d xi_k / d x_j for each free parameter k of the closest points and corner j, row vectors in one array, 1/m.
+// d xi_k / d x_j (1/m) for each free parameter k of the closest points and each corner j; row vectors.
 using Slides = std::array<std::array<Vec3, 4>, 2>;
 Slides slides(const Corners& x, const Touch& touch);
 
-// First and second derivative of the distance by the corners' coordinates (corner 0's x, y, z first).
+// First and second derivative of the distance by the corners' coordinates (x, y, z of corner 0 first).
 Vector12 distance_gradient(const Touch& touch);
 Matrix12 distance_hessian(const Corners& x, const Touch& touch);
 

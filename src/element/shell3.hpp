@@ -1,10 +1,10 @@
-// The three-node companion of shell4.hpp (MITC3): the same section, directors and freedoms, linear in the
-// plane, the transverse shear from three edge midpoints so that it does not lock [lee2004].
+// The three-node companion of shell4.hpp (MITC3): the same sections, directors and degrees of freedom,
+// linear in the plane; transverse shear from three edge midpoints, so that it does not lock [lee2004].
 //
 //   r, s in the triangle, N = (1 - r - s, r, s): membrane and curvature strains are constant;
 //   g1 = g12 + c s,   g2 = g13 - c r,   c = g13 - g12 - g23,   g_ij = (t/4) (x_j - x_i).(d_i + d_j)
 //
-// which is the same for every numbering of the corners [lee2004].
+// This interpolation does not depend on the numbering of the corners [lee2004].
 #pragma once
 #include "element/shell4.hpp"
 
@@ -25,15 +25,15 @@ struct Shell3Layout {
   int size() const { return point(shell3_points, 0); }
 };
 
-// As shell4_geometry.
+// Like shell4_geometry.
 void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>& X,
                      const std::array<Vec3, 3>& D, const WarpAt& warp, double* geometry, int lane,
                      int stride);
 
-// As shell4_sharing; `through` at most.
+// Like shell4_sharing; the result is at most `through`.
 Sharing shell3_sharing(const section::Section& section, const double* geometry);
 
-// As Shell4Kernels, with 9 + 9 forces, 15x15 tangents and three in-plane points.
+// Like Shell4Kernels, with 9 + 9 forces, 15x15 tangents and three in-plane points.
 Shell4Kernels shell3_kernels(Isa isa);
 
 }  // namespace fabricsh::element

@@ -1,4 +1,4 @@
-// The batch kernels of the three-node shell; the mathematics is in shell3.hpp's head.
+// The batch kernels of the three-node shell; the mathematics is described at the top of shell3.hpp.
 #include "element/shell3.hpp"
 #include "element/shell_stiffness_isa.hpp"
 
@@ -13,7 +13,7 @@ constexpr double kN1[3] = {-1, 1, 0}, kN2[3] = {-1, 0, 1};
 constexpr double tie1(int g, int e) { return e == 0 ? 1 - kS[g] : e == 1 ? kS[g] : -kS[g]; }
 constexpr double tie2(int g, int e) { return e == 1 ? 1 - kR[g] : kR[g]; }
 
-// The element's nodes, base vectors and strains; the shears are set point by point.
+// Nodes, base vectors and strains of the element; the shears are set for each point.
 struct Triangle {
   V3 x[3], d[3], a1, a2, b1, b2;
   Pack gamma[3];
@@ -63,7 +63,7 @@ inline const double* columns_at(const section::Section& section, const ShellBatc
   return batch.geometry + Shell3Layout(static_cast<int>(section.points.size())).point(g, 0) * lanes;
 }
 
-// The resultants' sum over the points, and the edge shears' conjugates (times t / 4).
+// The sum of the resultants over the points, and the conjugates of the edge shears (times t / 4).
 struct Totals {
   Resultants r;
   Pack edge[3];
@@ -130,7 +130,7 @@ unsigned force(const section::Section& section, const law::Step& step, const She
   return failed;
 }
 
-constexpr int kX = 6, kD = 6;  // a1 a2; two rotations a node
+constexpr int kX = 6, kD = 6;  // base vectors a1 a2; two rotations per node
 using Columns3 = Columns<kX, kD>;
 using Tangent3 = Tangent<kX, kD>;
 
@@ -140,12 +140,12 @@ inline void put(Pack (&column)[kX][kReach], int vector, int place, V3 v) {
   column[3 * vector + 2][place] = v.z;
 }
 
-// What of edge e lies along a1 and a2.
+// The share of edge e along a1 and along a2.
 constexpr double edge_share(int e, int vector) {
   return e == 2 ? (vector == 0 ? -1 : 1) : e == vector ? 1 : 0;
 }
 
-// Columns of the strain operator that all points share; the shears come point by point.
+// Columns of the strain operator that are the same at all points; the shears are set for each point.
 inline void fill(const Triangle& t, const V3 (&b)[3][2], Columns3& B) {
   const Pack zero(0.0);
   const V3 none{zero, zero, zero};
@@ -179,7 +179,7 @@ inline void fill_shear(const Triangle& t, double thickness, int g, const V3 (&b)
   }
 }
 
-// Second variation at fixed resultants.
+// Adds the second variation of the strains at fixed resultants.
 inline void add_geometric(const Totals& s, const Forces3& f, const Triangle& t, const V3 (&b)[3][2],
                           Tangent3& K) {
   const Resultants& r = s.r;
@@ -268,7 +268,7 @@ void curvature(const section::Section& section, const ShellBatch& batch, double*
   }
 }
 
-// Lanes turned inside out: the middle's director does not point to the side of the normal.
+// Mask of the lanes whose element is inverted: its mean director points against the normal.
 unsigned inverted(const ShellBatch& batch) {
   V3 x[3], d{Pack(0.0), Pack(0.0), Pack(0.0)};
   for (int a = 0; a < 3; ++a) {

@@ -1,17 +1,17 @@
-// The four-node degenerated shell with assumed transverse shear (MITC4): total Lagrangian, finite rotations
-// of the directors, 2x2 points in the plane, the section's points through the thickness. [williams2010, ch.
-// 5], corrected as share/doc/theory.md says; MITC4: [dvorkin1984].
+// The four-node degenerated shell with assumed transverse shear (MITC4): total Lagrangian,
+// finite rotations of the directors, 2x2 points in the plane, and the section's points
+// through the thickness. [williams2010, ch. 5] with the corrections of share/doc/theory.md;
+// MITC4: [dvorkin1984].
 //
 //   x(xi, eta, zeta) = sum_A N_A (x_A + z d_A),   z = (t/2)(zeta - zeta_bar)
 //
-// Generalised covariant strains at an in-plane point, with a_i = sum N_A,i x_A and b_i the directors'
-// derivatives, from the edges' differences lengthened to the arc between their directors:
+// Generalised covariant strains at an in-plane point, where a_i = sum N_A,i x_A, and b_i are
+// derivatives of the directors, with edge differences lengthened from the chord to the arc:
 //   c(z) = eps + z kappa + z^2 rho in the order (c11, c22, 2 c12);
 //   kappa ~ sym(a.b),  rho ~ b.b / 2;  shear g_i = 2 c_i3 from the four edge midpoints; eps from an assumed
 //   field: stretches on edge chords, tied so that a warped element does not lock (MITC4+ [ko2017]), and the
-//   four enhanced strains of [simo1990; andelfinger1993], which are not unknowns but a fixed multiple of the
-//   strains' deviation from a homogeneous state: their elimination with a constant tangent.
-//   share/doc/verification.md has what they were chosen by.
+//   four enhanced strains of [simo1990; andelfinger1993], eliminated with a constant tangent: they are a
+//   fixed multiple of the deviation from a homogeneous strain. See share/doc/verification.md.
 #pragma once
 #include <array>
 #include <functional>
@@ -23,12 +23,12 @@
 
 namespace fabricsh::element {
 
-inline constexpr int gauss_points = 4;  // in the plane, order (-,-) (+,-) (+,+) (-,+)
+inline constexpr int gauss_points = 4;  // in the plane, in the order (-,-) (+,-) (+,+) (-,+)
 inline constexpr int shell4_dofs = 20;  // per node: u1 u2 u3, q1 q2 with delta d = q1 b1 + q2 b2
 
-inline constexpr int kSamples = 8, kEnhanced = 4;  // of the membrane field
+inline constexpr int kSamples = 8, kEnhanced = 4;  // of the assumed membrane strain field
 
-// Reference geometry of one element as the kernels read it; entry i of lane l at [i * lanes + l].
+// Reference geometry of one element, as the kernels read it; entry i of lane l at [i * lanes + l].
 //   edge shears (t/8)(X_j - X_i).(D_i + D_j): edges 4-3, 1-2, 2-3, 1-4
 //   membrane samples: c11 on the first two edges, c22 on the others; c11, c22, 2 c12 in the middle; q
 //   distortion: components of X_d = sum xi eta X / 4 on the middle's base vectors
@@ -47,20 +47,20 @@ struct Shell4Layout {
   int size() const { return point(gauss_points, 0); }
 };
 
-// How far the transforms of an element's points agree, which lets a force kernel read and compute less.
-//   through: one transform through the thickness, since the directors are parallel; kappa, rho, q1, q2 are
-//   zero. element: and one for all in-plane points of a parallelogram, whose enhanced modes see the
-//   differences of opposite chords alone.
+// How far the transforms of an element's points are equal, which lets a force kernel read and compute less.
+//   through: one transform for all points through the thickness, because the directors are parallel; kappa,
+//   rho, q1, q2 are zero. element: the same, and one transform for all in-plane points, as in a
+//   parallelogram; its enhanced modes depend only on differences of opposite chords.
 enum class Sharing { none, through, element };
 
-// What all lanes of a batch share, to 1e-11 of the numbers themselves: coordinates carry rounding.
+// The sharing that holds for all lanes, to a relative tolerance of 1e-11, since coordinates have rounding.
 Sharing shell4_sharing(const section::Section& section, const double* geometry);
 
-// Warp direction at a point with unit normal, global, not yet projected.
+// Warp direction at a point with the given unit normal, global, not yet projected on the surface.
 using WarpAt = std::function<Vec3(const Vec3& X, const Vec3& normal)>;
 
 // Fills the geometry column of one lane. X, D: reference nodes (m) and unit directors.
-// Error: an element that is degenerate or inverted at an in-plane point (J <= 0).
+// Error: the element is degenerate or inverted at an in-plane point (J <= 0).
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
                      const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
                      int stride);
@@ -68,27 +68,27 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
 // Current state of a batch of elements, structure of arrays: entry i of lane l at [i * lanes + l].
 struct ShellBatch {
   const double* geometry;
-  const double* x;   // 12 (a triangle: 9): node A, component i at 3 A + i, m
-  const double* d;   // directors, the same order
+  const double* x;   // 12 (triangle: 9): component i of node A at 3 A + i, m
+  const double* d;   // directors, in the same order
   const double* b;   // 24 (18): b1 then b2 per node, at 6 A + 3 (alpha) + i; tangent only
   const double* s0;  // committed law states, [gauss][section state]
   double* s1;        // trial law states
   Sharing sharing = Sharing::none;
-  bool law_only = false;  // tangent: B^T C B alone, without what stress and rotating directors add
+  bool law_only = false;  // tangent: B^T C B only, without the parts of stress and rotating directors
 };
 using Shell4Batch = ShellBatch;
 
-// All return the mask of lanes whose law failed.
+// All return the mask of the lanes whose law failed.
 // f   24 per lane: internal force on x (12, N) and on d (12, N m), the derivative of the internal energy.
-// K   20x20 per lane, column-major: tangent on (u, q) with the directors' second variation -(f_d . d) I2 of
-// the INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
+// K   20x20 per lane, column-major: tangent on (u, q), with the second variation -(f_d . d) I2 of the
+// directors for the INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
 using Shell4Force = unsigned (*)(const section::Section&, const law::Step&, const Shell4Batch&, double* f);
 using Shell4Tangent = unsigned (*)(const section::Section&, const law::Step&, const Shell4Batch&, double* f,
                                    double* K);
 using Shell4Strain = void (*)(const section::Section&, const Shell4Batch&, double* E);
 // kappa  [gauss][3] material curvatures k11 k22 2k12 at the section's first thickness point, 1/m.
 using Shell4Curvature = Shell4Strain;
-// Lanes turned inside out: (a1 x a2).d is not positive at some in-plane point.
+// Mask of the inverted lanes: (a1 x a2).d is not positive at some in-plane point.
 using Shell4Inverted = unsigned (*)(const Shell4Batch&);
 struct Shell4Kernels {
   Shell4Force force;

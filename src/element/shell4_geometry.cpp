@@ -8,13 +8,13 @@ namespace fabricsh::element {
 
 namespace {
 
-// (v11, v22, 2 v12) of sym(u_i . w_j).
+// The components (v11, v22, 2 v12) of sym(u_i . w_j).
 std::array<double, 3> metric(const Vec3& u1, const Vec3& u2, const Vec3& w1, const Vec3& w2) {
   return {u1.dot(w1), u2.dot(w2), u1.dot(w2) + u2.dot(w1)};
 }
 
-// The reference as the kernels see it: half chords of the edges A B C D, the middle's base vectors, the
-// twist.
+// The reference as in the kernels: half chords of the edges
+// A B C D, the base vectors in the middle, and the twist.
 struct Edges {
   Vec3 chord[4], beta[4], mid1, mid2, twist;
 };
@@ -27,7 +27,7 @@ Edges edges_of(const std::array<Vec3, 4>& X, const std::array<Vec3, 4>& D) {
     e.chord[i] = (X[kEdge[i][1]] - X[kEdge[i][0]]) / 2;
     e.beta[i] = (D[kEdge[i][1]] - D[kEdge[i][0]]) / 2;
     const double q = e.beta[i].squaredNorm();
-    e.beta[i] *= 1 + q * (1.0 / 6 + 3.0 / 40 * q);  // as lengthen() in the kernels
+    e.beta[i] *= 1 + q * (1.0 / 6 + 3.0 / 40 * q);  // as lengthen() does in the kernels
   }
   e.mid1 = (e.chord[0] + e.chord[1]) / 2;
   e.mid2 = (e.chord[2] + e.chord[3]) / 2;
@@ -81,7 +81,7 @@ std::array<double, 8> point_column(const section::Section& section, std::size_t 
 using Samples = Eigen::Matrix<double, 3, kSamples>;
 using Modes = Eigen::Matrix<double, kEnhanced, kSamples>;
 
-// Components of the twist on the middle's base vectors: w, and with w the part of it in their plane.
+// Components of the twist on the base vectors in the middle, and its part in their plane.
 std::pair<Eigen::Vector2d, Vec3> distortion_of(const Edges& e) {
   const Vec3 n = e.mid1.cross(e.mid2);
   const double area2 = n.squaredNorm();
@@ -89,9 +89,9 @@ std::pair<Eigen::Vector2d, Vec3> distortion_of(const Edges& e) {
           e.twist - e.twist.dot(n) / area2 * n};
 }
 
-// Tangent that weighs the enhanced strains, in the middle's covariant components (11, 22, 2 12): the law's
-// where it is constant. Where it isn't no one tangent is right for long: cloth that stiffens a hundredfold
-// along one yarn would be held by the contraction of its rest state. The unit tangent then, without coupling.
+// The tangent that determines the enhanced strains, in the middle's covariant components (11, 22, 2 12):
+// the law's if it is constant. Otherwise the unit tangent without coupling, since no single tangent of a
+// nonlinear law stays valid: the contraction at rest would restrain cloth that stiffens along a yarn.
 Mat3 weighing_tangent(const section::Section& section, const PointFrame& middle, const WarpAt& warp) {
   Mat3 sum = Mat3::Zero();
   constexpr int in_plane[3] = {0, 1, 4};
@@ -115,10 +115,10 @@ Mat3 weighing_tangent(const section::Section& section, const PointFrame& middle,
   return sum;
 }
 
-// alpha = A samples that makes the energy of a tangent C least: with the bilinear strain c (3 x 8 in
-// the samples) and the enhanced ones E alpha j0/j, both in the middle's axes,
+// alpha = A samples minimises the energy for a tangent C, with the bilinear strain c (3
+// x 8 in the samples) and the enhanced strains E alpha j0/j, both in the middle's axes:
 //   sum_g (E^T C E j0/j) alpha = -sum_g E^T C c.
-// A homogeneous strain leaves alpha zero, since E has no mean [simo1990, section 3].
+// For a homogeneous strain alpha is zero, since E has zero mean [simo1990, section 3].
 Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
   Eigen::Matrix4d own = Eigen::Matrix4d::Zero();
   Modes coupling = Modes::Zero();
@@ -129,7 +129,7 @@ Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
           0, 0, (1 + r) / 2, (1 - r) / 2, 0, 0, 0, r * r - 1,   //
           r / 2, -r / 2, s / 2, -s / 2, 0, 0, 1, 2 * r * s;
       const double F11 = 1 + s * w[0], F12 = s * w[1], F21 = r * w[0], F22 = 1 + r * w[1];
-      Mat3 carry;  // from the middle's axes to the point's
+      Mat3 carry;  // from the axes in the middle to those at the point
       carry << F11 * F11, F12 * F12, F11 * F12, F21 * F21, F22 * F22, F21 * F22, 2 * F11 * F21, 2 * F12 * F22,
           F11 * F22 + F12 * F21;
       Eigen::Matrix<double, 3, kEnhanced> E;
@@ -140,7 +140,7 @@ Modes enhanced_modes(const Mat3& C, const Eigen::Vector2d& w) {
   return -own.ldlt().solve(coupling);
 }
 
-// Samples, distortion and enhanced modes of the assumed membrane field.
+// Writes samples, distortion and enhanced modes of the assumed membrane field.
 void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, double)>& put) {
   const auto [w, flat] = distortion_of(e);
   const double middle[4] = {e.mid1.squaredNorm() / 2, e.mid2.squaredNorm() / 2, e.mid1.dot(e.mid2),
@@ -216,13 +216,13 @@ constexpr double kAgree = 1e-11;
 
 bool agree(double a, double b, double size) { return std::abs(a - b) <= kAgree * size; }
 
-// Where a lane's points begin in its column, and how many in-plane points there are.
+// The index in a lane's column at which its points begin, and the number of in-plane points.
 struct Points {
   const double* column;
   int first, in_plane;
 };
 
-// Entries of two transforms, their weights apart.
+// Compares two transforms without their weights.
 bool same_transform(const double* a, const double* b) {
   const double size =
       std::max({std::abs(b[0]), std::abs(b[lanes]), std::abs(b[2 * lanes]), std::abs(b[3 * lanes])});
@@ -242,7 +242,7 @@ bool same_through(const section::Section& section, const Points& p, int strains)
       const double w = first[7 * lanes] * section.points[k].weight / section.points[0].weight;
       if (!same_transform(column, first) || !agree(column[7 * lanes], w, w)) return false;
     }
-    // Curvatures of the reference, made strains by the thickness and the transform.
+    // Converts the curvatures of the reference to strains with the thickness and the transform.
     const double T2 = first[0] * first[0] + first[lanes] * first[lanes] +
                       first[2 * lanes] * first[2 * lanes] + first[3 * lanes] * first[3 * lanes];
     for (int i = 0; i < 6; ++i)

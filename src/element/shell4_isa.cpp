@@ -7,11 +7,11 @@ namespace fabricsh::element {
 inline namespace FABRICSH_ISA {
 namespace {
 
-constexpr int kVectors = 3, kX = 3 * kVectors, kD = 8;  // mid1 mid2 twist; two rotations a node
+constexpr int kVectors = 3, kX = 3 * kVectors, kD = 8;  // mid1 mid2 twist; two rotations per node
 using Columns4 = Columns<kX, kD>;
 using Tangent4 = Tangent<kX, kD>;
 
-// The loops over the points are apart, so that the law's stands once and the others are unrolled.
+// The loops over the points are separate, so that the law is compiled once and the others are unrolled.
 template <Sharing sharing>
 unsigned force_of(const section::Section& section, const law::Step& step, const Shell4Batch& batch,
                   double* f) {
@@ -45,8 +45,8 @@ unsigned force(const section::Section& section, const law::Step& step, const She
   return force_of<Sharing::none>(section, step, batch, f);
 }
 
-// How the edges' directors follow the rotations: each edge has four columns, two of its first node and two of
-// its second.
+// Derivatives of the edges' directors by the rotations: each edge
+// has four columns, two of its first node and two of its second.
 struct EdgeColumns {
   V3 mean, delta, beta;  // derivatives
 };
@@ -69,7 +69,7 @@ inline Rotations rotations(const Kinematics& k, const double* basis) {
   return r;
 }
 
-// Columns of the membrane samples and enhanced modes on mid1, mid2, twist.
+// Columns of the membrane samples and enhanced modes for mid1, mid2 and twist.
 struct SampleColumns {
   Pack sample[kX][kSamples], mode[kX][kEnhanced];
 };
@@ -116,7 +116,7 @@ inline void position_columns(const Kinematics& k, const InPlane& p, const Sample
   for (int c = 0; c < kX; ++c) membrane_at(p.carry, g, s.sample[c], s.mode[c], B.x[c] + kEps);
   const Pack zero(0.0), r(kXi[g]), e(kEta[g]);
   const V3 none{zero, zero, zero};
-  V3 shear[2][2] = {{none, none}, {none, none}};  // g1, g2 on the middle and on the twist
+  V3 shear[2][2] = {{none, none}, {none, none}};  // derivatives of g1, g2 by middle and twist
   for (int i = 0; i < 4; ++i) {
     const V3 v = Pack(tie(g, i) * thickness / 2) * k.edge[i].mean;
     shear[i / 2][0] += v;
@@ -139,7 +139,7 @@ inline void rotation_columns(const Kinematics& k, const InPlane& p, const Rotati
     for (Pack& v : column) v = Pack(0.0);
   for (int e = 0; e < 4; ++e) {
     const Pack w(tie(g, e)), h(tie(g, e) * thickness / 2);
-    const int along = e / 2;  // b1 or b2
+    const int along = e / 2;  // for b1 or b2
     const V3 a[2] = {w * p.a1, w * p.a2}, b[2] = {w * p.b1, w * p.b2}, chord = h * k.edge[e].chord;
     for (int c = 0; c < 4; ++c) {
       const EdgeColumns& column = q.column[e][c];
@@ -153,7 +153,7 @@ inline void rotation_columns(const Kinematics& k, const InPlane& p, const Rotati
   }
 }
 
-// Second variations at fixed resultants between position vectors and edges, added up over the points.
+// Second variations at fixed resultants between position vectors and edges, summed over the points.
 struct Geometric {
   Pack x_beta[kVectors][4], beta_beta[4][4];
 };
@@ -186,7 +186,7 @@ inline void add_membrane_geometric(const Membrane& m, const Forces& f, const Sam
   add_scalar(0, 2, N[0] - N[1], K);
   add_scalar(1, 2, N[2] - N[3], K);
   add_scalar(0, 1, N[6], K);
-  // The second derivative of q beyond its slopes: y.G^-1 y with y = dv - dG w.
+  // The part of the second derivative of q that is not in its slopes: y.G^-1 y with y = dv - dG w.
   const Pack half(0.5), two(2.0);
   Pack y1[kX], y2[kX];
   for (int c = 0; c < kX; ++c) {
@@ -200,9 +200,9 @@ inline void add_membrane_geometric(const Membrane& m, const Forces& f, const Sam
   }
 }
 
-// Products of two edges' columns, position vectors on one side, and beta's own second variation,
-//   F.d2 beta(u, v) = u.H v,   H = 2 f' (delta F^T + F delta^T + (F.delta) 1) + 4 f'' (F.delta) delta
-//   delta^T.
+// Products of the columns of two edges, with position vectors on one side, and the second variation of beta,
+//   F.d2 beta(u, v) = u.H v,
+//   H = 2 f' (delta F^T + F delta^T + (F.delta) 1) + 4 f'' (F.delta) delta delta^T.
 inline void add_edge_geometric(const Kinematics& k, const Geometric& s, const Forces& f, const Rotations& q,
                                Tangent4& K) {
   const Pack two(2.0), four(4.0);
@@ -285,7 +285,7 @@ unsigned tangent(const section::Section& section, const law::Step& step, const S
                            : tangent_of<false>(section, step, batch, f, out);
 }
 
-// The in-plane points one after the other: visit(g, strains, first transform).
+// Calls visit(g, strains, first transform) for the in-plane points in their order.
 template <class Visit>
 inline void at_points(const section::Section& section, const Shell4Batch& batch, Visit visit) {
   const Kinematics k = kinematics(batch);
@@ -318,7 +318,7 @@ void curvature(const section::Section& section, const Shell4Batch& batch, double
   });
 }
 
-// Lanes turned inside out: (a1 x a2).d is not positive at some in-plane point.
+// Mask of the inverted lanes: (a1 x a2).d is not positive at some in-plane point.
 unsigned inverted(const Shell4Batch& batch) {
   const Kinematics k = kinematics(batch);
   unsigned lost = 0;

@@ -1,6 +1,6 @@
-// Kinematics of the four-node shell in packs: edges, samples of the assumed fields, strains at the in-plane
-// points, and the forces that stress resultants make. Included by shell4_isa.cpp only; the mathematics is in
-// shell4.hpp's head.
+// Kinematics of the four-node shell in packs: edges, samples of the assumed fields,
+// strains at the in-plane points, and forces from stress resultants. Included by
+// shell4_isa.cpp only; the mathematics is described at the top of shell4.hpp.
 #pragma once
 #include "element/shell_isa.hpp"
 
@@ -11,19 +11,19 @@ namespace {
 constexpr double kGauss = 0.57735026918962576451;  // 1 / sqrt(3)
 constexpr double kXi[4] = {-kGauss, kGauss, kGauss, -kGauss};
 constexpr double kEta[4] = {-kGauss, -kGauss, kGauss, kGauss};
-// x = centre + xi mid1 + eta mid2 + xi eta twist: four times the nodes' shares in mid1, mid2, twist.
+// x = centre + xi mid1 + eta mid2 + xi eta twist; four times the nodes' weights in mid1, mid2, twist.
 constexpr double kShare[3][4] = {{-1, 1, 1, -1}, {-1, -1, 1, 1}, {1, -1, 1, -1}};
-// Edges from their first to their second node: A (eta = 1) and B (eta = -1) along xi, C (xi = 1) and D (xi =
-// -1) along eta.
+// First and second node of the edges: A (eta = 1) and B (eta
+// = -1) along xi, C (xi = 1) and D (xi = -1) along eta.
 constexpr int kEdge[4][2] = {{3, 2}, {0, 1}, {1, 2}, {0, 3}};
-// How much of the twist is in half an edge: A = mid1 + twist, B = mid1 - twist, C and D from mid2.
+// The share of the twist in half an edge: A = mid1 + twist, B = mid1 - twist, C and D likewise from mid2.
 constexpr double kTwist[4] = {1, -1, 1, -1};
 
-// Weight of an edge's value at in-plane point g: edges A, B interpolate along eta, C, D along xi.
+// Weight of an edge at in-plane point g: edges A and B are interpolated along eta, C and D along xi.
 constexpr double tie(int g, int e) { return (1 + kTwist[e] * (e < 2 ? kEta[g] : kXi[g])) / 2; }
 
-// Half an edge: its chord, the directors' half sum, and beta, their half difference lengthened to the arc
-// between them.
+// Half an edge: its chord, half the sum of its directors, and beta, half
+// their difference lengthened from the chord to the arc between them.
 struct Edge {
   V3 chord, mean, delta, beta;
   Pack f, slope, bend;  // beta = f(q) delta with q = delta.delta; f' and f''
@@ -35,8 +35,8 @@ struct Kinematics {
   V3 d[4];
 };
 
-// A director turned by the angle a over an edge differs by 2 sin(a / 2): f = asin(s) / s with s = |delta|, to
-// its third term (5e-8 at 20 degrees an edge). Without it an element resists bending by sin(a) / a.
+// Directors at an angle a differ by 2 sin(a / 2), hence f = asin(s) / s with s = |delta|, to its third term
+// (error 5e-8 at 20 degrees per edge). Without it the bending resistance would fall off as sin(a) / a.
 inline void lengthen(Edge& e) {
   const Pack q = dot(e.delta, e.delta), c1(1.0 / 6), c2(3.0 / 40), two(2.0);
   e.f = Pack(1.0) + q * (c1 + q * c2);
@@ -67,24 +67,24 @@ inline Kinematics kinematics(const Shell4Batch& batch) {
   return k;
 }
 
-// The assumed membrane field: stretches sampled on edge chords and in the middle. Samples, in this order: c11
-// on A and B, c22 on C and D; c11, c22, 2 c12 in the middle; and q = |in-plane part of the twist|^2 / 2. Then
+// The assumed membrane field, from stretches of edge chords and in the middle. Samples in this order: c11 on
+// A and B, c22 on C and D; c11, c22, 2 c12 in the middle; and q = |in-plane part of the twist|^2 / 2. Then
 //   c11 = (1 + eta)/2 A + (1 - eta)/2 B + (eta^2 - 1) q
-// is the bilinear field, less the out-of-plane part of the twist, which makes a warped element lock [ko2017];
-// c22 likewise; 2 c12 = middle + xi (A - B)/2 + eta (C - D)/2 + 2 xi eta q.
-// To it comes an enhanced strain of zero mean [simo1990; andelfinger1993] in the middle's axes, times j0 / j:
+// is the bilinear field without the out-of-plane part of the twist, which makes a warped element lock
+// [ko2017]; c22 likewise; 2 c12 = middle + xi (A - B)/2 + eta (C - D)/2 + 2 xi eta q. An enhanced strain of
+// zero mean [simo1990; andelfinger1993] in the middle's axes, times j0 / j, is added:
 //   c11 += xi alpha1,  c22 += eta alpha2,  2 c12 += xi alpha3 + eta alpha4,  alpha = A samples,
-// with the element's constant matrix A (see shell4_geometry).
+// where A is a constant matrix of the element (see shell4_geometry).
 struct Membrane {
   Pack strain[kSamples];
   Pack alpha[kEnhanced];
   Pack slope[7];       // dq / d(other samples)
-  Pack w1, w2;         // the twist's in-plane components: w = G^-1 v, v = twist.(mid1, mid2), G the metric
+  Pack w1, w2;         // in-plane components of the twist: w = G^-1 v, v = twist.(mid1, mid2), metric G
   Pack G11, G12, G22;  // inverse of G
-  Pack c1, c2;         // w in the reference
+  Pack c1, c2;         // w in the reference configuration
 };
 
-// q = v.G^-1 v / 2 from the other samples, which carry v and G; its slopes there.
+// q = v.G^-1 v / 2 from the other samples, which contain v and G; and its derivatives by them.
 inline Pack in_plane_twist(const Pack s[7], Membrane& m) {
   const Pack half(0.5), two(2.0), one(1.0);
   const Pack v1 = half * (s[0] - s[1]), v2 = half * (s[2] - s[3]);
@@ -104,12 +104,12 @@ inline Pack in_plane_twist(const Pack s[7], Membrane& m) {
   return half * (v1 * m.w1 + v2 * m.w2);
 }
 
-// Entry (i, k) of the enhanced modes' matrix A.
+// Entry (i, k) of the matrix A of the enhanced modes.
 inline Pack mode(const double* geometry, int i, int k) {
   return load(geometry + (Shell4Layout::modes + kSamples * i + k) * lanes);
 }
 
-// Amplitudes of the enhanced modes from samples v.
+// Amplitudes of the enhanced modes for the samples v.
 template <Sharing sharing = Sharing::none>
 inline void modes_of(const double* geometry, const Pack v[kSamples], Pack alpha[kEnhanced]) {
   for (int i = 0; i < kEnhanced; ++i) {
@@ -139,8 +139,8 @@ inline Membrane membrane(const Kinematics& k, const double* geometry) {
   return m;
 }
 
-// Enhanced strains in the middle's axes, carried to point g: base vectors there are F times those in the
-// middle, j / j0 = det F.
+// Transforms enhanced strains from the middle's axes to point g: the base
+// vectors there are F times those in the middle, and j / j0 = det F.
 struct Carry {
   Pack c[3][3];
 };
@@ -154,7 +154,7 @@ inline Carry carry(const Membrane& m, int g) {
            {two * over * F11 * F21, two * over * F12 * F22, over * (F11 * F22 + F12 * F21)}}};
 }
 
-// (c11, c22, 2 c12) at point g from samples v and modes alpha: strains, or columns of their operator.
+// (c11, c22, 2 c12) at point g from samples v and modes alpha: strains, or a column of their operator.
 template <Sharing sharing = Sharing::none>
 inline void membrane_at(const Carry& to, int g, const Pack v[kSamples], const Pack alpha[kEnhanced],
                         Pack out[3]) {
@@ -167,13 +167,13 @@ inline void membrane_at(const Carry& to, int g, const Pack v[kSamples], const Pa
     out[i] += sharing == Sharing::element ? e[i] : to.c[i][0] * e[0] + to.c[i][1] * e[1] + to.c[i][2] * e[2];
 }
 
-// Everything at one in-plane point that does not depend on the thickness coordinate.
+// All quantities at an in-plane point that do not depend on the thickness coordinate.
 struct InPlane : Strains {
   V3 a1, a2, b1, b2;
   Carry carry;
 };
 
-// Shears 2 c_i3 at the edges' midpoints.
+// Shears 2 c_i3 at the midpoints of the edges.
 inline void edge_shears(const Kinematics& k, const double* geometry, double thickness, Pack gamma[4]) {
   for (int e = 0; e < 4; ++e)
     gamma[e] = Pack(thickness / 2) * dot(k.edge[e].chord, k.edge[e].mean) - load(geometry + e * lanes);
@@ -206,8 +206,8 @@ inline InPlane in_plane(const Kinematics& k, const double* reference, const Memb
   return p;
 }
 
-// What the resultants of all points add up to: work-conjugate to the samples and enhanced modes, to mid1 mid2
-// twist (without the membrane's part), to the edges' beta, and to the edges' shears (times t / 2).
+// Sums of the resultants over all points, work-conjugate to the samples and enhanced modes, to mid1 mid2
+// twist (without the membrane part), to beta of the edges, and to the shears of the edges (times t / 2).
 struct Forces {
   Pack sample[kSamples], mode[kEnhanced];
   V3 x[3], beta[4];
@@ -259,20 +259,20 @@ inline void add_force(const InPlane& p, const Resultants& r, double thickness, i
   }
 }
 
-// After all points: the modes work through the samples, q through the others.
+// After all points: adds the forces of the modes to the samples, and those of q to the others.
 template <Sharing sharing = Sharing::none>
 inline void close(const Membrane& m, const double* geometry, Forces& f) {
   for (int i = 0; i < kEnhanced; ++i)
     for (int k = 0; k < (sharing == Sharing::element ? 4 : kSamples); ++k) {
       const int chord =
-          sharing == Sharing::element ? k / 2 * 2 : k;  // the second chord of two: minus the first
+          sharing == Sharing::element ? k / 2 * 2 : k;  // the second of two chords has the opposite sign
       const Pack n = mode(geometry, i, chord) * f.mode[i];
       f.sample[k] += chord == k ? n : -n;
     }
   for (int k = 0; k < 7; ++k) f.sample[k] += f.sample[7] * m.slope[k];
 }
 
-// What a force on beta does on delta: J^T F with d beta = J d delta, symmetric.
+// The force on delta from a force on beta: J^T F with d beta = J d delta; J is symmetric.
 inline V3 through_arc(const Edge& e, V3 F) {
   return e.f * F + (Pack(2.0) * e.slope * dot(e.delta, F)) * e.delta;
 }

@@ -1,5 +1,5 @@
-// What the batch kernels of all shell elements share: vectors of packs, the way from covariant strains to
-// material ones and back, the law through the thickness. Included by the *_isa.cpp of this room only.
+// Shared by the batch kernels of all shell elements: vectors of packs, the transformation between covariant
+// and material strains, and the law through the thickness. Included only by the *_isa.cpp files of this room.
 #pragma once
 #include "element/shell4.hpp"
 #include "law/part.hpp"
@@ -31,14 +31,14 @@ inline void store3(double* p, int i, V3 v) {
   store(p + (i + 2) * lanes, v.z);
 }
 
-// Changes of the covariant strains from the reference at an in-plane point: eps, kappa, rho in the order (11,
-// 22, 2 12), and the assumed shears 2 c13, 2 c23.
+// Changes of the covariant strains since the reference at an in-plane point: eps,
+// kappa, rho in the order (11, 22, 2 12), and the assumed shears 2 c13, 2 c23.
 struct Strains {
   Pack eps[3], kappa[3], rho[3];
   Pack g1, g2;
 };
 
-// L: covariant (c11 c22 2c12 g1 g2) to material (E11 E22 2E23 2E13 2E12).
+// L: from covariant (c11 c22 2c12 g1 g2) to material strains (E11 E22 2E23 2E13 2E12).
 struct Transform {
   Pack L[5][5];
   Pack weight;
@@ -70,20 +70,20 @@ inline void material_strain(const Strains& p, const Transform& t, double z, doub
   }
 }
 
-// Stress resultants of an in-plane point, times the reference volume weights: work-conjugate to (eps kappa
-// rho g).
+// Stress resultants at an in-plane point times the reference
+// volume weights: work-conjugate to (eps kappa rho g).
 struct Resultants {
   Pack N[3], M[3], K[3], Q[2];
 };
 
-// Tangent of the eleven resultants (of a symmetric section the upper half of Z, and g_in left zero): Z[m]
-// holds sum w z^m L^T C L over in-plane rows and columns; shear blocks apart.
+// Tangent of the eleven resultants: Z[m] is sum w z^m L^T C L over in-plane rows and columns; the shear
+// blocks are separate. For a symmetric section only the upper half of Z is used, and g_in stays zero.
 struct Stiffness {
   Pack Z[5][3][3];     // z^0 .. z^4
   Pack in_g[3][3][2];  // z^0 .. z^2: rows in-plane, columns shear
   Pack g_in[3][2][3];
   Pack g_g[2][2];
-  Pack bending[3][3];  // separate bending: curvature rows and columns only
+  Pack bending[3][3];  // separate bending: rows and columns of the curvatures only
 };
 
 inline void clear(Resultants& r) {
@@ -145,8 +145,8 @@ inline void add_tangent(const Transform& t, const double* C, double z, Stiffness
   add_powers(D, z, false, k);
 }
 
-// The same of a symmetric law, whose transverse shear is elastic and uncoupled: C13 = C23 = ... = 0. Fills
-// the upper half.
+// The same for a symmetric law with elastic uncoupled
+// transverse shear, C13 = C23 = ... = 0. Fills the upper half.
 inline void add_symmetric_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
   constexpr int in[3] = {0, 1, 4};
   const auto at = [&](int i, int j) { return t.weight * load(C + (5 * i + j) * lanes); };
@@ -165,8 +165,8 @@ inline void add_symmetric_tangent(const Transform& t, const double* C, double z,
   add_powers(D, z, true, k);
 }
 
-// Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point, with
-// friction states s0, s1 (slip, lost and, where it fades, last of warp, then of weft; null without friction).
+// Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point. Friction
+// states s0, s1: slip, lost and with fading also last, of warp, then of weft; null without friction.
 inline void add_bending(const section::Section& section, const law::Step& step, const Strains& p,
                         const Transform& t, const double* s0, double* s1, Resultants& r, Stiffness* k) {
   const Pack area = t.weight / Pack(section.thickness);
@@ -197,7 +197,7 @@ inline double height(const section::Section& section, int k) {
   return section.thickness / 2 * (section.points[k].zeta - section.offset);
 }
 
-// Bending of in-plane point g, with the transform of the section's only point.
+// Bending at in-plane point g, with the transform of the section's only thickness point.
 inline void add_bending_at(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                            const Strains& p, const Transform& t, int g, Resultants& r, Stiffness* k) {
   const bool rubs = section.bending_state >= 0;
@@ -206,8 +206,8 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
               k);
 }
 
-// Law updates through the thickness where one plain law and one transform hold: strains E = e + z k + z^2 q
-// and resultants in material axes. The sum of the stresses shows whether any of them is not finite.
+// Evaluates the law through the thickness where all points have one plain law and one transform: strains E =
+// e + z k + z^2 q and resultants in material axes. The sum of the stresses shows whether any is not finite.
 [[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section,
                                                          const law::Step& step, const ShellBatch& batch,
                                                          const Transform& t, const Strains& p, int g,
@@ -252,7 +252,7 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
   return bits(!(sum - sum == Pack(0.0)));
 }
 
-// Law evaluations of in-plane point g, all through the thickness; columns: its first transform.
+// Evaluates the law through the thickness at in-plane point g; columns: its first transform.
 inline unsigned integrate(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                           const double* columns, const Strains& p, int g, Resultants& r, Stiffness* k) {
   if (k == nullptr && batch.sharing != Sharing::none && section.plain != nullptr)
@@ -277,7 +277,7 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
   return failed;
 }
 
-// Kernels of a part as kernels of the whole batch.
+// Makes kernels for one part of a batch work on a whole batch.
 inline ShellBatch part(const ShellBatch& batch, int first) {
   const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
   return {from(batch.geometry), from(batch.x),  from(batch.d), from(batch.b),

@@ -1,7 +1,7 @@
-// The element tangent in the unknowns that strains hang on: vectors of the position (a triangle's two, a
-// quadrilateral's three) and the nodes' two rotations. Rows of the strain operator that a kind of unknown
-// does not reach are left out, and a symmetric law's tangent is worked out by halves. Included by the
-// *_isa.cpp of this room only.
+// The element tangent in the unknowns of the strains: vectors of the position (two for a
+// triangle, three for a quadrilateral) and two rotations per node. Rows of the strain
+// operator that are zero for a kind of unknown are skipped, and only half of a symmetric
+// law's tangent is computed. Included only by the *_isa.cpp files of this room.
 #pragma once
 #include "element/shell_isa.hpp"
 
@@ -9,13 +9,13 @@ namespace fabricsh::element {
 inline namespace FABRICSH_ISA {
 namespace {
 
-constexpr int kReach = 8;                                // strains that an unknown reaches
+constexpr int kReach = 8;                                // number of strains that depend on an unknown
 constexpr int kOfX[kReach] = {0, 1, 2, 3, 4, 5, 9, 10};  // position: eps kappa g
 constexpr int kOfD[kReach] = {3, 4, 5, 6, 7, 8, 9, 10};  // director: kappa rho g
-constexpr int kEps = 0, kKappa = 3, kShear = 6;          // places in a column of x
+constexpr int kEps = 0, kKappa = 3, kShear = 6;          // indices in a column of x
 constexpr int kKappaOfD = 0, kRhoOfD = 3;                // and of d
 
-// Columns of the strain operator: nx of the position (three for each vector), nd of rotations.
+// Columns of the strain operator: nx for the position (three per vector) and nd for the rotations.
 template <int nx, int nd>
 struct Columns {
   Pack x[nx][kReach], d[nd][kReach];
@@ -51,7 +51,7 @@ inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
   return k.g_g[i - 9][j - 9];
 }
 
-// Rows `rows` of D times a column of the operator that reaches `reach`.
+// The rows `rows` of D times a column of the operator whose nonzero strains are `reach`.
 template <int n>
 inline void times(const Pack (&D)[11][11], const int (&rows)[n], const int (&reach)[kReach],
                   const Pack (&b)[kReach], Pack (&out)[n]) {
@@ -62,7 +62,7 @@ inline void times(const Pack (&D)[11][11], const int (&rows)[n], const int (&rea
   }
 }
 
-// K += B^T D B; a symmetric D: the upper half of xx and dd, and xd.
+// K += B^T D B; for a symmetric D only the upper half of xx and dd, and xd.
 template <bool symmetric, int nx, int nd>
 inline void add_material(const Columns<nx, nd>& B, const Stiffness& k, Tangent<nx, nd>& K) {
   Pack D[11][11], on_x[kReach], on_d[kReach];
@@ -93,8 +93,8 @@ inline void mirror(Tangent<nx, nd>& K) {
     for (int r = c + 1; r < nd; ++r) K.dd[r][c] = K.dd[c][r];
 }
 
-// A scalar times the unit matrix between two position vectors, and a vector between one and a rotation; of
-// symmetric terms, added after mirror().
+// Adds a scalar times the unit matrix between two position vectors, or a vector between
+// a position vector and a rotation. For symmetric terms; to be called after mirror().
 template <int nx, int nd>
 inline void add_scalar(int p, int q, Pack s, Tangent<nx, nd>& K) {
   for (int i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ inline void add_vector(int p, int column, V3 v, Tangent<nx, nd>& K) {
   }
 }
 
-// To nodes and out, COLUMN-major on (u, q) of each node: node a has share[p][a] in position vector p.
+// Writes K to the nodes, COLUMN-major on (u, q) of each; node a has the weight share[p][a] in vector p.
 template <int vectors, int corners>
 inline void store_tangent(const Tangent<3 * vectors, 2 * corners>& K, const double (&share)[vectors][corners],
                           double* out) {
@@ -119,7 +119,7 @@ inline void store_tangent(const Tangent<3 * vectors, 2 * corners>& K, const doub
   const auto at = [&](int r, int c) { return out + (dofs * c + r) * lanes; };
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < 3; ++i) {
-      Pack row[nx];  // of node a, component i
+      Pack row[nx];  // for node a, component i
       for (int c = 0; c < nx; ++c) {
         row[c] = Pack(share[0][a]) * K.xx[i][c];
         for (int p = 1; p < vectors; ++p) row[c] += Pack(share[p][a]) * K.xx[3 * p + i][c];

@@ -24,7 +24,7 @@ std::uint32_t seal_of(std::uint64_t size, std::string_view content) {
   return checksum(content, checksum(digits));
 }
 
-// Of another version, or something else.
+// Refuses a file that has another version or is no checkpoint.
 [[noreturn]] void refuse_kind(const std::string& path, const std::string& bytes) {
   const auto end = bytes.find('\n');
   if (!bytes.starts_with(first_words) || end > 40) refuse(path, "it is no checkpoint of fabricsh");

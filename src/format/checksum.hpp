@@ -1,5 +1,5 @@
-// CRC-32 as zip, PNG and gzip have it, by zlib, which the grids' compression brings along: it finds every
-// error of up to 32 bits in a row and all but one in 4e9 of the others. Against bad luck, not bad intent.
+// CRC-32 as in zip, PNG and gzip, computed by zlib. It finds every error of up to 32
+// consecutive bits and all but one in 4e9 of the others: against accidents, not against intent.
 #pragma once
 #include <cstdint>
 #include <string_view>

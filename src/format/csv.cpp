@@ -18,7 +18,7 @@ namespace fabricsh::format {
 
 namespace {
 
-// A name with a comma, quote or line end goes between quotes, its quotes doubled (RFC 4180).
+// A name with a comma, quote or line end is enclosed in quotes, and its quotes are doubled (RFC 4180).
 std::string cell(const std::string& name) {
   if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
   std::string quoted = "\"";
@@ -73,7 +73,7 @@ CsvWriter::CsvWriter(const std::string& path, const std::vector<std::string>& co
   struct stat about {};
   const system::Gate& gate = system::Gate::of_process();
   regular_ = gate.closed() || stat(path.c_str(), &about) != 0 || S_ISREG(about.st_mode);
-  // The header is there when the file is.
+  // The header is written with the file at once, so that the file never lacks it.
   if (regular_) system::write_file(path, header, system::Sync::no);
   file_ = gate.open_to_write(path, regular_ ? O_RDWR | O_APPEND : O_WRONLY);
   if (regular_)
@@ -126,13 +126,13 @@ void CsvWriter::sync() {
   if (fdatasync(file_.number()) != 0) system::cannot_write(path_, errno);
 }
 
-// Back to the end of the last whole line (a pipe or device has no length to cut).
+// Cuts the file back to the end of its last whole line (a pipe or device has no length to cut).
 void CsvWriter::cut() {
   const std::int64_t length = place_.ends.empty() ? 0 : place_.ends.back();
   [[maybe_unused]] const int cut = ftruncate(file_.number(), length);
 }
 
-// One line by one write; what a full disk took of it is cut off again.
+// Writes one line by one write call; after an error, for example a full disk, the partial line is cut off.
 void CsvWriter::append(const std::string& line) {
   if (const int reason = file_.write(line)) {
     cut();
@@ -143,7 +143,7 @@ void CsvWriter::append(const std::string& line) {
   place_.sum = checksum(line, place_.sum);
 }
 
-// Does the path still lead to the file that is open?
+// Checks that the path still leads to the open file.
 void CsvWriter::check_place() {
   struct stat here {
   }, there{};
@@ -156,7 +156,7 @@ void CsvWriter::check_place() {
   throw Error("cannot write '" + path_ + "': another file has taken its place");
 }
 
-// The file was removed: it is written again from the one that is still open.
+// The file was removed: it is written again with the content of the one that is still open.
 void CsvWriter::move_back() {
   system::write_file(path_, beginning(file_, place_.ends.back()), system::Sync::no, system::Folder::expect);
   file_ = system::Gate::of_process().open_to_write(path_, O_RDWR | O_APPEND);

@@ -1,4 +1,4 @@
-// A table that grows by rows and is a complete file after each of them.
+// A table that grows row by row and is a complete file after each row.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace fabricsh::format {
 
-// How far a table has come, for a program that continues it.
+// The state of a table, for a program that continues it after a restart.
 struct CsvPlace {
   std::vector<std::int64_t> ends;  // bytes up to the end of the header and of each row
   std::uint32_t sum = 0;           // checksum of these bytes
@@ -19,20 +19,20 @@ struct CsvPlace {
 
 class CsvWriter {
  public:
-  // Replaces the file with one header line; its folder is made when missing. Error: no columns, two of one
-  // name, or a file that cannot be written.
+  // Replaces the file by one with a header line; a missing folder is created. Error:
+  // no columns, two columns of the same name, or a file that cannot be written.
   CsvWriter(const std::string& path, const std::vector<std::string>& columns);
-  // Goes on with the table that another program has left: what lies behind the place is cut off. Error: the
-  // file is not there, has other columns, or begins otherwise than it did.
+  // Continues the table of an earlier program: what lies behind `place` is cut off. Error:
+  // the file does not exist, has other columns, or its content before `place` has changed.
   CsvWriter(const std::string& path, const std::vector<std::string>& columns, const CsvPlace& place);
-  // One value per column, 17 significant digits. After an error the file still ends with its last whole row.
-  // A row is one write: a program that is killed leaves it whole, but for the rare one that lies across a
-  // page of memory. Taken away, the file is made again with all its rows. Error: its folder is gone, another
-  // file is there.
+  // Appends one value per column, with 17 significant digits. After an error the file still ends
+  // with its last whole row. A row is one write call, so that killing the program leaves whole rows,
+  // except rarely for a row that crosses a page of memory. A file that was removed is written again
+  // with all its rows. Error: its folder has disappeared, or another file has taken its place.
   void row(std::span<const double> values);
-  // Takes off all rows but the first n.
+  // Removes all rows but the first n.
   void keep(std::size_t n);
-  void sync();  // to the disk
+  void sync();  // forces the rows to the disk
   const CsvPlace& place() const { return place_; }
   std::size_t rows() const { return place_.ends.size() - 1; }
   const std::string& path() const { return path_; }
@@ -47,7 +47,7 @@ class CsvWriter {
   std::string path_;
   std::size_t columns_;
   system::Descriptor file_;
-  bool regular_ = true;  // not a pipe or device
+  bool regular_ = true;  // neither a pipe nor a device
   CsvPlace place_;
 };
 

@@ -1,4 +1,4 @@
-// Gmsh .msh: sections, physical groups, what both formats have.
+// Gmsh .msh: the sections and physical groups, which both versions of the format have.
 #include "format/gmsh.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void GmshReader::read_format() {
   end_section("MeshFormat");
 }
 
-// A binary file says 1, in its own order of bytes.
+// A binary file contains the integer 1 in its own byte order.
 void GmshReader::read_byte_order() {
   source_.line("the number 1");
   const auto one = source_.raw<std::uint32_t>("the number 1");
@@ -131,7 +131,7 @@ ElementKind GmshReader::kind(std::int64_t type) const {
   }
 }
 
-// Nodes are looked up here, so that an unknown one is told with its line.
+// Nodes are looked up here, so that the error for an unknown one names its line.
 void GmshReader::add(std::int64_t number, const ElementKind& kind, const Tags& corners, Tags* members) {
   for (const std::int64_t node : corners)
     if (!builder_.has_node(node))

@@ -1,4 +1,4 @@
-// What the readers of the Gmsh formats share. Format: Gmsh reference manual, "MSH file format".
+// Shared by the readers of both Gmsh formats. Format: Gmsh reference manual, "MSH file format".
 #pragma once
 #include <map>
 #include <set>
@@ -8,8 +8,8 @@
 namespace fabricsh::format {
 
 struct ElementKind {
-  int nodes;      // 0: not read
-  int dimension;  // 2: becomes an element; 0 and 1: counts for sets alone
+  int nodes;      // 0: this kind of element is not supported
+  int dimension;  // 2: becomes an element; 0 and 1: used for sets only
 };
 
 class GmshReader {
@@ -49,7 +49,7 @@ class GmshReader {
   void read_elements_4();
   std::int64_t read_element_block_4();
 
-  // Numbers as the file stores them: words, or 4 or 8 bytes.
+  // Numbers as the file stores them: text, or 4 or 8 bytes.
   std::int64_t stored_integer(const char* what);
   std::int64_t stored_size(const char* what);
   std::int64_t stored_count(const char* what, std::size_t text_bytes, std::size_t binary_bytes);
@@ -58,12 +58,12 @@ class GmshReader {
   Source source_;
   MeshBuilder builder_;
   bool binary_ = false;
-  bool long_sizes_ = true;  // 8 bytes for a size in binary files
+  bool long_sizes_ = true;  // in binary files a size takes 8 bytes
   int format_ = 0;          // 2 or 4
   std::set<std::string, std::less<>> seen_;
   std::map<Key, std::string> names_;  // of physical groups
-  std::map<Key, Tags> groups_;        // physical groups of an entity
-  std::map<Key, Tags> members_;       // nodes of an entity that is in a physical group
+  std::map<Key, Tags> groups_;        // physical groups of each entity
+  std::map<Key, Tags> members_;       // nodes of each entity in a physical group
 };
 
 }  // namespace fabricsh::format

@@ -1,5 +1,5 @@
-// Gmsh format 2: $Nodes and $Elements, text and binary. The numbers of nodes and of elements are text in
-// both.
+// Gmsh format 2: $Nodes and $Elements, text and binary.
+// The counts of nodes and elements are text in both forms.
 #include "format/gmsh.hpp"
 
 namespace fabricsh::format {
@@ -29,14 +29,14 @@ void GmshReader::read_elements_2() {
     }
 }
 
-// The first tag is the physical group, 0 for none; each counts as an entity of its own.
+// The first tag is the physical group (0: none); here each group is treated as an entity of its own.
 GmshReader::Tags* GmshReader::members_2(int dimension, const Tags& tags) {
   if (tags.empty() || tags[0] == 0) return nullptr;
   groups_[{dimension, tags[0]}] = {tags[0]};
   return &members_[{dimension, tags[0]}];
 }
 
-// number type tags... nodes...
+// Line format: number type tags... nodes...
 void GmshReader::read_text_element_2() {
   const auto number = source_.integer("the number of an element");
   const ElementKind kind = this->kind(source_.integer("the type of an element"));
@@ -47,7 +47,7 @@ void GmshReader::read_text_element_2() {
   add(number, kind, corners, members_2(kind.dimension, tags));
 }
 
-// type, number of elements, number of tags; then the elements.
+// A block begins with type, number of elements and number of tags; the elements follow.
 std::int64_t GmshReader::read_block_2(std::int64_t most) {
   const ElementKind kind = this->kind(stored_integer("the type of an element"));
   const auto n = stored_integer("a number of elements");

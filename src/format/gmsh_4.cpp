@@ -1,4 +1,4 @@
-// Gmsh format 4.1: $Entities (which say the physical groups), $Nodes and $Elements in blocks of one entity.
+// Gmsh format 4.1: $Entities (with the physical groups), and $Nodes and $Elements in blocks of one entity.
 #include "format/gmsh.hpp"
 
 namespace fabricsh::format {
@@ -10,7 +10,7 @@ void GmshReader::read_entities_4() {
     for (std::int64_t i = 0; i < counts[dimension]; ++i) read_entity_4(dimension);
 }
 
-// number, position or bounding box, physical groups, entities on the border.
+// An entity: number, position or bounding box, physical groups, entities on its border.
 void GmshReader::read_entity_4(int dimension) {
   const auto number = stored_integer("the number of an entity");
   for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) stored_real("a coordinate");
@@ -33,7 +33,7 @@ void GmshReader::read_nodes_4() {
     source_.fail("expected " + std::to_string(n) + " nodes in all, got " + std::to_string(builder_.nodes()));
 }
 
-// All numbers, then all positions; a parametric block has as many more coordinates as its dimension.
+// All numbers, then all positions; a parametric block has more coordinates, one per dimension.
 void GmshReader::read_node_block_4() {
   const auto dimension = stored_integer("a dimension");
   stored_integer("the number of an entity");

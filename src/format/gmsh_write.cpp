@@ -1,5 +1,5 @@
-// A mesh as Gmsh 4.1 text. A node belongs to one entity in Gmsh, and sets overlap; so each set is a physical
-// group of points: one entity per set, with a point element at each of its nodes.
+// A mesh as Gmsh 4.1 text. In Gmsh a node belongs to one entity, while sets may overlap. So each set is
+// written as a physical group of points: one entity per set, with a point element at each of its nodes.
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "format/mesh_file.hpp"
@@ -32,7 +32,7 @@ std::string names(const mesh::Mesh& mesh) {
   return text + "$EndPhysicalNames\n";
 }
 
-// Point g is that of set g; surface 1 is the mesh.
+// Point entity g belongs to set g; surface entity 1 is the mesh.
 std::string entities(const mesh::Mesh& mesh) {
   std::string text = "$Entities\n" + line({size_of(mesh.sets.size()), 0, 1, 0});
   std::int64_t group = 0;
@@ -64,7 +64,7 @@ struct Block {
   std::string text() const { return count == 0 ? "" : line({dimension, entity, type, count}) + lines; }
 };
 
-// One block for each run of triangles or quadrilaterals, since their order is that of the mesh.
+// One block for each run of triangles or of quadrilaterals, so that the order of the elements is kept.
 std::vector<Block> blocks(const mesh::Mesh& mesh, std::int64_t& number) {
   std::vector<Block> all;
   for (const auto& ids : mesh.elements) {

@@ -106,7 +106,7 @@ Image parse_image(const std::string& name, std::string_view bytes) {
 }
 
 Image read_image(const std::string& path) {
-  format_of(path);  // a wrong name is told before the file is read
+  format_of(path);  // a wrong extension is reported before the file is read
   return parse_image(path, read_file(path));
 }
 

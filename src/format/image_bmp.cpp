@@ -1,4 +1,4 @@
-// BMP without compression: 8 bits of a palette, 24 or 32 bits of colours.
+// BMP without compression: 8 bits with a palette, 24 or 32 bits per pixel.
 #include <cstring>
 
 #include "format/image_decode.hpp"
@@ -23,7 +23,7 @@ Head head_of(const Encoded& file) {
   Head h{little(file, 10, 4), little(file, 14, 4), little(file, 18, 4), little(file, 22, 4),
          little(file, 28, 2), little(file, 30, 4), little(file, 46, 4)};
   if (h.size < 40) refused(file, "its form is not read: the head has " + std::to_string(h.size) + " bytes");
-  constexpr int masks = 3;  // of the usual order, since nothing else is written with 32 bits
+  constexpr int masks = 3;  // with 32 bits; taken in the usual order, as no other is in use
   if (h.packing != 0 && !(h.packing == masks && h.bits == 32))
     refused(file, "its compression is not read; save it uncompressed, or as PNG");
   if (h.bits != 8 && h.bits != 24 && h.bits != 32)

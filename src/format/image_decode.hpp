@@ -1,6 +1,6 @@
-// The formats of photographs, decoded from bytes in memory. A file may be damaged on purpose: what its head
-// claims is checked against its length before memory is made for it, and whatever the libraries complain of
-// becomes an Error.
+// Decoders of image formats, from bytes in memory. A file may be damaged on
+// purpose: the size stated in its header is checked against its length before
+// memory is allocated, and every complaint of the image libraries becomes an Error.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace fabricsh::format {
 
-// A name for errors and the bytes of the file.
+// The bytes of a file, and its name for errors.
 struct Encoded {
   std::string name;
   std::string_view bytes;
@@ -27,13 +27,13 @@ Image decode_bmp(const Encoded& file);
 // Error "image 'x.png': why".
 [[noreturn]] void refused(const Encoded& file, const std::string& why);
 
-// An empty image of that size. Error: no pixels, or more than the file's bytes can hold, packed as tightly as
-// any of the formats packs (1032 to one, the bound of deflate), or more than 2^28.
+// An image of that size, not yet filled. Error: no pixels, more than 2^28, or more than the bytes of the
+// file can hold at the highest compression of any of the formats (1032 to one, the bound of deflate).
 Image image_of_size(const Encoded& file, std::uint64_t width, std::uint64_t height,
                     std::uint64_t bytes_per_pixel);
 
-// Fills one row from samples of one to four channels, 8 or 16 bits each in the order of the machine: grey,
-// grey with opacity, colours, colours with opacity.
+// Fills one row from samples of one to four channels: grey, grey with opacity, colours,
+// colours with opacity. Each sample has 8 or 16 bits in the machine's byte order.
 void fill_row(Image& image, int row, const std::uint8_t* samples, int channels, int bits);
 
 }  // namespace fabricsh::format

@@ -1,9 +1,9 @@
-// JPEG by libjpeg, which leaves a damaged file by longjmp (no destructor lies on that way) and makes up what
-// a file that was cut short lacks, with a warning: here that is an error.
+// JPEG by libjpeg, which leaves a damaged file by longjmp (no destructors lie on its
+// way). A truncated file makes libjpeg warn and invent the rest; here that is an error.
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-// jpeglib.h wants cstdio before it.
+// jpeglib.h needs cstdio to be included before it.
 #include <jerror.h>
 #include <jpeglib.h>
 
@@ -13,7 +13,7 @@ namespace fabricsh::format {
 
 namespace {
 
-// A file of a few bytes may ask for thousands of scans over a picture of any size.
+// A file of a few bytes can ask for thousands of scans over an image of any size.
 constexpr int most_scans = 500;
 constexpr long most_memory = 1L << 30;
 
@@ -41,7 +41,7 @@ extern "C" {
   std::longjmp(job.back, 1);
 }
 
-// What cameras do without harm: marks of other programs, a few bytes of padding before the end.
+// Harmless warnings about files from cameras: markers of other programs, a few bytes of padding at the end.
 bool harmless(const jpeg_error_mgr& said) {
   constexpr int end_of_image = 0xd9, padding = 16;
   return said.msg_code == JWRN_ADOBE_XFORM || said.msg_code == JWRN_JFIF_MAJOR ||
@@ -77,7 +77,7 @@ bool begin(Job& job, const Encoded& file) {
   return true;
 }
 
-// Grey as it is, every other form as red, green and blue.
+// Grey images are decoded as they are, all others as red, green and blue.
 bool start(Job& job) {
   if (setjmp(job.back) != 0) return false;
   const auto space = job.jpeg.jpeg_color_space;

@@ -1,5 +1,5 @@
-// PNG by libpng, which leaves a damaged file by longjmp: the functions that it leaves hold nothing that needs
-// a destructor.
+// PNG by libpng, which leaves a damaged file by longjmp: the
+// functions between contain no object that needs a destructor.
 #include <png.h>
 
 #include <bit>
@@ -49,7 +49,7 @@ void png_take(png_structp png, png_bytep to, std::size_t count) {
 }
 }
 
-// Size and form of the rows: 8 or 16 bits, no palette. False: job.why.
+// Reads the size and sets the form of the rows: 8 or 16 bits, no palette. False: see job.why.
 bool read_head(Job& job) {
   if (setjmp(png_jmpbuf(job.png)) != 0) return false;
   png_set_read_fn(job.png, &job, png_take);

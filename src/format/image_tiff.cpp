@@ -1,6 +1,6 @@
-// TIFF by libtiff, from memory. Rows of 8 or 16 bits are read as they are; every other form of grey or
-// colours (tiles, palettes, few bits, other colour spaces) as libtiff turns it into 8 bits of red, green and
-// blue.
+// TIFF by libtiff, from memory. Grey and colour rows of 8 or 16 bits are
+// read as they are; all other forms (tiles, palettes, fewer bits, other
+// colour spaces) are converted by libtiff to 8 bits of red, green and blue.
 #include <tiffio.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ toff_t tiff_seek(thandle_t handle, toff_t offset, int whence) {
 int tiff_close(thandle_t) { return 0; }
 toff_t tiff_size(thandle_t handle) { return memory_of(handle).bytes.size(); }
 
-// The handler of the library is told what the file was opened with.
+// libtiff passes the handle with which the file was opened.
 void tiff_trouble(thandle_t handle, const char*, const char* format, va_list values) {
   if (handle == nullptr) return;
   Memory& m = memory_of(handle);
@@ -63,7 +63,7 @@ using Tiff = std::unique_ptr<TIFF, Closer>;
 }
 
 std::uint32_t tag(TIFF* tiff, std::uint32_t name, std::uint32_t fallback) {
-  // Tags of two and of four bytes are both handed out as they are stored.
+  // libtiff hands out tags of two and of four bytes in the type in which they are stored.
   if (name == TIFFTAG_IMAGEWIDTH || name == TIFFTAG_IMAGELENGTH) {
     std::uint32_t value = fallback;
     return TIFFGetField(tiff, name, &value) == 1 ? value : fallback;
@@ -83,7 +83,7 @@ struct Form {
   std::uint32_t width, height, bits, channels, meaning, layout, sample;
 };
 
-// Whether rows can be taken as they are stored.
+// Whether rows can be read as they are stored.
 bool plain(TIFF* tiff, const Form& f) {
   const bool grey = f.meaning == PHOTOMETRIC_MINISBLACK || f.meaning == PHOTOMETRIC_MINISWHITE;
   const bool colours = f.meaning == PHOTOMETRIC_RGB && (f.channels == 3 || f.channels == 4);
@@ -127,7 +127,7 @@ void read_converted(const Encoded& file, Memory& m, TIFF* tiff, Image& image) {
 }  // namespace
 
 Image decode_tiff(const Encoded& file) {
-  TIFFSetErrorHandler(nullptr);  // nothing is printed
+  TIFFSetErrorHandler(nullptr);  // libtiff must print nothing
   TIFFSetWarningHandler(nullptr);
   TIFFSetErrorHandlerExt(tiff_trouble);
   Memory m{file.bytes, 0, ""};

@@ -11,7 +11,7 @@ namespace fabricsh::format {
 
 namespace {
 
-// Bytes of the UTF-8 sequence at the head of text; 0: not one (cut short, overlong, a surrogate, too large).
+// Length of the UTF-8 sequence at the start of text; 0: invalid (truncated, overlong, surrogate, too large).
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);

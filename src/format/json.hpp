@@ -1,4 +1,4 @@
-// A JSON value to be written: members keep the order in which they were set.
+// A JSON value to be written. The members of an object keep the order in which they were set.
 #pragma once
 #include <concepts>
 #include <cstdint>
@@ -15,7 +15,7 @@ class Json {
   Json() = default;  // null
   Json(bool value) : value_(value) {}
   template <std::floating_point T>
-  Json(T value) : value_(static_cast<double>(value)) {}  // not finite: written as null
+  Json(T value) : value_(static_cast<double>(value)) {}  // written as null if not finite
   template <std::integral T>
   Json(T value) : value_(static_cast<std::int64_t>(value)) {}
   Json(const char* value) : value_(std::string(value)) {}
@@ -26,11 +26,11 @@ class Json {
   static Json object();
   static Json array();
 
-  // A member of an object; a name set before keeps its place and takes the new value.
+  // Sets a member of an object; an existing name keeps its position and gets the new value.
   Json& set(std::string name, Json value);
-  // One more item of an array.
+  // Appends an item to an array.
   Json& push(Json value);
-  // Two spaces an indentation; lists of plain values on one line. Bytes that are not UTF-8 become U+FFFD.
+  // Indentation of two spaces; lists of plain values on one line. Bytes that are not UTF-8 become U+FFFD.
   std::string text() const;
 
  private:

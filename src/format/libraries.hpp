@@ -1,4 +1,4 @@
-// What files are read and written with.
+// The libraries by which files are read and written.
 #pragma once
 #include <vector>
 

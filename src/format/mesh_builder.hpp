@@ -1,4 +1,4 @@
-// A surface mesh put together from a file: nodes by the file's own numbers, elements, sets.
+// Builds a surface mesh from a file: nodes with the numbers of the file, elements, sets.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -14,21 +14,21 @@ namespace fabricsh::format {
 
 class MeshBuilder {
  public:
-  // most_members: of all sets together, each counted as often as it is named.
+  // most_members: limit on the total number of members of all sets.
   explicit MeshBuilder(const Source& source, std::size_t most_members = static_cast<std::size_t>(-1))
       : source_(source), members_left_(most_members) {}
 
-  // Error: a number used before, a coordinate that is not finite.
+  // Error: a number that is already used, or a coordinate that is not finite.
   void add_node(std::int64_t number, const Vec3& position);
   bool has_node(std::int64_t number) const { return places_.contains(number); }
   std::size_t nodes() const { return mesh_.nodes.size(); }
   std::size_t elements() const { return mesh_.elements.size(); }
-  // 3 or 4 node numbers. Error, naming the element: an unknown node, one node twice.
+  // Takes 3 or 4 node numbers. Error, naming the element: an unknown node, or a repeated one.
   void add_element(std::int64_t number, std::span<const std::int64_t> corners);
   void add_to_set(const std::string& name, std::span<const std::int64_t> numbers);
 
-  // Nodes that no element uses are left out, and sets of such nodes alone. The sets all and boundary are
-  // added unless the file has sets of these names. Error: no element.
+  // Drops nodes that no element uses, and sets that contain only such nodes. Adds the
+  // sets all and boundary unless the file has sets of these names. Error: no elements.
   mesh::Mesh finish();
 
  private:

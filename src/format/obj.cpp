@@ -1,4 +1,4 @@
-// Wavefront .obj: v, f, l, p; groups (g) and objects (o) are sets.
+// Wavefront .obj: v, f, l, p; groups (g) and objects (o) become sets.
 #include <array>
 
 #include "format/mesh_builder.hpp"
@@ -53,7 +53,7 @@ class ObjReader {
     add_to_sets(numbers);
   }
 
-  // Vertex numbers of "3", "3/1", "3//2", "3/1/2"; a negative one counts back from the last vertex.
+  // Vertex numbers of "3", "3/1", "3//2" or "3/1/2"; a negative number counts back from the last vertex.
   std::vector<std::int64_t> corners(Source& line) const {
     std::vector<std::int64_t> numbers;
     for (auto word = line.word_or_none(); !word.empty(); word = line.word_or_none()) {

@@ -38,7 +38,7 @@ std::string xml(const std::string& text) {
   return out;
 }
 
-// What tells a file from another that takes its place; empty where there is none, or none may be asked after.
+// Identifies a file, to notice when another one takes its place; empty if there is none or --safe hides it.
 std::vector<std::int64_t> mark_of(const std::string& path) {
   struct stat file {};
   try {
@@ -136,7 +136,7 @@ void PvdSeries::sync() {
   system::sync_file(path_);
 }
 
-// Those from there on that follow one another.
+// Removes the frame with this number and those that follow it without a gap.
 void PvdSeries::remove_frames(std::size_t from) const {
   for (bool gone = true; gone; ++from) {
     for (const std::string& part : parts_) system::Gate::of_process().discard(frame_path(from, part));
@@ -144,7 +144,7 @@ void PvdSeries::remove_frames(std::size_t from) const {
   }
 }
 
-// Is the .pvd still the one that this series wrote? One that is gone is written again.
+// Checks that the .pvd is still the one written by this series. If it was removed, it is written again.
 void PvdSeries::check_place() const {
   const auto now = mark_of(path_);
   if (now.empty() || mark_.empty() || now == mark_) return;

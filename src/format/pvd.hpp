@@ -1,4 +1,4 @@
-// A series of grids in time: <stem>.pvd, which ParaView opens, and <stem>_00000.vtu and on.
+// A time series of grids: <stem>.pvd, to be opened in ParaView, and <stem>_00000.vtu and so on.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace fabricsh::format {
 
-// How far a series has come, for a program that continues it.
+// The state of a series, for a program that continues it after a restart.
 struct PvdPlace {
   struct Frame {
-    std::string entry;  // its line of the .pvd; empty: the frame is lost, and the series goes on without it
+    std::string entry;  // its line in the .pvd; empty: the frame is lost, and the series continues without it
     FileSum file;
     void keep(Archive& archive) { archive(entry, file); }
   };
@@ -20,30 +20,30 @@ struct PvdPlace {
   void keep(Archive& archive) { archive(frames); }
 };
 
-// What stands beside the grid of a frame: shown with it, in a file of its own, stem_name_00000.vtu.
+// An object shown together with the grid of a frame, in a file of its own: stem_name_00000.vtu.
 struct PvdPart {
   std::string name;
   std::vector<Vec3> points;                 // m
-  std::vector<std::array<Index, 4>> cells;  // as those of a grid
+  std::vector<std::array<Index, 4>> cells;  // as in a grid
 };
 
 class PvdSeries {
  public:
-  // stem: "out/drape"; a trailing ".pvd" is taken off. Writes a series without frames at once, so that a
-  // folder that cannot be written is known before the run begins.
+  // stem: "out/drape"; a trailing ".pvd" is removed. An empty series is written
+  // at once, so that an unwritable folder is noticed before the run begins.
   explicit PvdSeries(const std::string& stem);
-  // Goes on with the series that another program has left: frames behind the place are taken off, one that
-  // was deleted is passed over (see lost()). Error: a frame is not as it was written.
+  // Continues the series of an earlier program: frames after `place` are removed,
+  // deleted ones are skipped (see lost()). Error: the content of a frame has changed.
   PvdSeries(const std::string& stem, const PvdPlace& place);
-  // The grid goes to the next .vtu, then the .pvd that names it is replaced: it is valid at any instant.
-  // Error: the folder is gone, another series has been begun on the same path, and what the system says.
+  // Writes the grid to the next .vtu, then replaces the .pvd that names it, so that the series is valid
+  // at any instant. Error: the folder is gone, another series was begun at this path, or a system error.
   void frame(double time, const Grid& grid, const std::vector<PvdPart>& parts = {});
-  void keep(std::size_t n);  // takes off all frames but the first n
-  void sync();               // to the disk
+  void keep(std::size_t n);  // removes all frames but the first n
+  void sync();               // forces the frames to the disk
   const PvdPlace& place() const { return place_; }
   const std::string& path() const { return path_; }
   std::size_t frames() const { return place_.frames.size(); }
-  const std::vector<std::string>& lost() const { return lost_; }  // frames that were gone when it went on
+  const std::vector<std::string>& lost() const { return lost_; }  // missing when the series was continued
 
  private:
   void look_at_frame(std::size_t i);
@@ -55,10 +55,10 @@ class PvdSeries {
   std::string stem_, path_;
   PvdPlace place_;
   std::vector<std::string> lost_;
-  std::vector<std::string> parts_;  // names, of the frames that were written here
-  std::size_t synced_ = 0;          // frames
-  // The .pvd as it was last written: device, number, size, seconds and nanoseconds of its change; empty: not
-  // known.
+  std::vector<std::string> parts_;  // names of the parts in the frames written here
+  std::size_t synced_ = 0;          // number of frames forced to the disk
+  // Identifies the .pvd as last written: device, file number, size,
+  // seconds and nanoseconds of its last change; empty: unknown.
   std::vector<std::int64_t> mark_;
 };
 

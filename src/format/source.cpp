@@ -17,7 +17,7 @@ namespace {
 
 constexpr bool blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// A sparse file can claim any size.
+// The limit for a file's size, since a sparse file can claim any size.
 std::uint64_t half_of_memory() {
   return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
          static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 2;
@@ -58,7 +58,7 @@ bool parse(std::string_view word, std::int64_t& value) {
   return trouble == std::errc() && end == word.data() + word.size();
 }
 
-// A number too small for a double is zero; one too large is none.
+// A number below the range of a double is zero; one above the range is an error.
 bool parse(std::string_view word, double& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, trouble] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -124,7 +124,7 @@ std::int64_t Source::count(const char* what, std::size_t bytes_each) {
   return checked(what, integer(what), bytes_each);
 }
 
-// The last of the things may end with the file, without a blank behind it.
+// The last item may end with the file, without a blank after it.
 std::int64_t Source::checked(const char* what, std::int64_t count, std::size_t bytes_each) const {
   const std::size_t most = bytes_each == 0 ? left() : (left() + 1) / bytes_each;
   if (count < 0 || static_cast<std::uint64_t>(count) > most)

@@ -1,5 +1,5 @@
-// A file that is read: all of its bytes, a place among them, and errors that name the place. Nothing that the
-// file claims is believed: a count is checked against the bytes that are left before anything is made for it.
+// A file being read: all its bytes, a position, and errors that name the position. Nothing that the
+// file states is trusted: a count is checked against the bytes left before memory is allocated for it.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace fabricsh::format {
 
-// The bytes of a regular file. Error: "cannot read 'disc.msh': No such file or directory".
+// Reads a regular file. Error: "cannot read 'disc.msh': No such file or directory".
 std::string read_file(const std::string& path);
 
 class Source {
@@ -35,11 +35,11 @@ class Source {
   void skip_blanks();
   std::int64_t integer(const char* what);
   double real(const char* what);
-  // A number of things that take so many bytes each in the rest of the file.
+  // Reads the number of items that follow, each of at least bytes_each bytes, and checks it against the rest.
   std::int64_t count(const char* what, std::size_t bytes_each);
   std::int64_t checked(const char* what, std::int64_t count, std::size_t bytes_each) const;
 
-  // Binary: a value as it is stored. Errors name the byte.
+  // Binary: a value as stored. Errors name the byte.
   template <class T>
   T raw(const char* what) {
     T value;
@@ -65,14 +65,14 @@ class Source {
 
   std::string name_;
   std::string_view bytes_;
-  std::size_t at_ = 0, said_ = 0;  // the place, and the one that an error names
+  std::size_t at_ = 0, said_ = 0;  // the position, and the position that an error names
   bool swapped_ = false, binary_ = false;
 };
 
-// A word of a file in an error message: short, printable.
+// A word from a file for an error message: shortened, printable characters only.
 std::string in_quotes(std::string_view word);
 
-// The whole of a word as a number; false if it is none.
+// Reads a whole word as a number; false if it is not one.
 bool parse(std::string_view word, std::int64_t& value);
 bool parse(std::string_view word, double& value);
 

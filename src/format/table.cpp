@@ -16,7 +16,7 @@ using Cells = std::vector<std::string_view>;
 
 bool carries_data(std::string_view line) { return !trimmed(line).empty() && !is_comment(line); }
 
-// The cells of a row of so many columns; one that ends with the separator may have left the last cell empty.
+// Splits a row; if it has one cell less than `columns` and ends with the separator, the last cell is empty.
 void split_row(std::string_view line, char separator, std::size_t columns, Cells& cells) {
   split_line(line, separator, cells);
   if (cells.size() + 1 == columns && separator != ' ' && line.find_last_of(separator) != line.npos &&
@@ -24,13 +24,13 @@ void split_row(std::string_view line, char separator, std::size_t columns, Cells
     cells.emplace_back();
 }
 
-struct Reading {  // how a file can be read, and where its numbers begin
+struct Reading {  // one way to read the file, and where its numbers then begin
   TableForm form;
   std::size_t columns = 0;
   std::size_t place = 0;  // byte of the first line of numbers
 };
 
-// The next line that carries data, or an empty one at the end.
+// The next line with data; empty at the end of the file.
 std::string_view next_data_line(Source& source) {
   std::string_view line;
   while (source.next_line(line))
@@ -38,8 +38,8 @@ std::string_view next_data_line(Source& source) {
   return {};
 }
 
-// Whether the lines from here on (four at most) are rows in equally many cells: of numbers alone, or, where
-// `text` is allowed, with at least two columns of numbers.
+// The number of columns if the lines from here (at most four) are rows with equally
+// many cells; the cells must be numbers, or with `text` at least two columns must be.
 std::size_t columns_from(Source source, const TableForm& form, bool text) {
   Cells cells;
   std::vector<char> numeric;
@@ -57,7 +57,7 @@ std::size_t columns_from(Source source, const TableForm& form, bool text) {
   return count == numeric.size() || (text && count >= 2) ? numeric.size() : 0;
 }
 
-// Where numbers begin when the file is read in this form; columns 0 when nowhere in the first 200 lines.
+// Finds where the numbers begin in this form; columns is 0 if they do not within the first 200 lines.
 Reading try_form(Source source, const TableForm& form, bool text) {
   for (int i = 0; i < 200 && !source.ended(); ++i) {
     Reading reading{form, 0, source.place()};
@@ -69,8 +69,8 @@ Reading try_form(Source source, const TableForm& form, bool text) {
   return {};
 }
 
-// Of the forms that fit, those whose numbers begin first, and with most columns: two where the first rows do
-// not show the decimal sign, none when none fits.
+// Among the forms that fit, those whose numbers begin first and that have the most columns.
+// There are two if the first rows do not determine the decimal sign, and none if no form fits.
 std::vector<Reading> find_readings(const Source& source, const TableForm& given, bool text) {
   std::vector<Reading> best;
   for (const char separator : {'\t', ';', ',', ' '}) {
@@ -93,7 +93,7 @@ std::vector<Reading> find_readings(const Source& source, const TableForm& given,
   return best;
 }
 
-// A line without digits in any cell, as wide as the table: names, or units below them.
+// A line with as many cells as the table, none with a digit: names or units.
 bool is_heading(std::string_view line, const Reading& reading, Cells& cells) {
   split_line(line, reading.form.separator, cells);
   double value = 0;
@@ -112,11 +112,11 @@ void name_columns(Table& table, const std::vector<std::string_view>& above, cons
   table.columns.resize(reading.columns);
   for (std::size_t i = 0; i < reading.columns; ++i) table.columns[i].name = std::to_string(i + 1);
   Cells cells, below;
-  std::size_t last = above.size();  // one behind the lowest heading line
+  std::size_t last = above.size();  // index after the lowest heading line
   while (last > 0 && !is_heading(above[last - 1], reading, cells)) --last;
   if (last == 0) return;
   table.header = true;
-  // Two heading lines: the lower one holds units (it may leave some out).
+  // Of two heading lines the lower one holds units; it may have gaps.
   const bool units = last > 1 && is_heading(above[last - 2], reading, below);
   const Cells& names = units ? below : cells;
   for (std::size_t i = 0; i < reading.columns; ++i) {
@@ -125,8 +125,8 @@ void name_columns(Table& table, const std::vector<std::string_view>& above, cons
   }
 }
 
-// Lines above the place where four rows of numbers begin that are rows themselves, a cell of which is no
-// number: up to the first line without any. The place of the highest.
+// Searches upwards from the first rows of numbers for rows in which some cell is not a number, until
+// a line has no number at all (nor only missing values). Returns the position of the highest row.
 std::size_t first_row(const std::vector<std::string_view>& above, const std::vector<std::size_t>& places,
                       const Reading& reading) {
   Cells cells;
@@ -143,7 +143,7 @@ std::size_t first_row(const std::vector<std::string_view>& above, const std::vec
   return first;
 }
 
-// Names columns from the lines above the rows; returns where the rows begin.
+// Names the columns from the lines above the rows; returns the position of the first row.
 std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
   std::vector<std::string_view> above;
   std::vector<std::size_t> places;
@@ -167,7 +167,7 @@ std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
   return begin;
 }
 
-// The message of a cell that is no number, with file and line.
+// Error message, with file and line, for a cell that is not a number.
 std::string trouble_of(const Source& source, const TableForm& form, const std::string& column,
                        std::string_view cell) {
   try {
@@ -178,7 +178,7 @@ std::string trouble_of(const Source& source, const TableForm& form, const std::s
   }
 }
 
-// The heading above the rows: a line of names and perhaps one of units below it; none without one.
+// The heading above the rows: a line of names, perhaps with a line of units below; empty if there is none.
 std::vector<std::string_view> heading_lines(Source source, const Reading& reading, std::size_t begin) {
   Cells cells;
   std::vector<std::string_view> lines;
@@ -195,10 +195,10 @@ std::vector<std::string_view> heading_lines(Source source, const Reading& readin
   return lines;
 }
 
-// Frames that write in blocks (MTS) put the heading above each of them anew, below a few lines of words.
-// True: the line is the first of these, and the source now stands behind the heading.
+// Testing machines that write in blocks (MTS) repeat the heading above each block, below some lines
+// of text. True: `line` is the first of these lines, and the source now stands after the heading.
 bool pass_block_head(Source& source, std::string_view line, const std::vector<std::string_view>& heading) {
-  constexpr int most = 20;  // lines of words between two blocks
+  constexpr int most = 20;  // lines of text between two blocks
   if (heading.empty()) return false;
   Source ahead = source;
   for (int i = 0; trimmed(line) != heading.front(); ++i)
@@ -212,7 +212,7 @@ bool pass_block_head(Source& source, std::string_view line, const std::vector<st
   return true;
 }
 
-// Whether a line may stand between two blocks: it has no number in any cell, or other cells than a row.
+// Whether a line may separate two blocks: no cell is a number, or the number of cells is not that of a row.
 bool between_blocks(const Cells& cells, const Table& table) {
   double value = 0;
   return cells.size() != table.columns.size() || std::none_of(cells.begin(), cells.end(), [&](auto cell) {
@@ -220,7 +220,7 @@ bool between_blocks(const Cells& cells, const Table& table) {
          });
 }
 
-// The rows; returns how many cells are no numbers.
+// Reads the rows; returns the number of cells that are not numbers.
 std::size_t read_rows(Table& table, Source& source, const std::vector<std::string_view>& heading) {
   Cells cells;
   std::string_view line;
@@ -251,7 +251,7 @@ std::size_t read_rows(Table& table, Source& source, const std::vector<std::strin
   return bad;
 }
 
-// The table in one form; bad: cells that are no numbers.
+// Reads the table in one form; bad: number of cells that are not numbers.
 Table read_as(Source source, const Reading& reading, std::size_t& bad) {
   Table table;
   table.form = reading.form;
@@ -269,7 +269,7 @@ Table parse_table(const std::string& name, std::string_view bytes, const TableFo
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     throw Error(name + ":1: expected plain text (UTF-8), got UTF-16; save it as UTF-8");
   const Source source(name, bytes);
-  // Rows of numbers alone, unless rows with text or gaps in the same form begin before.
+  // Reads rows of numbers only, unless rows with text or gaps of the same form begin earlier.
   auto readings = find_readings(source, form, false);
   auto wider = find_readings(source, form, true);
   if (readings.empty() ||
@@ -282,7 +282,7 @@ Table parse_table(const std::string& name, std::string_view bytes, const TableFo
                 "blanks; decimal point or comma), found none in the first 200 lines");
   std::size_t bad = 0;
   Table table = read_as(source, readings[0], bad);
-  if (bad > 0 && readings.size() > 1) {  // the first rows did not show the decimal sign: the rest does
+  if (bad > 0 && readings.size() > 1) {  // later rows determine the decimal sign
     std::size_t other = 0;
     Table comma = read_as(source, readings[1], other);
     if (other < bad) table = std::move(comma);

@@ -1,6 +1,6 @@
-// Tables of numbers as laboratories write them: comma, semicolon, tab or blanks between the cells, decimal
-// point or comma, with or without a header line and a line of units, comments and a preamble above, a
-// byte-order mark.
+// Tables of numbers as laboratories write them: cells separated by commas,
+// semicolons, tabs or blanks; decimal point or comma; with or without a header
+// line, a line of units, comments, text above the table and a byte-order mark.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,32 +11,32 @@ namespace fabricsh::format {
 struct TableForm {
   char separator = 0;    // ',' ';' '\t' or ' ' (any run of blanks); 0: found from the file
   char decimal = 0;      // '.' or ','; 0: found from the file
-  bool lenient = false;  // cells that are no numbers are told by column, not thrown
+  bool lenient = false;  // a cell that is not a number is recorded in its column instead of an exception
 };
 
 struct TableColumn {
-  std::string name;  // of the header without its unit; "1", "2", ... when there is none
-  std::string
-      unit;  // as written: in brackets of any kind behind the name, or in a line of units; may be empty
-  std::vector<double> values;   // finite, or not a number where the cell is none
+  std::string name;  // from the header, without the unit; "1", "2", ... without a header
+  // As written: in brackets after the name, or in a line of units; may be empty.
+  std::string unit;
+  std::vector<double> values;   // finite, or NaN where the cell is not a number
   bool text = true;             // no cell is a number (dates, labels)
-  std::string trouble;          // message of the first cell that is no number; empty: there is none
-  std::size_t trouble_row = 0;  // its row
+  std::string trouble;          // message for the first cell that is not a number; empty: none
+  std::size_t trouble_row = 0;  // the row of that cell
 };
 
 struct Table {
-  std::vector<TableColumn> columns;   // of one length
+  std::vector<TableColumn> columns;   // all of the same length
   std::vector<std::string> preamble;  // lines before the header, comments among them
   TableForm form;
   bool header = false;
 };
 
-// The whole file. Error "pull.csv:12: column 'force': expected a number, got 'abc'", or the row's number of
-// cells, or that there are no numbers at all. A column of text alone is no error: its values are not numbers.
+// Reads the whole file. Error: "pull.csv:12: column 'force': expected a number, got 'abc'", a row with
+// another number of cells, or no numbers at all. A column that has only text is no error: its values are NaN.
 Table read_table(const std::string& path, const TableForm& form = {});
-// The same of bytes in memory; name stands for the path in errors.
+// Reads a table from bytes in memory; name is used in errors in place of the path.
 Table parse_table(const std::string& name, std::string_view bytes, const TableForm& form = {});
-// Throws the trouble of the highest cell that is no number in a column of numbers.
+// Throws the error for the first cell that is not a number in a column of numbers.
 void check(const Table& table);
 
 }  // namespace fabricsh::format

@@ -22,7 +22,7 @@ bool is_comment(std::string_view line) {
 
 namespace {
 
-// The end of the cell that begins at `from`; a quoted cell may hold the separator.
+// The end of the cell that begins at `from`; a quoted cell may contain the separator.
 std::size_t cell_end(std::string_view line, std::size_t from, char separator) {
   const auto word = line.find_first_not_of(" \t", from);
   if (word != line.npos && line[word] == '"') {
@@ -68,7 +68,7 @@ bool is_missing(std::string_view cell) {
 
 namespace {
 
-// Without the signs between thousands; empty when they are not where they belong.
+// Removes the thousands separators; empty if they are not in their places.
 std::string without_thousands(std::string_view cell, char decimal) {
   const char mark = decimal == '.' ? ',' : '.';
   const auto point = std::min(cell.find(decimal), cell.size());
@@ -85,7 +85,7 @@ std::string without_thousands(std::string_view cell, char decimal) {
       return {};
     out += group;
   }
-  if (groups == 1 && point == cell.size()) return {};  // 1,234 may be a decimal comma
+  if (groups == 1 && point == cell.size()) return {};  // 1,234 may have a decimal comma
   return out.append(cell.substr(point));
 }
 

@@ -1,4 +1,4 @@
-// One line of a table taken apart.
+// Splits one line of a table into its cells.
 #pragma once
 #include <string>
 #include <string_view>
@@ -10,12 +10,12 @@ namespace fabricsh::format {
 
 std::string_view trimmed(std::string_view words);
 bool is_comment(std::string_view line);
-// The cells of a line without blanks and quotes around them; a separator at the end closes the last cell.
+// Cells without surrounding blanks and quotes; a separator at the end of the line closes the last cell.
 void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells);
-// A cell where a number was not to be had: empty, nan, inf, n/a, a dash.
+// A cell that marks a missing value: empty, nan, inf, n/a, a dash.
 bool is_missing(std::string_view cell);
-// The whole of a cell as a finite number with this decimal sign. Thousands may be parted by the other sign
-// where that cannot be the decimal one: 1,234.5 or 1,234,567, not 1,234.
+// Reads a whole cell as a finite number with this decimal sign. The other sign may separate
+// thousands if it cannot be meant as the decimal sign: 1,234.5 and 1,234,567, but not 1,234.
 bool parse_cell(std::string_view cell, char decimal, double& value);
 // Name and unit of a heading: "Load [N]", "load (N)", "load / N".
 TableColumn heading(std::string_view cell);

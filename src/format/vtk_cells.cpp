@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_values = 256;
 
-// The distinct values, ascending; one more than most_values of them stops the count.
+// The distinct values, ascending; stops when there are more than most_values.
 std::set<std::int64_t> distinct(std::span<const std::int64_t> values) {
   std::set<std::int64_t> found;
   for (const std::int64_t value : values)

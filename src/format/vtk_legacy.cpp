@@ -1,5 +1,5 @@
-// VTK's legacy .vtk: unstructured grids and polygonal data, text and binary (big-endian), versions 1 to 5.
-// Read here and not by VTK's reader, which believes the counts in the file.
+// VTK's legacy .vtk: unstructured grids and polygonal data, text and binary (big-endian),
+// versions 1 to 5. VTK's own reader is not used because it trusts the counts in the file.
 #include <algorithm>
 
 #include "format/mesh_file.hpp"
@@ -21,7 +21,7 @@ std::string lower(std::string_view word) {
   return text;
 }
 
-// Bytes of one value; 0: no type that is read, and bits are packed.
+// Bytes per value; 0: a type that is not supported, such as packed bits.
 std::size_t bytes_of(const std::string& type) {
   if (type == "char" || type == "signed_char" || type == "unsigned_char" || type == "bit") return 1;
   if (type == "short" || type == "unsigned_short") return 2;
@@ -32,7 +32,7 @@ std::size_t bytes_of(const std::string& type) {
   return 0;
 }
 
-// Names are written with %20 for a blank.
+// In names %20 stands for a blank.
 std::string plain_name(std::string_view word) {
   std::string text;
   const auto digit = [](char c) {
@@ -80,7 +80,7 @@ class LegacyReader {
   Source source_;
   bool binary_ = false, grid_ = false, has_points_ = false, in_data_ = false, on_cells_ = false;
   int version_ = 0;
-  std::int64_t items_ = 0;  // of the data that are read
+  std::int64_t items_ = 0;  // number of points or cells of the data being read
   VtkCells cells_;
   std::vector<Sets> sets_;
 };
@@ -129,7 +129,7 @@ T LegacyReader::binary_value(const std::string& type) {
   }
 }
 
-// n values from here on, in a binary file from the next line on.
+// Reads n values from here; in a binary file from the next line.
 template <class T>
 std::vector<T> LegacyReader::values(const std::string& type, std::int64_t n) {
   if (std::is_same_v<T, std::int64_t> && (type == "float" || type == "double"))
@@ -160,7 +160,7 @@ std::vector<T> LegacyReader::values(const std::string& type, std::int64_t n) {
   return list;
 }
 
-// Counts are bounded by the size of the file, so that only a liar's product overflows.
+// Counts are bounded by the size of the file, so that only the product of false counts can overflow.
 std::int64_t LegacyReader::product(std::int64_t a, std::int64_t b) const {
   const auto most = static_cast<std::int64_t>(source_.size());
   if (a < 0 || b < 0 || (b > 0 && a > most / b))
@@ -184,8 +184,8 @@ void LegacyReader::read_points() {
   cells_.points = values<double>(type, product(n, 3));
 }
 
-// "CELLS rows size": up to version 4 rows of "n id ... id", of `size` numbers in all; then a list of offsets
-// and one of ids.
+// "CELLS rows size": up to version 4 rows "n id ... id", with `size`
+// numbers in all; from version 5 a list of offsets and one of ids.
 void LegacyReader::read_cells(std::int64_t type) {
   const auto n = source_.count("a number of cells", 1);
   const auto size = source_.count("a size of cells", 1);
@@ -250,7 +250,7 @@ void LegacyReader::begin_data(bool on_cells) {
   items_ = n;
 }
 
-// Reads an array, and keeps it if it is one integer for each point or cell.
+// Reads an array, and keeps it if it has one integer for each point or cell.
 void LegacyReader::keep(std::string_view name, const std::string& type, std::int64_t components,
                         std::int64_t items) {
   const bool kept = in_data_ && components == 1 && items == items_ && type != "float" && type != "double";
@@ -260,7 +260,7 @@ void LegacyReader::keep(std::string_view name, const std::string& type, std::int
     values<double>(type, product(components, items));
 }
 
-// "SCALARS name type [components]", then "LOOKUP_TABLE name".
+// Format: "SCALARS name type [components]", then "LOOKUP_TABLE name".
 void LegacyReader::read_scalars() {
   const auto name = source_.word("a name");
   const std::string type = type_word();
@@ -284,7 +284,7 @@ void LegacyReader::read_color_scalars() {
   values<double>(binary_ ? "unsigned_char" : "float", product(n, items_));
 }
 
-// "FIELD name arrays", then of each array "name components items type".
+// Format: "FIELD name arrays", then for each array "name components items type".
 void LegacyReader::read_field() {
   source_.word("a name");
   const auto n = source_.count("a number of arrays", 1);
@@ -301,7 +301,7 @@ void LegacyReader::read_field() {
   }
 }
 
-// Up to the next empty line.
+// Metadata end with the next empty line.
 void LegacyReader::skip_metadata() {
   source_.line("metadata");
   std::string_view line;

@@ -31,7 +31,7 @@ void check_length(const Array& array, std::size_t items, const char* of) {
               std::to_string(array.values.size()) + " in all");
 }
 
-// VTK writes a name as it is, whatever XML makes of it.
+// VTK writes array names without escaping characters that are special in XML.
 std::string escaped(const std::string& name) {
   std::string text;
   for (const char c : name) {
@@ -95,7 +95,7 @@ void add_time(vtkUnstructuredGrid* data, double time) {
   data->GetFieldData()->AddArray(value);
 }
 
-// Into memory: the file itself is written by this room, with the system's reason when that fails.
+// The document is made in memory; this room writes the file, so that errors have the system's reason.
 std::string document(vtkUnstructuredGrid* data) {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(data);

@@ -1,4 +1,4 @@
-// One picture of a surface and what is known on it, as a VTK unstructured grid that ParaView reads.
+// A surface with fields, as a VTK unstructured grid for ParaView.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,12 +15,12 @@ namespace fabricsh::format {
 
 using mesh::Index;
 
-// Values of one name, item by item: component c of item i at values[i * components + c].
+// The values of one field: component c of item i is values[i * components + c].
 struct Array {
   std::string name;
   int components = 1;
   std::vector<double> values;
-  std::vector<std::string> component_names = {};  // none, or one per component: shown by ParaView
+  std::vector<std::string> component_names = {};  // empty, or one name per component, shown by ParaView
   bool flags = false;                             // 0 and 1, written as integers of one byte
 };
 
@@ -31,7 +31,7 @@ struct Grid {
   std::optional<double> time = {};  // s
 };
 
-// What tells a file's content from another's.
+// Identifies the content of a file.
 struct FileSum {
   std::int64_t size = 0;  // bytes
   std::uint32_t sum = 0;  // checksum of them
@@ -40,8 +40,8 @@ struct FileSum {
 };
 FileSum sum_of(std::string_view bytes);
 
-// Replaces the file, compressed; returns what is in it now. Error: an array whose length is not components
-// times points (or cells), a file that cannot be written.
+// Replaces the file, compressed; returns the size and checksum of its new content. Error: an
+// array whose length is not components times points (or cells), or a file that cannot be written.
 FileSum write_vtu(const std::string& path, const Grid& grid, system::Sync sync = system::Sync::yes,
                   system::Folder folder = system::Folder::make);
 

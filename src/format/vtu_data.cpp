@@ -13,7 +13,7 @@ namespace fabricsh::format {
 
 namespace {
 
-// Bytes out of one byte in, at most: deflate 1032, LZ4 255, LZMA some thousands on constant data.
+// The largest possible compression ratio: deflate 1032, LZ4 255, LZMA some thousands for constant data.
 std::uint64_t most_ratio(const std::string& compressor) {
   if (compressor == "vtkZLibDataCompressor") return 1040;
   if (compressor == "vtkLZ4DataCompressor") return 256;
@@ -72,7 +72,7 @@ std::vector<T> words(const Source& source, std::string_view text) {
   return values;
 }
 
-// VTK would print what it does not like; the caller says it instead.
+// VTK would print its error messages; the caller throws an Error instead.
 std::size_t uncompress(vtkDataCompressor* compressor, std::string_view in, char* out, std::size_t size) {
   vtkNew<vtkCallbackCommand> quiet;
   compressor->AddObserver("ErrorEvent", quiet);
@@ -102,7 +102,7 @@ std::string decode_base64(std::string_view text) {
   int filled = 0;
   for (const char c : text) {
     if (c == ' ' || (c >= '\t' && c <= '\r')) continue;
-    if (c == '=') {  // the rest of a group is padding; more groups may follow
+    if (c == '=') {  // the rest of the group of four is padding; more groups may follow
       group = 0;
       filled = 0;
       continue;
@@ -110,7 +110,7 @@ std::string decode_base64(std::string_view text) {
     const int value = sextet(c);
     if (value < 0) break;
     group = group << 6 | static_cast<unsigned>(value);
-    // A byte is whole after the second, third and fourth character.
+    // The second, third and fourth character of a group each complete a byte.
     if (++filled >= 2) bytes += static_cast<char>(group >> (6 - 2 * (filled - 1)) & 0xFFu);
     if (filled == 4) group = 0, filled = 0;
   }
@@ -138,7 +138,7 @@ std::uint64_t VtuDecoder::header(std::string_view& stored) const {
   return encoding_.long_header ? number.raw<std::uint64_t>("") : number.raw<std::uint32_t>("");
 }
 
-// [number of bytes][bytes]
+// Layout: [number of bytes][bytes].
 std::string VtuDecoder::payload(std::string_view stored) {
   if (!encoding_.compressor.empty()) return inflated(stored);
   const std::uint64_t bytes = header(stored);
@@ -149,7 +149,7 @@ std::string VtuDecoder::payload(std::string_view stored) {
   return std::string(stored.substr(0, bytes));
 }
 
-// [blocks][size of a block][size of the last one, 0: whole][compressed size of each][blocks]
+// Layout: [blocks][size of a block][size of the last one, 0: full][compressed size of each block][blocks].
 std::string VtuDecoder::inflated(std::string_view stored) {
   const std::uint64_t blocks = header(stored), size = header(stored), last = header(stored);
   const std::size_t each = encoding_.long_header ? 8 : 4;

@@ -9,11 +9,11 @@ namespace fabricsh::format {
 
 struct VtuEncoding {
   bool big_endian = false;
-  bool long_header = false;  // numbers of the headers take 8 bytes instead of 4
-  std::string compressor;    // empty, or the name of VTK's class
+  bool long_header = false;  // numbers in the headers of arrays take 8 bytes instead of 4
+  std::string compressor;    // empty, or the name of VTK's compressor class
 };
 
-// Where the values of one array are.
+// The location and type of the values of one array.
 struct VtuStored {
   enum class Form { ascii, base64, raw } form = Form::ascii;
   std::string_view bytes;
@@ -23,7 +23,7 @@ struct VtuStored {
 class VtuDecoder {
  public:
   VtuDecoder(const Source& source, VtuEncoding encoding);
-  // All values of the array. Error: text that is no number, sizes that the bytes do not bear out.
+  // All values of the array. Error: text that is not a number, or sizes that do not match the bytes.
   std::vector<std::int64_t> integers(const VtuStored& stored);
   std::vector<double> reals(const VtuStored& stored);
 
@@ -37,13 +37,13 @@ class VtuDecoder {
 
   const Source& source_;
   VtuEncoding encoding_;
-  std::uint64_t ratio_;   // the most that the compression can do
-  std::uint64_t budget_;  // bytes of arrays that this file can still hold
+  std::uint64_t ratio_;   // the largest possible ratio of this compression
+  std::uint64_t budget_;  // bytes of arrays that may still be decoded from this file
 };
 
 bool is_integer_type(std::string_view type);
 
-// Characters that are not base64 end it; padding may stand between parts that were encoded one by one.
+// Decoding ends at the first character outside base64; padding may occur between parts encoded separately.
 std::string decode_base64(std::string_view text);
 
 }  // namespace fabricsh::format

@@ -1,5 +1,5 @@
-// VTK's .vtu. Read here and not by VTK's reader, which believes the counts in the file and the ids of the
-// points; of VTK only the decompression is used.
+// VTK's .vtu. VTK's own reader is not used because it trusts the
+// counts and point ids in the file; only its decompression is used.
 #include <optional>
 
 #include "format/mesh_file.hpp"
@@ -14,7 +14,7 @@ namespace {
 struct DataArray {
   std::string parent, name, type, format;
   std::int64_t components = 1;
-  std::size_t begin = 0, end = 0;      // of what stands between its tags
+  std::size_t begin = 0, end = 0;      // range of the text between its tags
   std::optional<std::int64_t> offset;  // in the appended data
 };
 
@@ -42,7 +42,7 @@ class VtuReader {
   VtuEncoding encoding_;
   std::vector<DataArray> arrays_;
   int pieces_ = 0;
-  std::size_t points_ = 0, cells_ = 0, appended_ = 0;  // appended_: place of its first byte, 0 for none
+  std::size_t points_ = 0, cells_ = 0, appended_ = 0;  // appended_: first byte of appended data, 0 if none
   bool head_ = false, appended_raw_ = false;
 };
 
@@ -127,7 +127,7 @@ const DataArray& VtuReader::array(const char* parent, const char* name) const {
                ">");
 }
 
-// Appended base64 ends where the next array begins, so that no array is decoded with all that follow it.
+// Appended base64 ends where the next array begins, so that no array is decoded with those after it.
 VtuStored VtuReader::stored(const DataArray& array) const {
   using Form = VtuStored::Form;
   if (array.format == "ascii") return {Form::ascii, source_.bytes(array.begin, array.end), array.type};

@@ -14,7 +14,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// The > that ends a tag, outside quotes.
+// The position of the > that ends a tag; a > between quotes does not count.
 std::size_t end_of_tag(std::string_view text) {
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -29,7 +29,7 @@ std::size_t end_of_tag(std::string_view text) {
   return std::string_view::npos;
 }
 
-// A & that begins no entity stands for itself: VTK writes names as they are.
+// An & that begins no entity stands for itself, because VTK writes names without escaping.
 std::string unescaped(std::string_view text) {
   static const std::map<std::string_view, char> known = {
       {"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};
@@ -53,7 +53,7 @@ std::string unescaped(std::string_view text) {
 
 }  // namespace
 
-// Moves to the next <, past comments and instructions.
+// Moves to the next tag, past comments and processing instructions.
 bool XmlTags::find_tag() {
   for (;;) {
     const auto found = source_.rest().find('<');
@@ -109,7 +109,7 @@ void XmlTags::read(XmlTag& tag, std::string_view text) const {
   while (!text.empty()) read_attribute(tag, text);
 }
 
-// name="value", taken off the text.
+// Reads name="value" and removes it from the text.
 void XmlTags::read_attribute(XmlTag& tag, std::string_view& text) const {
   const auto equals = text.find('=');
   const auto name = trimmed(text.substr(0, equals));

@@ -1,5 +1,5 @@
-// The tags of an XML file, one after the other, each closed by its own name. No document types, no entities
-// but the five of the standard and numbers.
+// Reads the tags of an XML file in order and checks that each is closed by its own name.
+// Document types are not supported; entities are the five predefined ones and numbers.
 #pragma once
 #include <map>
 #include <vector>
@@ -13,15 +13,15 @@ struct XmlTag {
   std::map<std::string, std::string, std::less<>> attributes;
   bool opens = true;       // <name ...>; false: </name>
   bool empty = false;      // <name ... />
-  std::size_t behind = 0;  // place behind its >
+  std::size_t behind = 0;  // position after its >
 };
 
 class XmlTags {
  public:
   explicit XmlTags(Source& source) : source_(source) {}
-  // The next tag; false at the end of the file. Error: what is not XML, a tag not closed.
+  // The next tag; false at the end of the file. Error: invalid XML, or a tag that is not closed.
   bool next(XmlTag& tag);
-  // Names of the tags that are open, the outermost first; a tag that opens is its own last.
+  // Names of the open tags, the outermost first; an opening tag is itself the last one.
   const std::vector<std::string>& open() const { return open_; }
 
  private:
@@ -32,7 +32,7 @@ class XmlTags {
 
   Source& source_;
   std::vector<std::string> open_;
-  bool pending_close_ = false;  // the last tag was empty
+  bool pending_close_ = false;  // the last tag was empty, so its closing is still to be reported
 };
 
 }  // namespace fabricsh::format

@@ -1,4 +1,4 @@
-// The box about points, along the axes.
+// The bounding box of points, parallel to the axes.
 #pragma once
 #include <vector>
 
@@ -12,7 +12,7 @@ struct Box {
   Vec3 middle() const { return (low + high) / 2; }
 };
 
-// Of no points: from zero to zero.
+// Without points both corners are zero.
 inline Box box_of(const std::vector<Vec3>& points) {
   Box box;
   if (!points.empty()) box.low = box.high = points.front();

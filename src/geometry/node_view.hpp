@@ -1,4 +1,4 @@
-// One node's three numbers in an array that holds three of every node, as a vector that can be computed with.
+// The three numbers of one node, in an array with three numbers per node, as a vector to compute with.
 #pragma once
 #include <cstddef>
 #include <type_traits>
@@ -7,7 +7,7 @@
 
 namespace fabricsh {
 
-// values: a span or vector of 3 numbers per node, x0 y0 z0 x1 ...; writable where the array is.
+// values: a span or vector with 3 numbers per node, x0 y0 z0 x1 ...; the view is writable if the array is.
 template <class Values>
 requires requires(Values& values) { values.data(); }
 auto at(Values&& values, std::ptrdiff_t node) {

@@ -1,4 +1,4 @@
-// Turning directors on the unit sphere, and the matrices of a vector product and of a turning body.
+// Rotation of directors on the unit sphere, and the matrices of the vector product and of a rotating body.
 #pragma once
 #include <cmath>
 
@@ -13,14 +13,14 @@ inline Mat3 cross_matrix(const Vec3& a) {
   return m;
 }
 
-// Second variation of a vector r of a body that turns, exp(theta) r, on a force f: theta . (sym(r f^T) -
-// (r.f) 1) theta.
+// Second variation of the work of a force f on a vector r that rotates with a
+// body, exp(theta) r: the quadratic form theta . (sym(r f^T) - (r.f) 1) theta.
 inline Mat3 turning_stiffness(const Vec3& r, const Vec3& f) {
   return (r * f.transpose() + f * r.transpose()) / 2 - r.dot(f) * Mat3::Identity();
 }
 
-// Of the angle whose square is x: cos, sin / angle, (cos - 1) / x. Below x = 0.01, where the steps of
-// dynamics are, by series that end under rounding.
+// cos, sin / angle and (cos - 1) / x of the angle whose square is x. Below x =
+// 0.01, the usual case in dynamics, by series truncated below rounding error.
 struct Turn {
   double cosine, sine, versed;
 };
@@ -33,11 +33,11 @@ inline Turn turn_by(double x) {
   return {cosine, std::sin(angle) / angle, (cosine - 1) / x};
 }
 
-// v of almost unit length made so: one step of Newton, whose error is the square of the length's.
+// Normalises v, whose length is almost 1: one Newton step, whose error is quadratic in that of the length.
 inline void renew(Eigen::Map<Vec3> v) { v *= 1.5 - 0.5 * v.squaredNorm(); }
 
-// The director d turned by the increment q (tangent to the sphere, rad) along a great circle, its first axis
-// b1 carried with it.
+// Rotates the director d by the increment q (tangent to the sphere,
+// rad) along a great circle, and parallel-transports its first axis b1.
 inline void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
   const Turn by = turn_by(q.squaredNorm());
   const Vec3 d0 = d;
@@ -49,8 +49,8 @@ inline void turn(Eigen::Map<Vec3> d, Eigen::Map<Vec3> b1, const Vec3& q) {
   renew(b1);
 }
 
-// The first axis of a director's frame after Hughes, from the global axis least aligned with it [hughes1981]:
-// unit, normal to d.
+// The first axis of a director's frame, unit and normal to
+// d, from the global axis least aligned with d [hughes1981].
 inline Vec3 first_axis(const Vec3& d) {
   double a1 = std::abs(d.x()), a3 = std::abs(d.z());
   const double a2 = std::abs(d.y());

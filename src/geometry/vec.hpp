@@ -1,4 +1,4 @@
-// Vectors and small matrices of the rooms that are not batch kernels.
+// Vectors and small matrices for all code outside the batch kernels.
 #pragma once
 #include <Eigen/Dense>
 

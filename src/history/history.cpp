@@ -85,7 +85,7 @@ double History::value(double t) const {
   if (next == points_->begin()) return points_->front().second;
   if (next == points_->end()) return points_->back().second;
   const auto& last = *(next - 1);
-  // Exact at both ends of the interval.
+  // This form is exact at both ends of the interval.
   const double w = (t - last.first) / (next->first - last.first);
   return (1.0 - w) * last.second + w * next->second;
 }

@@ -30,7 +30,7 @@ namespace {
 
 using Weights = std::vector<double>;  // one per point, 1/Pa^2
 
-// The polynomial through zero of one specimen for a given stretch of contact: linear least squares.
+// Fits the polynomial through zero to one specimen for a given stretch of contact, by linear least squares.
 SpecimenFit fit_given(const Tension& t, const Weights& weights, int degree, double slack) {
   const Eigen::Index n = degree;
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
@@ -59,7 +59,7 @@ SpecimenFit fit_given(const Tension& t, const Weights& weights, int degree, doub
   return fit;
 }
 
-// Largest stretch of contact to look at: where the stress has come to a tenth of its peak.
+// The largest stretch of contact to try: where the stress reaches a tenth of its peak.
 double largest_slack(const Tension& t) {
   const double peak = *std::max_element(t.S.begin(), t.S.end());
   std::size_t i = 0;
@@ -67,7 +67,7 @@ double largest_slack(const Tension& t) {
   return std::sqrt(1 + 2 * std::max(0.0, t.E[i])) - 1;
 }
 
-// The stretch of contact with the least squares: a scan, then golden section around its best.
+// Finds the stretch of contact with the least sum of squares: a scan, then golden section search.
 SpecimenFit fit_with_slack(const Tension& t, const Weights& weights, int degree) {
   constexpr int steps = 40;
   constexpr double golden = 0.6180339887498949;
@@ -112,8 +112,8 @@ Scatter scatter_about(const SpecimenFit& fit, const Tension& t) {
   return out;
 }
 
-// 1/v with v = a (1 + ratio D^2), a and ratio of the greatest likelihood: a follows from the ratio, which is
-// looked for on a logarithmic scale.
+// Weights 1/v with v = a (1 + ratio D^2), by maximum likelihood: a follows from the ratio, which is searched
+// on a logarithmic scale.
 Weights likeliest_weights(const Scatter& s) {
   const auto n = static_cast<double>(s.squares.size());
   const double largest = *std::max_element(s.tangents.begin(), s.tangents.end());
@@ -191,7 +191,7 @@ std::optional<std::size_t> choose(const std::vector<Candidate>& candidates) {
 
 namespace {
 
-struct Block {  // neighbouring bins with one mean
+struct Block {  // adjacent bins with a common mean
   double weight, E, S;
 };
 

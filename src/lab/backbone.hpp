@@ -9,59 +9,60 @@
 
 namespace fabricsh::lab {
 
-// S(E) = d0 E + d1 E^2/2 + ... + d(n-1) E^n / n, so that d are the coefficients of the tangent D(E), Pa.
+// S(E) = d0 E + d1 E^2/2 + ... + d(n-1) E^n / n, where d are the coefficients of the tangent D(E), Pa.
 double backbone_stress(const std::vector<double>& d, double E);
 double backbone_tangent(const std::vector<double>& d, double E);
 
-// Stress and strain of a specimen whose gauge was shorter by the stretch of first contact 1 + e: what was
-// measured with the nominal gauge, seen from contact on. E' = ((1+2E)/(1+e)^2 - 1)/2, S' = S (1+e).
+// Corrects E, S for a gauge that is longer by 1 + e because contact begins at that nominal stretch: E' =
+// ((1+2E)/(1+e)^2 - 1)/2, S' = S (1+e).
 std::pair<double, double> from_contact(double E, double S, double e);
 
 struct SpecimenFit {
   std::vector<double> d;  // Pa
-  double slack = 0;       // nominal stretch of first contact, less one
+  double slack = 0;       // nominal stretch of first contact, minus one
   double squares = 0;     // sum of squared residuals over their variance
   double residual = 0;    // root of the mean squared residual, Pa
   std::size_t points = 0;
-  double reach = 0;  // largest strain, from contact
+  double reach = 0;  // largest strain, counted from contact
 };
 
 struct BackboneOptions {
   std::vector<int> degrees = {2, 4};  // of the stress polynomial
-  bool find_slack = false;            // first contact is a parameter: stress zero before it
+  bool find_slack = false;            // fit the first contact too; the stress is zero before it
 };
 
 struct Candidate {
   int degree = 0;
-  double criterion = 0;     // Schwarz: squares + parameters ln(points), summed over the specimens
+  double criterion = 0;     // Schwarz criterion: squares + parameters ln(points), summed over the specimens
   double initial = 0;       // mean D(0), Pa
-  double least = 0;         // least tangent of the mean curve within reach of all, Pa
-  bool admissible = false;  // both positive
+  double least = 0;         // smallest tangent of the mean curve up to the least reach of the specimens
+  bool admissible = false;  // initial and least are positive
   std::vector<SpecimenFit> specimens;
 };
 
-// Weighted least squares per specimen and degree. The variance of a point is that of the stress plus the
-// tangent squared times that of the strain (effective variance [orear1982]); the two are found from the
-// scatter about the richest curve, by turns, and serve all degrees. Candidates in the order of degrees.
+// Weighted least squares for each specimen and degree. The variance of a point is that of the stress plus the
+// squared tangent times that of the strain (effective variance [orear1982]); both are found by turns, from
+// the scatter about the curve of the highest degree, and serve all degrees. Candidates in the order of
+// degrees.
 std::vector<Candidate> fit_backbones(const std::vector<Tension>& loading, const BackboneOptions& options);
 
-// The admissible candidate of the lowest criterion.
+// The admissible candidate with the smallest criterion.
 std::optional<std::size_t> choose(const std::vector<Candidate>& candidates);
 
-// Measured points (0, 0), (E, S), ... strictly increasing, one per bin of strain: means of the bins, made
-// monotone by pooling neighbours that fall [barlow1972].
+// Measured points (0, 0), (E, S), ... strictly increasing, one per bin of strain: the means of the bins, made
+// monotone by pooling adjacent bins that decrease [barlow1972].
 std::vector<std::pair<double, double>> monotone_points(const std::vector<Tension>& loading, int bins);
 
 enum class UnloadingRule {
   first,   // least-squares line through the first `count` points
-  robust,  // median of the slopes between the points above `kept` of the stress at reversal [sen1968]
+  robust,  // median of the slopes between points with a stress above `kept` of that at reversal [sen1968]
 };
 struct UnloadingOptions {
   UnloadingRule rule = UnloadingRule::first;
   std::size_t count = 3;
   double kept = 0.7;
 };
-// Slope dS/dE, Pa, just after the reversal; E, S begin with the first row after it. Nothing: too few points.
+// Slope dS/dE (Pa) just after a reversal; E and S begin with the first row after it. Empty: too few points.
 std::optional<double> unloading_modulus(std::span<const double> E, std::span<const double> S,
                                         const UnloadingOptions& options);
 

@@ -32,7 +32,7 @@ Image smoothed(const Image& in, const std::vector<double>& kernel) {
   return out;
 }
 
-// The brightness that parts a picture into two kinds best [otsu1979].
+// The brightness that separates the pixels of an image best into two classes [otsu1979].
 double threshold(const Image& image) {
   std::array<double, 256> count{};
   for (const float p : image.pixels)
@@ -55,7 +55,7 @@ struct Spot {
   std::size_t area;
 };
 
-// Connected pixels (four neighbours) that are inside.
+// Connected groups of pixels (with four neighbours each) that are inside.
 std::vector<Spot> spots(const std::vector<char>& inside, int width, int height) {
   std::vector<char> seen(inside.size(), 0);
   std::vector<Spot> out;
@@ -89,7 +89,7 @@ double quantile(std::vector<float> values, double part) {
   return *at;
 }
 
-// Brightness of the ground (median of the rim of the window) and of the dot (median of its core).
+// Brightness of the background (median of the border of the window) and of the dot (median of its core).
 std::pair<double, double> levels(const Image& image, const Window& w, double sign) {
   std::vector<float> rim, core;
   const double cx = (w.left + w.right) / 2.0, cy = (w.top + w.bottom) / 2.0;
@@ -104,9 +104,9 @@ std::pair<double, double> levels(const Image& image, const Window& w, double sig
   return {quantile(rim, 0.5), core.empty() ? quantile(rim, 0.5) : quantile(core, 0.5)};
 }
 
-// The centroid of the darkness clipped to 15 to 85 % of the contrast, so that noise inside and outside the
-// dot does not weigh, and the ellipse of its second moments (a full ellipse has a quarter of its half axes
-// squared).
+// The centroid of the darkness, clipped to 15 to 85 % of the contrast so that noise inside and outside the
+// dot has no weight; and the ellipse with the same second moments (those of a full ellipse are a quarter of
+// its squared half axes).
 std::pair<Dot, Ellipse> centroid(const Image& image, const Window& w, double sign) {
   const auto [ground, core] = levels(image, w, sign);
   Dot dot{0, 0, 0, ground - core};
@@ -131,11 +131,11 @@ std::pair<Dot, Ellipse> centroid(const Image& image, const Window& w, double sig
   return {dot, {dot.x, dot.y, yy / det, -xy / det, xx / det, sign * ground, sign * core, 1}};
 }
 
-// What remains of a fit beside an ellipse, over the contrast: more than this is a blot of another shape, and
-// its centroid says more.
+// Largest residual of an ellipse fit relative to the contrast. Above it the spot has another shape, and its
+// centroid is used.
 constexpr double kLargestRest = 0.05;
 
-// The window is the spot with a margin; pixels of neighbours in it count too.
+// The window is the spot with a margin, which may contain pixels of neighbouring dots.
 Dot measured(const Image& image, const Window& w, double sign, double contrast) {
   auto [dot, start] = centroid(image, w, sign);
   if (dot.contrast < contrast) return dot;
@@ -189,7 +189,7 @@ std::vector<double> gaussian(double deviation) {
 
 using Inverse = std::array<double, 4>;
 
-// How far outside the nearest dot's rim a place of the picture lies, in pixels of the undeformed grid.
+// Distance of a point from the rim of the nearest dot, positive outside, in pixels of the undeformed grid.
 double outside_rim(const Scene& s, const Inverse& inverse, double column, double row) {
   const double x = column - (s.width - 1) / 2.0, y = row - (s.height - 1) / 2.0;
   const double X = inverse[0] * x + inverse[1] * y, Y = inverse[2] * x + inverse[3] * y;
@@ -204,7 +204,7 @@ double outside_rim(const Scene& s, const Inverse& inverse, double column, double
   return std::sqrt(dx * dx + dy * dy) - s.radius;
 }
 
-// Part of a pixel that a dot covers: by samples, side x side, where the rim passes near.
+// The part of a pixel covered by a dot, from side x side samples if the rim passes near.
 double covered(const Scene& s, const Inverse& inverse, int column, int row) {
   const double away = outside_rim(s, inverse, column, row);
   const double reach = std::sqrt(inverse[0] * inverse[0] + inverse[1] * inverse[1] + inverse[2] * inverse[2] +

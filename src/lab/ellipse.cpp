@@ -12,8 +12,8 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr int kParameters = 8;
-constexpr double kLargestShift = 0.5;  // pixels from the start: the fit has found something else
-constexpr double kSharpest = 0.3;      // pixels: below, the rim falls between two pixels and tells nothing
+constexpr double kLargestShift = 0.5;  // pixels from the start; beyond it the fit has found another object
+constexpr double kSharpest = 0.3;      // pixels; below it the rim lies between two pixels and says nothing
 
 Vector vector_of(const Ellipse& e) {
   Vector p(kParameters);
@@ -26,7 +26,7 @@ double brightness(const Ellipse& e, double column, double row) {
   const double dx = column - e.x, dy = row - e.y;
   const double gx = e.xx * dx + e.xy * dy, gy = e.xy * dx + e.yy * dy;
   const double q = std::sqrt(std::max(0.0, dx * gx + dy * gy)), slope = std::hypot(gx, gy);
-  // Distance from the rim, to first order: (q - 1) over the gradient of q; exact for a circle.
+  // Distance from the rim to first order: (q - 1) over the gradient of q; exact for a circle.
   const double away = slope > 0 ? (q - 1) * q / slope : -1e3;
   const double blur = std::max(kSharpest, std::abs(e.blur));
   return e.ground + (e.ink - e.ground) * std::erfc(away / (blur * std::sqrt(2.0))) / 2;

@@ -40,7 +40,7 @@ struct Problem {
   Vector outside(const std::vector<double>& x) const {
     Vector q(inputs());
     for (std::size_t i = 0; i < x.size(); ++i) {
-      // On a bound the sine is flat and the parameter would never leave it again.
+      // At a bound the derivative of the sine is zero, and the parameter could never leave it again.
       const double part = (x[i] - bounds[i].low) / (bounds[i].high - bounds[i].low);
       q(static_cast<Eigen::Index>(i)) = std::asin(2 * std::min(1 - 1e-4, std::max(1e-4, part)) - 1);
     }
@@ -51,7 +51,7 @@ struct Problem {
     residuals = Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
     return 0;
   }
-  // d residual / d x by differences away from the nearer bound; all points in one call, x itself the first.
+  // d residual / d x by differences away from the nearer bound; all points in one call, the first is x.
   Matrix by_x(const std::vector<double>& x) const {
     Points points{x};
     std::vector<double> steps;

@@ -1,6 +1,6 @@
-// Bounded nonlinear least squares: Levenberg-Marquardt (MINPACK as Eigen ports it), the bounds by MINUIT's
-// sine [more1978, james1975]. One call evaluates a whole list of points, so that the caller may share them
-// out.
+// Bounded nonlinear least squares: Levenberg-Marquardt (MINPACK as ported by Eigen), with MINUIT's sine
+// transformation for the bounds [more1978, james1975]. One call evaluates a whole list of points, so that the
+// caller can distribute them over processes.
 #pragma once
 #include <functional>
 #include <string>
@@ -16,8 +16,8 @@ struct Bounds {
 
 struct LeastSquaresOptions {
   int iterations = 50;
-  double tolerance = 1e-8;   // relative, of the sum of squares and of the parameters
-  double difference = 1e-4;  // of the forward differences, over high - low
+  double tolerance = 1e-8;   // relative, for the sum of squares and the parameters
+  double difference = 1e-4;  // step of forward differences, relative to high - low
 };
 
 struct LeastSquares {
@@ -29,19 +29,19 @@ struct LeastSquares {
   std::string reason;
 };
 
-// evaluate: one list of residuals per point, all of one length, at least as many as parameters.
+// evaluate: one list of residuals per point, all of the same length, at least the number of parameters.
 LeastSquares least_squares(std::vector<double> start, const std::vector<Bounds>& bounds,
                            const std::function<Points(const Points&)>& evaluate,
                            const LeastSquaresOptions& options = {});
 
-// What the data say about each parameter, from the Jacobian of residuals in units of their deviation.
+// What the data determine about each parameter, from the Jacobian of residuals divided by their deviation.
 struct Identifiability {
-  std::vector<double> deviation;    // standard, of each parameter
+  std::vector<double> deviation;    // standard deviation of each parameter
   std::vector<double> correlation;  // parameters x parameters
-  std::vector<double> weakest;   // the combination that the data fix least, of length one in units of `scale`
-  double weakest_deviation = 0;  // of that combination, in the same units
+  std::vector<double> weakest;      // the least determined combination, of length one in units of `scale`
+  double weakest_deviation = 0;     // of that combination, in the same units
 };
-// scale: a size of each parameter (high - low); jacobian: as above.
+// scale: a typical size of each parameter (high - low); jacobian: as above.
 Identifiability identifiability(const std::vector<double>& jacobian, const std::vector<double>& scale);
 
 }  // namespace fabricsh::lab

@@ -22,8 +22,8 @@ double distance(const Tracks& t, std::size_t frame, std::size_t a, std::size_t b
   return std::hypot(t.x[at + a] - t.x[at + b], t.y[at + a] - t.y[at + b]);
 }
 
-// The two distances whose mean is the length of a box along or across the pull: of a grid opposite sides
-// (along joins rows, across joins columns), of four pins set as a diamond one diagonal, counted twice.
+// The two distances whose mean is a box's length along or across the pull. For a grid: opposite sides (along:
+// between rows, across: between columns); for four pins in a diamond: one diagonal, counted twice.
 class Gauges {
  public:
   Gauges(const Tracks& t, const Arrangement& arrangement) : t_(t), arrangement_(arrangement) {}
@@ -36,7 +36,7 @@ class Gauges {
     return along ? (distance(t_, frame, k[0], k[2]) + distance(t_, frame, k[1], k[3])) / 2
                  : (distance(t_, frame, k[0], k[1]) + distance(t_, frame, k[2], k[3])) / 2;
   }
-  // Variance of that length for unit noise of a coordinate: each distance has two free ends.
+  // Variance of that length for coordinates with unit noise: each distance has two independent ends.
   double variance() const { return arrangement_.diamond ? 2 : 1; }
 
  private:
@@ -44,7 +44,7 @@ class Gauges {
   Arrangement arrangement_;
 };
 
-// The gradient F of least squares that carries some markers from the first frame into another.
+// The least-squares deformation gradient F that maps some markers from the first frame to another.
 Eigen::Matrix2d gradient(const Tracks& t, const std::vector<std::size_t>& markers, std::size_t frame) {
   const auto n = static_cast<Eigen::Index>(markers.size());
   Eigen::Matrix2Xd X(2, n), x(2, n);
@@ -59,7 +59,7 @@ Eigen::Matrix2d gradient(const Tracks& t, const std::vector<std::size_t>& marker
   return (x * X.transpose()) * (X * X.transpose()).inverse();
 }
 
-// Markers that are seen both in the first frame and in another.
+// The markers that are visible both in the first frame and in another.
 std::vector<std::size_t> seen(const Tracks& t, std::size_t frame) {
   std::vector<std::size_t> out;
   const std::size_t at = frame * t.markers();
@@ -68,8 +68,8 @@ std::vector<std::size_t> seen(const Tracks& t, std::size_t frame) {
   return out;
 }
 
-// Direction of the cloth, as it was in the first frame, that is stretched most at all; zero where no frame
-// shows a stretch of `least` more than across it.
+// The direction in the first frame along which the cloth is stretched most in any frame; zero if no frame has
+// a stretch that exceeds the one across by `least`.
 Eigen::Vector2d pull_direction(const Tracks& t, double least) {
   Eigen::Vector2d best = Eigen::Vector2d::Zero();
   double largest = least;
@@ -90,14 +90,14 @@ Eigen::Vector2d between(const Tracks& t, std::size_t a, std::size_t b) {
   return {t.x[b] - t.x[a], t.y[b] - t.y[a]};
 }
 
-// Degrees between two directions, 0 to 90.
+// The angle between two directions, 0 to 90 degrees.
 double angle(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::acos(std::min(1.0, std::abs(a.normalized().dot(b.normalized())))) * 180 / M_PI;
 }
 
-constexpr double straight = 30;  // degrees that a grid may lie off the pull
+constexpr double straight = 30;  // degrees by which a grid may be off the pull
 
-// Four pins: the two that lie farthest apart along the pull, and the two between them.
+// Four pins: the two that are farthest apart along the pull, and the two between them.
 std::optional<Arrangement> diamond(const Tracks& t, const Eigen::Vector2d& pull) {
   std::array<std::size_t, 4> order = {0, 1, 2, 3};
   std::sort(order.begin(), order.end(),
@@ -113,7 +113,7 @@ Arrangement arrangement_of(const Tracks& t) {
   constexpr double least = 0.01;
   const Eigen::Vector2d pull = pull_direction(t, least);
   if (pull.isZero()) return {};
-  // The lines that join rows, from the first row to the last.
+  // Sum of the vectors from the first row to the last, and from the first column to the last.
   Eigen::Vector2d rows = Eigen::Vector2d::Zero(), columns = Eigen::Vector2d::Zero();
   for (std::size_t c = 0; c < t.columns; ++c) {
     const Eigen::Vector2d line = between(t, c, (t.rows - 1) * t.columns + c);
@@ -123,7 +123,7 @@ Arrangement arrangement_of(const Tracks& t) {
     const Eigen::Vector2d line = between(t, r * t.columns, r * t.columns + t.columns - 1);
     if (line.allFinite()) columns += line;
   }
-  // Of a box both point where they should; pins in another order have one of them short or turned.
+  // In a box both are long and point the right way; pins in another order have one short or rotated.
   const double size = std::max(rows.norm(), columns.norm());
   const bool box = t.markers() > 4 || std::min(rows.norm(), columns.norm()) > 1e-6 * size;
   const double off = rows.isZero() ? 90 : angle(rows, pull);
@@ -162,14 +162,14 @@ BoxStrains box_strains(const Tracks& t) { return strains_of(t, Gauges(t, {})); }
 
 namespace {
 
-// Variance of E of one side pair for unit noise of a coordinate: l is the mean of two sides, each with two
-// free ends, so var l = 1; lambda = l/L, L with the same noise; E = (lambda^2 - 1)/2.
+// Variance of E from one pair of sides for coordinates with unit noise. l is the mean of two sides, each with
+// two independent ends, so var l = 1; lambda = l/L, where L has the same noise; E = (lambda^2 - 1)/2.
 double strain_variance(double E, double length) {
   const double square = 1 + 2 * E;
   return square * (1 + square) / (length * length);
 }
 
-struct Sums {  // over the pairs of a box that count
+struct Sums {  // over the pairs of a box that are used
   double xx = 0, xy = 0, yy = 0;
   double var_x = 0, var_y = 0;  // for unit noise
   double n = 0;
@@ -180,7 +180,7 @@ struct Sums {  // over the pairs of a box that count
   double slope(double variance) const { return xy / (xx - variance * var_x); }
 };
 
-// Mean strain along the pull of a frame's boxes.
+// Mean strain along the pull over the boxes of a frame.
 double mean_along(const BoxStrains& strains, std::size_t frame, std::size_t boxes) {
   double sum = 0, n = 0;
   for (std::size_t b = 0; b < boxes; ++b)
@@ -188,7 +188,7 @@ double mean_along(const BoxStrains& strains, std::size_t frame, std::size_t boxe
   return n > 0 ? sum / n : 0;
 }
 
-// Per box. Frames are taken whole: choosing boxes by their own noisy strain would choose noise.
+// For each box. Frames are used as a whole: selecting boxes by their own noisy strain would select noise.
 std::vector<Sums> sums_of(const Tracks& t, double least) {
   const Gauges gauges(t, arrangement_of(t));
   const BoxStrains strains = strains_of(t, gauges);
@@ -205,8 +205,8 @@ std::vector<Sums> sums_of(const Tracks& t, double least) {
   return out;
 }
 
-// Noise variance of a coordinate that explains the scatter about the line: the squared distances y - k x have
-// the mean var_y + k^2 var_x. The slope takes one freedom.
+// Noise variance of a coordinate from the scatter about the line: the squared distances y - k x have the mean
+// var_y + k^2 var_x. The slope uses one degree of freedom.
 double scatter_variance(const Sums& s) {
   double variance = 0;
   for (int i = 0; i < 50; ++i) {

@@ -28,10 +28,10 @@ using Work = std::function<std::vector<double>(std::size_t)>;
 struct Worker {
   pid_t process = -1;
   CountedChild counted;
-  int pipe = -1;  // what it answers
+  int pipe = -1;  // from which its answer is read
   std::size_t item = 0;
   std::string bytes;
-  int status = 0;  // how it ended
+  int status = 0;  // its exit status
 };
 
 Answer answer_of(const Work& work, std::size_t i, bool forked) {
@@ -39,13 +39,13 @@ Answer answer_of(const Work& work, std::size_t i, bool forked) {
     return {work(i), "", false};
   } catch (const std::exception& error) {
     return {{}, *error.what() == 0 ? "unknown trouble" : error.what(), false};
-  } catch (...) {  // an error of Lua, which has no type that is known here, must not leave a copy running on
+  } catch (...) {  // a Lua error has no C++ type known here; it must not let the copy continue
     if (!forked) throw;
     return {{}, "unknown trouble", false};
   }
 }
 
-// First byte: v for values, t for trouble, x for one that left by itself.
+// The first byte: v for values, t for an error, x for a process that called exit().
 std::string encoded(const Answer& answer) {
   if (!answer.trouble.empty()) return "t" + answer.trouble;
   std::string bytes(1 + answer.values.size() * sizeof(double), 'v');
@@ -75,22 +75,22 @@ void write_all(int pipe, const std::string& bytes) {
   }
 }
 
-int answers_to = -1;  // the pipe of this copy; what exit() calls can be given nothing
+int answers_to = -1;  // the pipe of this copy; global because a function called by exit() has no arguments
 
-// Work that calls exit(), as os.exit does.
+// Called by exit() in a copy, for example for os.exit.
 void say_that_it_left() {
   write_all(answers_to, "xthe work called os.exit");
   std::fflush(nullptr);
   std::_Exit(0);
 }
 
-// Leaves without destructors: what they would close belongs to the parent. Files are flushed, since what the
-// parent had to write was written before the copy was made.
+// Ends a copy without destructors, because what they would close belongs to the parent. Files are flushed:
+// the parent's own buffers were written before the fork.
 [[noreturn]] void work_and_leave(int pipe, const Work& work, std::size_t i, double left, pid_t parent) {
   std::signal(SIGINT, SIG_DFL);   // Ctrl-C ends it at once
-  std::signal(SIGTERM, SIG_DFL);  // and so does its parent
+  std::signal(SIGTERM, SIG_DFL);  // as does its parent
   if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);  // and so does the end of its parent
+  prctl(PR_SET_PDEATHSIG, SIGTERM);  // and so does the end of the parent
   if (getppid() != parent) std::_Exit(1);
   limit_computing_time_of_copy(left);
   omp_set_num_threads(1);  // a forked copy has none of the other threads
@@ -121,7 +121,7 @@ Worker started(const Work& work, std::size_t i) {
   return {process, CountedChild(process), ends[0], i, {}, 0};
 }
 
-// The running workers; whoever is left when this goes away is stopped.
+// The running workers; the destructor ends those that are left.
 class Crew {
  public:
   ~Crew() {
@@ -132,7 +132,7 @@ class Crew {
   }
   std::size_t size() const { return workers_.size(); }
   void add(Worker worker) { workers_.push_back(std::move(worker)); }
-  // Waits until a worker has answered in full and takes it out; none: it was to stop.
+  // Waits for the complete answer of a worker and removes it from the crew; empty: stop() returned true.
   std::optional<Worker> next(const std::function<bool()>& stop) {
     while (!stop || !stop()) {
       std::vector<pollfd> polled;

@@ -42,7 +42,7 @@ std::optional<double> first_contact(std::span<const double> displacement, std::s
 
 namespace {
 
-// Rows of the extremes between which the displacement runs one way.
+// Rows of the extremes of the displacement, between which it is monotone.
 std::vector<std::size_t> reversals(std::span<const double> u, double tolerance) {
   std::vector<std::size_t> turns;
   bool up = true;
@@ -66,9 +66,9 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// How near an extreme a displacement does not tell whether the frame moves: half a usual step between rows,
-// or eight deviations of the noise (the extreme of a hold stands up to four above its level, others up to
-// four below) that second differences show (their variance is six times that of a reading).
+// Within this width of an extreme a displacement does not show whether the machine moves: half a usual step
+// between rows, or eight deviations of the noise (a hold's extreme may be four above its level, other values
+// four below). The noise comes from second differences, whose variance is six times that of a reading.
 double hold_width(std::span<const double> u) {
   if (u.size() < 3) return 0;
   std::vector<double> steps, bends;
@@ -78,9 +78,9 @@ double hold_width(std::span<const double> u) {
   return std::max(median(std::move(steps)) / 2, 8 * noise);
 }
 
-constexpr std::size_t kHold = 5;  // rows that stay near an extreme: the frame was held there
+constexpr std::size_t kHold = 5;  // number of rows near an extreme that make a hold
 
-// First and last row of the hold at an extreme; the extreme itself where there is none.
+// First and last row of the hold at an extreme; the extreme itself if there is no hold.
 std::pair<std::size_t, std::size_t> hold_at(std::span<const double> u, std::size_t extreme, double width) {
   std::size_t first = extreme, last = extreme;
   while (first > 0 && std::abs(u[first - 1] - u[extreme]) <= width) --first;
@@ -89,7 +89,7 @@ std::pair<std::size_t, std::size_t> hold_at(std::span<const double> u, std::size
   return {first, last};
 }
 
-// A way up that may pass the largest displacement so far: reloading below it, loading above.
+// Adds an increase that may exceed the largest displacement so far: reloading below it, loading above.
 void add_way_up(std::vector<Branch>& out, std::span<const double> u, std::size_t begin, std::size_t end,
                 double largest) {
   std::size_t middle = begin;
@@ -128,8 +128,8 @@ std::vector<Branch> branches(std::span<const double> u, double tolerance) {
 
 namespace {
 
-// Slopes of the lines through `window` rows from every row on, below `end`; sums run along, about the first
-// row.
+// Slopes of the regression lines through `window` rows, starting at every row below `end`; from running sums
+// about the first row.
 std::vector<double> slopes(std::span<const double> x, std::span<const double> y, std::size_t begin,
                            std::size_t end, std::size_t window) {
   std::vector<double> out;
@@ -149,7 +149,7 @@ std::vector<double> slopes(std::span<const double> x, std::span<const double> y,
   return out;
 }
 
-constexpr double kTaut = 0.05;  // of the largest stress: below, slack may still be coming out
+constexpr double kTaut = 0.05;  // of the largest stress; below it slack may still be taken up
 
 }  // namespace
 
@@ -166,7 +166,7 @@ Marks yield_and_failure(std::span<const double> E, std::span<const double> S, st
   const std::size_t window = std::max<std::size_t>(5, (top + 1 - taut) / 20);
   const auto tangent = slopes(E, S, taut, top + 1, window);
   double stiffest = 0;
-  std::size_t soft = 0;  // windows from here on are below `softening` of the stiffest before them
+  std::size_t soft = 0;  // windows from here on have slopes below `softening` of the largest before
   for (std::size_t i = 0; i < tangent.size(); ++i) {
     stiffest = std::max(stiffest, tangent[i]);
     if (tangent[i] >= softening * stiffest) soft = i + 1;

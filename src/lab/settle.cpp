@@ -12,10 +12,10 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kShort = 0.1;      // of a standard deviation: a step that need not be taken
-constexpr double kWidest = 0.1;     // of high - low: the longest difference of a parameter
-constexpr double kShortest = 1e-3;  // of a standard deviation: too near a bound to difference
-constexpr double kWild = 30;  // residuals that change more than this for one deviation are of a failed run
+constexpr double kShort = 0.1;      // of a standard deviation: a shorter step ends the search
+constexpr double kWidest = 0.1;     // of high - low: largest difference step of a parameter
+constexpr double kShortest = 1e-3;  // of a standard deviation: too near a bound for a difference
+constexpr double kWild = 30;        // change of a residual per deviation above which a run has failed
 
 Vector vector_of(const std::vector<double>& v) {
   return Eigen::Map<const Vector>(v.data(), static_cast<Eigen::Index>(v.size()));
@@ -48,7 +48,7 @@ class Settler {
     return std::move(found_);
   }
 
-  // Columns: one standard deviation along each combination, in parameters.
+  // Columns: one standard deviation along each principal combination, in parameters.
   void find_axes() {
     const Vector width = high_ - low_;
     const Matrix J = Eigen::Map<const Rows>(found_.jacobian.data(),
@@ -60,7 +60,7 @@ class Settler {
     columns_ = J * axes_;
   }
 
-  // How far x may go along a direction, at most one.
+  // The share of a direction, at most 1, by which x can move within the bounds.
   double reach(const Vector& x, const Vector& direction) const {
     double most = 1;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -72,7 +72,7 @@ class Settler {
     return std::max(most, 0.0);
   }
 
-  // The Jacobian anew, and the Gauss-Newton step in standard deviations along the axes.
+  // Recomputes the Jacobian; returns the Gauss-Newton step in standard deviations along the axes.
   Vector difference() {
     find_axes();
     const Vector x = vector_of(found_.x);
@@ -94,8 +94,8 @@ class Settler {
     return -columns_.colPivHouseholderQr().solve(here);
   }
 
-  // Changes of the residuals over `up` forward and `down` back: a parabola's slope, or that of the side which
-  // can be used; else the column stays.
+  // Sets a column from the changes of the residuals over `up` forward and `down` backward: the slope of a
+  // parabola, or of the only usable side; otherwise the column is kept.
   void slope(Eigen::Index k, const Vector& forward, double up, const Vector& backward, double down) {
     const bool ahead = up > kShortest && forward.allFinite() && forward.norm() < kWild;
     const bool behind = down > kShortest && backward.allFinite() && backward.norm() < kWild;
@@ -107,7 +107,7 @@ class Settler {
       columns_.col(k) = -backward / down;
   }
 
-  // The step, half and a quarter of it: the best, if it is better than where we are.
+  // Tries the step, half and a quarter of it; takes the best if it improves on the present point.
   bool walk(const Vector& step) {
     const Vector x = vector_of(found_.x);
     Points points;

@@ -32,10 +32,10 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-// A number below n, the same on every machine (std::uniform_int_distribution is not).
+// A random number below n, the same on every machine (unlike std::uniform_int_distribution).
 std::size_t below(std::mt19937_64& random, std::size_t n) { return random() % n; }
 
-// Columns: means of n specimens drawn with replacement.
+// Each column is the mean of n specimens drawn with replacement.
 Matrix drawn_means(const Matrix& data, int draws, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto n = static_cast<std::size_t>(data.cols());
@@ -90,7 +90,7 @@ std::vector<double> draw_around(const std::vector<double>& value, const std::vec
   const Matrix C = Eigen::Map<const Matrix>(covariance.data(), n, n);
   const Vector deviation = C.diagonal().cwiseSqrt();
   const Vector scale = deviation.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
-  // The root by eigenvalues bears a covariance of lower rank: few specimens, many parameters.
+  // The square root by eigenvalues also works for a singular covariance (few specimens, many parameters).
   const Eigen::SelfAdjointEigenSolver<Matrix> modes(scale.asDiagonal() * C * scale.asDiagonal());
   std::normal_distribution<double> normal;
   Vector z = Vector::NullaryExpr(n, [&] { return normal(random); });

@@ -1,4 +1,4 @@
-// Bands from few specimens.
+// Confidence bands from a few specimens.
 #pragma once
 #include <cstdint>
 #include <random>
@@ -11,7 +11,7 @@ double student_quantile(double p, double freedom);
 
 struct Estimate {
   std::vector<double> value;       // mean over the specimens
-  std::vector<double> low, high;   // the band; empty for one specimen
+  std::vector<double> low, high;   // limits of the band; empty for one specimen
   std::vector<double> covariance;  // of value, n x n, row by row; empty for one specimen
 };
 
@@ -19,19 +19,19 @@ struct BandOptions {
   double level = 0.95;
   int draws = 2000;
   std::uint64_t seed = 1;
-  // Standard uncertainties that all specimens share, relative to the value: load cell, thickness, width.
+  // Standard uncertainties common to all specimens, relative to the value: load cell, thickness, width.
   std::vector<double> common;
 };
 
-// Mean of one parameter vector per specimen, and its band by the bootstrap over specimens. n specimens drawn
-// with replacement have a mean whose variance is (n-1)/n too small, and with few specimens the normal
-// quantile is too narrow: the covariance of the draws is widened by n/(n-1), common^2 value^2 is added, and
-// the band is t(level, n-1) standard deviations wide on each side [hesterberg2015, section 4.3; gum2008,
-// section 5].
+// The mean of one parameter vector per specimen, and its confidence band by the bootstrap over specimens. The
+// mean of n specimens drawn with replacement has a variance that is too small by (n-1)/n, and for few
+// specimens the normal quantile is too small. So the covariance of the draws is multiplied by n/(n-1),
+// common^2 value^2 is added, and the band is t(level, n-1) standard deviations wide on each side
+// [hesterberg2015, section 4.3; gum2008, section 5].
 Estimate band_of(const std::vector<std::vector<double>>& specimens, const BandOptions& options);
 
-// A draw of parameters that are jointly normal about value, correlated as in `covariance` (n x n), and within
-// `half` of it with the probability `level` each.
+// Draws parameters from a joint normal distribution about value, with the correlation of `covariance` (n x
+// n); each lies within `half` of its value with the probability `level`.
 std::vector<double> draw_around(const std::vector<double>& value, const std::vector<double>& half,
                                 const std::vector<double>& covariance, double level, std::mt19937_64& random);
 

@@ -30,8 +30,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// The step from a dot to the nearest one within 45 degrees of a direction (of length one): the median over
-// the dots that have one; none when no dot has.
+// The vector from a dot to its nearest neighbour within 45 degrees of a direction (of length one): the median
+// over all dots that have such a neighbour; empty if none has.
 std::optional<Step> step_along(const std::vector<Dot>& dots, const Step& direction) {
   std::vector<double> x, y;
   for (const Dot& from : dots) {
@@ -50,9 +50,9 @@ std::optional<Step> step_along(const std::vector<Dot>& dots, const Step& directi
   return Step{median(x), median(y)};
 }
 
-using Label = std::pair<int, int>;  // row, column, from any dot
+using Label = std::pair<int, int>;  // row, column, relative to any dot
 
-// Goes from dot to dot by the lattice's steps, each within 0.3 of the shorter one.
+// Walks from dot to dot by the vectors of the lattice, with a tolerance of 0.3 of the shorter one.
 std::map<Label, std::size_t> labelled(const std::vector<Dot>& dots, const Step& right, const Step& up) {
   const double gate = 0.3 * std::min(right.length(), up.length());
   std::map<Label, std::size_t> place{{{0, 0}, 0}};
@@ -77,8 +77,8 @@ std::map<Label, std::size_t> labelled(const std::vector<Dot>& dots, const Step& 
   return place;
 }
 
-// The dots in the order of the grid, found from their neighbours: rows upwards, each from left to right.
-// Empty when they are no such grid.
+// The dots in the order of the grid, from their neighbours: rows from bottom to top, each from left to right.
+// Empty if they do not form such a grid.
 std::vector<Dot> in_order(const std::vector<Dot>& dots, std::size_t rows, std::size_t columns) {
   const auto right = step_along(dots, {1, 0}), up = step_along(dots, {0, -1});
   if (!right || !up) return {};
@@ -93,7 +93,7 @@ std::vector<Dot> in_order(const std::vector<Dot>& dots, std::size_t rows, std::s
   if (static_cast<std::size_t>(high - low + 1) != columns || static_cast<std::size_t>(height) != rows)
     return {};
   std::vector<Dot> out;
-  for (const auto& [label, dot] : place) out.push_back(dots[dot]);  // a map goes by rows, then columns
+  for (const auto& [label, dot] : place) out.push_back(dots[dot]);  // a map is ordered by row, then column
   return out;
 }
 
@@ -134,7 +134,7 @@ namespace {
 
 using Matches = std::vector<std::optional<std::size_t>>;
 
-// Places of one kind or another with x and y.
+// Positions of any type with x and y.
 template <class Places>
 Matches nearest(const Places& last, const std::vector<Dot>& dots, const Map& map, double gate) {
   Matches out(last.size());
@@ -147,7 +147,7 @@ Matches nearest(const Places& last, const std::vector<Dot>& dots, const Map& map
   return out;
 }
 
-// The affine map of the matched markers; the old one when too few are matched.
+// The affine map of the matched markers; the old one if too few are matched.
 template <class Places>
 Map affine(const Places& last, const std::vector<Dot>& dots, const Matches& matches, const Map& old) {
   const auto n = std::count_if(matches.begin(), matches.end(), [](const auto& m) { return m.has_value(); });

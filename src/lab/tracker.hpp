@@ -1,4 +1,4 @@
-// Dots followed through a series of photographs.
+// Follows dots through a series of photographs.
 #pragma once
 #include <vector>
 
@@ -9,19 +9,19 @@ namespace fabricsh::lab {
 
 struct Doubt {
   std::size_t frame, marker;
-  bool lost;  // not found at all (its position is not a number); else found, but changed
+  bool lost;  // not found (its position is then NaN); otherwise found, but changed
 };
 
 class Tracker {
  public:
-  // The first photograph's dots, which must be rows x columns; the grid is found from the steps between
-  // neighbours and may be turned by 40 degrees. Error: another count, or no such grid.
+  // The dots of the first photograph, rows x columns. The grid is found from the vectors between neighbours
+  // and may be rotated by 40 degrees. Error: another number of dots, or no such grid.
   Tracker(std::size_t rows, std::size_t columns, const std::vector<Dot>& first);
-  // The next photograph: every marker takes the dot nearest to where the last photographs lead to expect it
-  // (its last known place under the affine map of the last step; then, twice, under that of the matches just
-  // made), within 0.4 of the spacing. Lost ones are looked for again later.
+  // Adds the next photograph. Each marker takes the dot nearest to its predicted position (the last one under
+  // the affine map of the last step, then twice under that of the new matches), within 0.4 of the spacing.
+  // Lost markers are searched again later.
   void add(const std::vector<Dot>& dots);
-  // Positions in pixels, y upwards from the first photograph's first row of pixels.
+  // Positions in pixels, y upwards from the first row of pixels in the first photograph.
   const Tracks& tracks() const { return tracks_; }
   const std::vector<Doubt>& doubts() const { return doubts_; }
 
@@ -33,7 +33,7 @@ class Tracker {
   double spacing() const;
 
   Tracks tracks_;
-  std::vector<Place> last_;                       // where each marker was, or is thought to be
+  std::vector<Place> last_;                       // last or predicted position of each marker
   std::array<double, 6> step_{1, 0, 0, 0, 1, 0};  // x' = s0 x + s1 y + s2, y' = s3 x + s4 y + s5
   std::vector<Doubt> doubts_;
 };

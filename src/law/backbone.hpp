@@ -11,7 +11,7 @@ struct BackboneValue {
   T D, P, U;
 };
 
-// Polynomial pieces share this Horner rule; the number of terms is a compile-time constant.
+// Horner's rule for all polynomial pieces; the number of terms is a compile-time constant.
 template <int terms, class C, class T>
 T horner(const C* c, T t) {
   T sum(c[terms - 1]);
@@ -26,7 +26,7 @@ T horner_at(const double* c, int terms, T t) {
   return sum;
 }
 
-// Coefficients of the piece that holds x, lane by lane (the same for all where there is one piece only).
+// Coefficients of the piece that contains x, lane by lane (the same in all lanes if there is only one piece).
 template <int terms, class T>
 struct PieceAt {
   T start, P0, U0, d[terms], p[terms], u[terms];
@@ -53,7 +53,7 @@ PieceAt<terms, T> piece_at(const Backbone& curve, T x) {
   return q;
 }
 
-// The guard without a branch: values at t inside the piece, extended by `beyond` with a constant D.
+// The range guard without a branch: values at t inside the piece, continued over `beyond` with constant D.
 template <int terms, class T, class P>
 BackboneValue<T> extended(const P& piece, T inside, T beyond) {
   const T t = inside - T(piece.start);
@@ -70,7 +70,7 @@ BackboneValue<T> backbone_terms(const Backbone& curve, T x) {
   return extended<terms>(piece_at<terms>(curve, inside), inside, x - inside);
 }
 
-// x >= 0. NaN gives NaN.
+// The backbone at x >= 0. NaN gives NaN.
 template <class T>
 BackboneValue<T> backbone_at(const Backbone& curve, T x) {
   return curve.terms == 4 ? backbone_terms<4>(curve, x) : backbone_terms<max_terms>(curve, x);

@@ -6,7 +6,7 @@
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
-// most: the longest state of this law, so that the copy on the stack stays small.
+// most: length of the longest state of this law, so that the copy on the stack is small.
 template <int most, class Kernel>
 unsigned run_part(int state, const double* E, const double* s0, double* s1, double* S, double* C,
                   Kernel kernel) {
@@ -61,7 +61,7 @@ unsigned elastic_part(const Law& law, const Step&, const double* E, const double
                      [&](const Pack* e, const Pack*, Pack*) { return elastic_update(law.elastic, e); });
 }
 
-// Law "potential": a kernel for what is switched on, so that nobody pays for what is off.
+// Selects the kernel of law "potential" by the features that the card uses, so that unused ones cost nothing.
 BatchFunction potential_part_for(const Law& law) {
   if (law.is_plain) return plain_part;
   if (law.woven.viscous.on) return law.woven.friction.on ? viscous_part<true> : viscous_part<false>;

@@ -1,4 +1,4 @@
-// One point of a sheet that bends: curvatures in, moments per width out, by the card's own bending alone.
+// One point of a bent sheet: curvatures in, moments per width out. Only the card's own bending is used.
 #pragma once
 #include <optional>
 
@@ -6,7 +6,7 @@
 
 namespace fabricsh::law {
 
-// One committed point: k12 is the tensor component, M12 works on 2 k12.
+// One committed point. k12 is the tensor component; M12 is work-conjugate to 2 k12.
 struct BendSample {
   double M11 = 0, M22 = 0, M12 = 0;   // N, moment per width
   double k11 = 0, k22 = 0, k12 = 0;   // 1/m
@@ -15,11 +15,11 @@ struct BendSample {
 
 class BendingPoint {
  public:
-  // Error: the card has no bending of its own, or one that is refused.
+  // Error: the card has no bending of its own, or its bending is refused.
   explicit BendingPoint(const card::Card& card);
-  // Total curvature reached in one straight increment and committed; a component without a value stays.
+  // Reaches the total curvature in one straight increment and commits; components without a value stay.
   BendSample bend(std::optional<double> k11, std::optional<double> k22, std::optional<double> k12);
-  void reset();  // flat and virgin
+  void reset();  // returns to flat virgin cloth
 
  private:
   std::array<BendingSpring, 3> springs_;

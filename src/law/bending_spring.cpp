@@ -12,8 +12,8 @@ namespace fabricsh::law {
 
 namespace {
 
-constexpr double usual_range = 100;  // 1/m, tested to where a card does not say
-constexpr double least_share = 0.1;  // of B(0) that a curve keeps where nobody measured it
+constexpr double usual_range = 100;  // 1/m, used as the tested range if the card states none
+constexpr double least_share = 0.1;  // share of B(0) that a curve keeps at least beyond its tested range
 constexpr int samples = 2000;
 
 struct Side {
@@ -23,7 +23,7 @@ struct Side {
 
 std::string micro(double rigidity) { return number(1e6 * rigidity) + " uN.m"; }
 
-// The curvature up to which the pieces hold; beyond it B stays what it is there. 1/m.
+// The curvature (1/m) up to which the pieces are used; beyond it B is constant.
 double range_of(const Side& side, const card::Curve& curve, const std::vector<Piece>& pieces) {
   const double stated = side.card.bending->tested;
   const double last = curve.points.empty() ? usual_range : curve.points.back().first;
@@ -104,7 +104,7 @@ double stiffest(const BendingSpring& spring) {
   if (spring.curve != nullptr)
     for (int i = 0; i <= samples; ++i)
       most = std::max(most, raw_curve(spring.curve->pieces, spring.curve->backbone.limit * i / samples).D);
-  // A friction that fades resists a turn with twice its first stiffness.
+  // After a reversal fading friction has twice its initial stiffness.
   const double rubs = spring.friction > 0 ? spring.friction / spring.curvature : 0;
   return most + (spring.fading ? 2 : 1) * rubs;
 }

@@ -1,13 +1,13 @@
-// Bending of cloth as one more hysteretic spring: moment per width against curvature, an elastic part whose
-// rigidity B may change with the curvature, and beside it a friction moment m (half the 2HB of a KES test)
-// that builds up over a small curvature kappa_f, with the stiffness k = M_f / kappa_f at first.
+// The bending of cloth as a hysteretic spring: moment per width against curvature. It has an elastic
+// part, whose rigidity B may change with the curvature, and a friction moment m (half the 2HB of a KES
+// test), which builds up over a small curvature kappa_f with the initial stiffness k = M_f / kappa_f.
 //   M = int_0^kappa B + m
 // slip     m = k (kappa - kappa_s), held within +-M_f
-// fading   dm = k dkappa - m |dkappa| / kappa_f: a moment fades as exp(-s / kappa_f) over the curvature s
-// that
-//          is walked in either direction, and comes to +-M_f on a long way
-// Either stores m^2 / (2 k) and loses what remains, M_f |dkappa_s| or m^2 |dkappa| / M_f: never less than
-// nothing.
+// fading   dm = k dkappa - m |dkappa| / kappa_f: a moment decays as exp(-s / kappa_f), where s is
+//          the curvature travelled, counted positive in both directions; under monotone bending
+//          m tends to +-M_f
+// Both store m^2 / (2 k) and dissipate the rest, M_f |dkappa_s| or m^2 |dkappa| / M_f, which is
+// never negative.
 #pragma once
 #include <array>
 #include <memory>
@@ -16,8 +16,8 @@
 
 namespace fabricsh::law {
 
-// Moment against curvature in one bending direction, in the backbone's words: D the rigidity B, P the moment,
-// U the stored energy, over the curvature, which is not negative; the other side is odd.
+// Moment against curvature in one bending direction, expressed by a backbone: D is the rigidity B, P the
+// moment, U the stored energy, as functions of the curvature >= 0; for negative curvature the moment is odd.
 struct BendingCurve {
   BendingCurve() = default;
   BendingCurve(const BendingCurve&) = delete;
@@ -29,21 +29,21 @@ struct BendingCurve {
 struct BendingSpring {
   double rigidity = 0;   // B(0), N.m
   double friction = 0;   // M_f, N (moment per width); 0: none
-  double curvature = 0;  // kappa_f, 1/m: over which the friction builds up; positive where friction is
+  double curvature = 0;  // kappa_f, 1/m: over which the friction builds up; positive if there is friction
   bool fading = false;
-  std::shared_ptr<const BendingCurve> curve = {};  // null: B is the same at any curvature
+  std::shared_ptr<const BendingCurve> curve = {};  // null: B is constant
 };
 
-// What a card's bending says of warp, weft and twist. Error: a rigidity that is not positive up to the
-// curvature that it was tested to, a curve that is none.
+// The springs of warp, weft and twist. Error: a rigidity that is
+// not positive up to the tested curvature, or an invalid curve.
 std::array<BendingSpring, 3> bending_springs(const card::Card& card);
 
-// N.m: the largest slope of the moment that the spring can have.
+// The largest possible slope of the moment, N.m.
 double stiffest(const BendingSpring& spring);
 
 inline namespace FABRICSH_ISA {
 
-// State: three numbers, all zero for virgin cloth. Without fading the last one is not needed and stays 0.
+// State: three numbers, all zero for virgin cloth. `last` is used only with fading and is otherwise 0.
 template <class T>
 struct BendingState {
   T slip{0.0};  // kappa_s, 1/m: m = k (kappa - kappa_s)
@@ -64,7 +64,7 @@ BendingValue<T> elastic_moment(const BendingSpring& spring, T kappa) {
   return {select(kappa < T(0.0), -at.P, at.P), at.D};
 }
 
-// What sticks, 1/m, and its stiffness.
+// The elastic part of the curvature when friction slips, kappa - kappa_s (1/m), and its moment's tangent.
 template <class T>
 struct Stuck {
   T held, C;
@@ -82,8 +82,8 @@ Stuck<T> slipped(const BendingSpring& spring, AtSwitch at, T kappa, BendingState
   return {held, select(sticks, stiff, T(0.0))};
 }
 
-// The exact solution over a straight step of curvature. Where nothing moves the tangent is that of going on
-// the way that the moment points to, or of turning round.
+// The exact solution over a straight step of curvature. For a step of zero length
+// the tangent is that of continued loading or, after a reversal, of unloading.
 template <class T>
 BendingValue<T> fading_moment(const BendingSpring& spring, AtSwitch at, T kappa, BendingState<T>& s) {
   const double k = spring.friction / spring.curvature;
@@ -103,11 +103,11 @@ BendingValue<T> fading_moment(const BendingSpring& spring, AtSwitch at, T kappa,
   return {m, (limit - along) / reach};
 }
 
-// s: committed in, trial out.
+// s: the committed state on entry, the trial state on return.
 template <class T>
 BendingValue<T> bending_moment(const BendingSpring& spring, AtSwitch at, T kappa, BendingState<T>& s) {
   if (spring.curve == nullptr && spring.friction > 0 && !spring.fading) {
-    // One expression: instruction sets that fuse a product and a sum round it as a whole.
+    // A single expression, because instruction sets with fused multiply-add round it as a whole.
     const auto rubs = slipped(spring, at, kappa, s);
     return {T(spring.rigidity) * kappa + T(spring.friction / spring.curvature) * rubs.held,
             T(spring.rigidity) + rubs.C};

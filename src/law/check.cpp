@@ -64,7 +64,7 @@ void check_units(const card::Card& card, CheckReport& report) {
 
 namespace {
 
-// What nobody measured is said with every check.
+// Parameters that were assumed instead of measured are listed by every check.
 void check_provenance(const card::Card& card, CheckReport& report) {
   for (const auto& [field, words] : provenance_of(card.source))
     if (words.starts_with("assumed"))

@@ -1,4 +1,4 @@
-// What is wrong with a card, or worth knowing about it, before a run finds out.
+// Defects of a card, and facts worth knowing about it, found before a run.
 #pragma once
 #include <memory>
 #include <string>
@@ -13,9 +13,9 @@ namespace fabricsh::law {
 enum class Severity { note, warning, error };
 const char* name(Severity severity);
 
-// One finding. Numbers are in SI and named, for the table form of the report.
+// One finding. Its numbers are named and in SI units, for the table form of the report.
 struct CheckItem {
-  std::string key;  // "guard.warp", "bending.weft", ...: stable, for programs
+  std::string key;  // "guard.warp", "bending.weft", ...: these words do not change between releases
   Severity severity = Severity::note;
   std::string text;  // one or two sentences, for people
   std::vector<std::pair<std::string, double>> numbers;
@@ -30,16 +30,16 @@ struct CheckReport {
   std::string text() const;                             // the whole report, errors first
 };
 
-// element_size: m, the smallest in-plane size of an element, for the explicit step. Never throws for a bad
-// card: what compile() refuses becomes an error item.
+// element_size: smallest in-plane size of an element (m), for the explicit step. Does
+// not throw for a bad card: what compile() refuses becomes an error in the report.
 CheckReport check(const card::Card& card, double element_size = 0.1);
 
-// Where the thesis' unsymmetric law loses positive definiteness, 4 D1 D2 < (nu21 D1 + nu12 D2)^2, along a
-// path, by branch pair. Branches: virgin D(E), unloading Du, slack D(0).
+// Where the unsymmetric law of the thesis loses positive definiteness along a path, 4 D1 D2 < (nu21 D1
+// + nu12 D2)^2, for a pair of branches. Moduli of the branches: virgin D(E), unloading Du, slack D(0).
 struct CriterionRow {
   std::string path;   // "warp", "weft" (uniaxial stress), "biaxial" (E11 = E22)
   Branch warp, weft;  // the branch pair
-  double first;       // strain along the pull at which it is violated first; NaN: nowhere in the tested range
+  double first;       // strain along the pull at the first violation; NaN: none in the tested range
   double last;        // end of the scan, the tested strain
 };
 std::vector<CriterionRow> criterion_table(const card::Woven& woven, const Law& law);

@@ -15,11 +15,11 @@ struct Spring {
   const char* strain;
   const Backbone* curve;
   double unloading;
-  double scale;   // backbone argument = scale * the user's strain
-  double stated;  // tested strain on the card, user's
+  double scale;   // argument of the backbone = scale * the user's strain
+  double stated;  // tested strain on the card, in the user's measure
 };
 
-// Smallest and largest D up to the tested end, and where.
+// Smallest and largest D up to the end of the tested range, and their strains.
 struct Extremes {
   double low, low_at, high, high_at;
 };
@@ -75,7 +75,7 @@ void jump_item(const Spring& s, CheckReport& report) {
                           {{"at_tested", ratio}, {"at_zero", first}}});
 }
 
-// Jump of S across x. The comparison laws are rate laws: they are brought to x first.
+// Jump of S at x. The comparison laws are rate laws, so they are first taken to x.
 double stress_jump(const Law& law, const double* state, int component, double x) {
   double at[5] = {}, low[5] = {}, high[5] = {}, Sl[5], Sh[5], here[32] = {}, scratch[32];
   const double gap = 1e-12 * (1 + std::fabs(x));

@@ -1,4 +1,4 @@
-// The parts of a card's check; each adds its findings to the report.
+// The parts of the check of a card; each adds its findings to the report.
 #pragma once
 #include "law/check.hpp"
 #include "law/data.hpp"

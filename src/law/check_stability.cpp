@@ -1,4 +1,4 @@
-// Positive definiteness, the criterion that breaks the thesis' law, bending, the explicit step.
+// Positive definiteness, the criterion violated by the thesis' law, bending, and the explicit step.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,12 +22,12 @@ struct Least {
   double E11 = 0, E22 = 0, m1 = 0, m2 = 0;
 };
 
-// Tangent at one strain after a history that stretched the yarns to m1 and m2.
+// Evaluates the tangent at one strain, after a history that stretched the yarns to m1 and m2.
 void look(const Law& law, double m1, double m2, double E11, double E22, Least& least) {
   double virgin[32] = {}, state[32] = {}, trial[32], S[5], C[25];
   const double peak[5] = {m1, m2, 0, 0, 0}, E[5] = {E11, E22, 0, 0, 0};
   evaluate(law, Step{}, peak, virgin, state, S, nullptr);
-  // The tangent asked for is that of the strain itself: for the comparison laws, of a step that ends there.
+  // The tangent at the strain itself is needed: for the comparison laws that of a step which ends there.
   evaluate(law, Step{}, E, state, trial, S, nullptr);
   double again[32];
   evaluate(law, Step{}, E, trial, again, S, C);
@@ -35,7 +35,7 @@ void look(const Law& law, double m1, double m2, double E11, double E22, Least& l
   if (ratio < least.ratio) least = {ratio, E11, E22, m1, m2};
 }
 
-// Strains on every branch of one axis after a stretch to m: slack, at the residual, unloading, virgin.
+// Strains on every branch of one axis after a stretch to m: slack, at the residual strain, unloading, virgin.
 std::vector<double> probes(const AxisData& axis, double m) {
   const double residual = m - backbone_at(axis.curve, m).P / axis.unloading;
   const double top = 2 * axis.curve.tested;
@@ -75,7 +75,7 @@ double branch_modulus(const AxisData& axis, Branch branch, double E) {
   return branch == Branch::unloading ? axis.unloading : backbone_slope(axis.curve, E).D;
 }
 
-// One path and branch pair: strain along the warp and the weft as functions of the strain pulled.
+// One path and pair of branches: strain along warp and weft as functions of the strain along the pull.
 struct Scan {
   std::string path;
   Branch warp, weft;

@@ -1,4 +1,4 @@
-// From a card to a compiled law; refuses what share/doc/theory.md, 4, refuses.
+// Compiles a card to a law; refuses what share/doc/theory.md, section 4, excludes.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -65,8 +65,8 @@ void compile_biaxial(const card::Biaxial& spring, BiaxialData& out, std::vector<
   out.curve.limit = spring.unloading / spring.loading;
 }
 
-// Shear with friction: it must stay stiff while the friction slips back (D > growth), and the friction must
-// stick more stiffly than its limit changes.
+// Shear with friction: while the friction slips back the total must remain stiff (D >
+// growth), and the sticking stiffness must exceed the rate at which the limit changes.
 void compile_friction(const card::Card& card, const card::Woven& woven, WovenData& w) {
   const auto refuse = [&](const std::string& words) {
     throw Error(card::at_field(card, "shear.friction") + words);
@@ -104,7 +104,7 @@ void compile_viscous(const card::Card& card, const card::Woven& woven, ViscousDa
   out = {true, woven.viscous->shear.modulus / (tensor ? 2 : 1), woven.viscous->shear.time};
 }
 
-// c = min(nu21 d, nu12 k) / (1 - nn), h1 = c / nu21, h2 = c / nu12; both ratios zero: c = 0, h_i = D_i(0).
+// c = min(nu21 d, nu12 k) / (1 - nn), h1 = c / nu21, h2 = c / nu12; for two zero ratios c = 0, h_i = D_i(0).
 void compile_coupling(WovenData& w) {
   AxisData &warp = w.axis[0], &weft = w.axis[1];
   const double nu12 = warp.poisson, nu21 = weft.poisson;
@@ -174,7 +174,7 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
   compile_plain(law);
 }
 
-// C11 = d / (1 - nn), C22 = k / (1 - nn), C12 = sqrt(nn d k) / (1 - nn): keeps both moduli and nn.
+// C11 = d / (1 - nn), C22 = k / (1 - nn), C12 = sqrt(nn d k) / (1 - nn): preserves both moduli and nn.
 void compile_svk(const card::Card& card, const card::Svk& svk, ElasticData& e) {
   const double nn = svk.nu12 * svk.nu21;
   if (!std::isfinite(nn) || svk.nu12 < 0 || svk.nu21 < 0 || nn >= 1)
@@ -191,7 +191,7 @@ void compile_svk(const card::Card& card, const card::Svk& svk, ElasticData& e) {
   e.young2 = svk.weft;
 }
 
-// [williams2010, eq. 4.2] with nu12 / E1 = nu21 / E2, without which it has no energy.
+// [williams2010, eq. 4.2] with nu12 / E1 = nu21 / E2; otherwise the law would have no energy.
 void compile_linear(const card::Card& card, const card::Linear& linear, ElasticData& e) {
   const double a = linear.nu12 * linear.weft, b = linear.nu21 * linear.warp;
   if (std::fabs(a - b) > 1e-6 * std::fmax(std::fabs(a), std::fabs(b)))

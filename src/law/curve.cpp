@@ -12,9 +12,9 @@ namespace fabricsh::law {
 
 namespace {
 
-constexpr double slack_in_Du = 1e-9;  // D may touch Du to rounding
+constexpr double slack_in_Du = 1e-9;  // relative tolerance by which D may exceed Du
 
-// First x in (from, to] where `holds`, scanned and then bisected; NaN if nowhere.
+// The first x in (from, to] where `holds` is true, found by scanning and bisection; NaN if there is none.
 double first_where(double from, double to, const std::function<bool(double)>& holds) {
   const double step = (to - from) / 4000;
   for (double low = from; low < to; low += step) {
@@ -30,7 +30,7 @@ double first_where(double from, double to, const std::function<bool(double)>& ho
   return std::nan("");
 }
 
-// x_c: the smallest x >= x_t where D >= Du or D stops rising. Searched in ever longer stretches.
+// x_c: the smallest x >= x_t where D >= Du or D stops rising. The intervals searched become ever longer.
 double guard_from(const std::vector<Piece>& pieces, double Du, double tested) {
   const auto acts = [&](double x) {
     const RawCurve at = raw_curve(pieces, x);
@@ -45,8 +45,8 @@ double guard_from(const std::vector<Piece>& pieces, double Du, double tested) {
   return low;
 }
 
-// x_c where the curve leaves 0 < D <= Du inside the range: at Du, or at the last maximum before it falls to
-// 0.
+// x_c if the curve violates 0 < D <= Du inside the range:
+// where D reaches Du, or the last maximum before D falls to 0.
 double guard_inside(const std::vector<Piece>& pieces, const Departure& leaves) {
   if (!leaves.too_soft) return leaves.x;
   constexpr int samples = 4000;
@@ -91,7 +91,7 @@ void check_points(const card::Curve& curve, const CurveSpec& spec) {
   }
 }
 
-// 0 < D <= Du and P <= Du x over the tested range, or the card is refused.
+// Refuses the card unless 0 < D <= Du and P <= Du x over the tested range.
 void refuse(const CurveSpec& spec, const std::vector<Piece>& pieces, const Departure& leaves) {
   if (!leaves.found) return;
   const RawCurve at = raw_curve(pieces, leaves.x);
@@ -107,7 +107,7 @@ void refuse(const CurveSpec& spec, const std::vector<Piece>& pieces, const Depar
               " (P/Du = " + number(at.P / spec.unloading / spec.scale) + ")");
 }
 
-// Ends of the range to be checked, in the backbone's argument.
+// End of the range to be checked, in the backbone's argument.
 double tested_end(const card::Curve& curve, const CurveSpec& spec) {
   if (curve.points.empty()) return spec.tested > 0 ? spec.tested : spec.assumed;
   const double last = spec.scale * curve.points.back().first;

@@ -7,7 +7,7 @@ namespace fabricsh::law {
 
 namespace {
 
-// Integrals of D from its coefficients.
+// Computes the coefficients of P and U from those of D.
 void integrate(Piece& piece) {
   for (int k = 0; k < max_terms; ++k) {
     piece.p[k] = piece.d[k] / (k + 1);
@@ -25,13 +25,13 @@ std::pair<double, double> integrals_at(const Piece& piece, double t) {
   return {piece.P0 + t * P, piece.U0 + t * (piece.P0 + t * U)};
 }
 
-// Three-point slope at an end, kept positive and within the monotone range.
+// Three-point estimate of the slope at an end, kept positive and within the monotone range.
 double end_slope(double h0, double h1, double s0, double s1) {
   const double slope = ((2 * h0 + h1) * s0 - h0 * s1) / (h0 + h1);
   return std::clamp(slope, 0.1 * s0, 2.9 * s0);
 }
 
-// Slopes at the knots: weighted harmonic means of the neighbouring secants.
+// Slopes at the knots: weighted harmonic means of the slopes of the neighbouring secants.
 std::vector<double> knot_slopes(const std::vector<double>& h, const std::vector<double>& secant) {
   const std::size_t n = h.size();
   if (n == 1) return {secant[0], secant[0]};

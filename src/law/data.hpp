@@ -1,5 +1,5 @@
-// Compiled parameters of a law: plain data that the kernels read. No functions here, since the kernels are
-// compiled once per instruction set and this header is shared by all the copies.
+// Compiled parameters of a law: plain data for the kernels. There are no functions here,
+// because the kernels are compiled once per instruction set and all copies share this header.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace fabricsh::law {
 
-inline constexpr int max_terms = 8;  // coefficients of D in one piece
+inline constexpr int max_terms = 8;  // largest number of coefficients of D in one piece
 
 // One polynomial piece of a backbone in t = x - start: D = sum d_k t^k, P = P0 + sum p_k t^(k+1),
 // U = U0 + P0 t + sum u_k t^(k+2).
@@ -16,8 +16,8 @@ struct Piece {
   double d[max_terms] = {}, p[max_terms] = {}, u[max_terms] = {};
 };
 
-// Virgin loading curve of one spring: tangent modulus D, stress P = int D, energy U = int P, for x >= 0.
-// Beyond `limit` (x_c, where the range guard acts) D stays at its value there.
+// Virgin loading curve of one spring: tangent modulus D, stress P = int D, energy U =
+// int P, for x >= 0. Beyond `limit` (x_c, where the range guard begins) D is constant.
 struct Backbone {
   const Piece* piece = nullptr;
   int pieces = 0;
@@ -28,8 +28,8 @@ struct Backbone {
   double initial = 0;  // D(0)
 };
 
-// A backbone of one piece from zero with four terms, as most cards have: the piece's constants are known to
-// be zero, and the batch kernels need no loop and no branch.
+// A backbone with one piece that starts at zero and has four terms, as for most cards: the
+// other constants of the piece are zero, so that the batch kernels need no loop and no branch.
 struct CubicBackbone {
   static constexpr double start = 0, P0 = 0, U0 = 0;
   double limit = 0;
@@ -63,8 +63,8 @@ struct BiaxialData {
   double unloading = 0;  // Tu, Pa
 };
 
-// Friction beside elastic shear, in gamma = 2 E12: it sticks with `stiffness` and slips at
-// stress + growth |gamma|, which stays from `limit` on.
+// Friction parallel to elastic shear, in gamma = 2 E12. It sticks with `stiffness`
+// and slips at stress + growth |gamma|; the limit is constant beyond `limit`.
 struct FrictionData {
   bool on = false;
   double stress = 0, growth = 0, stiffness = 0;  // Pa
@@ -84,11 +84,11 @@ struct WovenData {
   ViscousData viscous;
   double coupling = 0;    // c, Pa
   double transverse = 0;  // G_t, Pa
-  bool follow = false;    // transverse shear follows the in-plane switch [williams2010, eq. 6.30]
+  bool follow = false;    // transverse shear uses the in-plane branch [williams2010, eq. 6.30]
 };
 
-// What law "potential" needs of a card whose three backbones are cubic, without biaxial spring, fading or
-// viscous shear.
+// Data of law "potential" for a card with three cubic backbones,
+// without biaxial spring, fading memory or viscous shear.
 struct PlainWoven {
   AxisOf<CubicBackbone> axis[2];
   ShearOf<CubicBackbone> shear;
@@ -113,24 +113,24 @@ class Law {
   bool symmetric = true;
   WovenData woven;
   ElasticData elastic;
-  bool is_plain = false;  // law "potential", and `plain` says all of it
+  bool is_plain = false;  // law "potential" with all data in `plain`
   PlainWoven plain;
-  std::vector<Piece> warp_pieces, weft_pieces, shear_pieces, biaxial_pieces;  // what the backbones point to
+  std::vector<Piece> warp_pieces, weft_pieces, shear_pieces, biaxial_pieces;  // referred to by the backbones
 };
 
-// State of law "potential": one number each.
+// State of law "potential": one number for each of these.
 namespace potential_state {
-inline constexpr int m1 = 0, m2 = 1;  // largest strain so far of warp and weft, not below 0
-inline constexpr int g0 = 2;          // origin of the present shear branch, in gamma
-inline constexpr int gp = 3;          // largest r so far on it
-inline constexpr int sg = 4;          // its sign; 0 means +1
-inline constexpr int lost = 5;        // J/m^3, dissipated on branches left behind
-// Then, if switched on: faded peak of the branch left, or with friction the slip, in gamma (gp is then the
-// largest |gamma|, sg its side, g0 zero); the biaxial peak; viscous shear.
+inline constexpr int m1 = 0, m2 = 1;  // largest strains of warp and weft so far, at least 0
+inline constexpr int g0 = 2;          // gamma at the origin of the present shear branch
+inline constexpr int gp = 3;          // largest r (distance from g0) on that branch
+inline constexpr int sg = 4;          // direction of that branch; 0 means +1
+inline constexpr int lost = 5;        // J/m^3, dissipated on earlier branches
+// Further numbers if the feature is used: the faded peak of the previous branch, or with friction the slip
+// in gamma (then gp is the largest |gamma|, sg its side, and g0 zero); the biaxial peak; viscous shear.
 inline constexpr int count = 6;
 }  // namespace potential_state
 
-// The longest state that any law has.
+// Length of the longest state of any law.
 inline constexpr int most_states = 24;
 
 // State of the comparison laws.
@@ -140,9 +140,9 @@ inline constexpr int S = 5;                      // 5-vector, stress at the last
 inline constexpr int m1 = 10, m2 = 11;           // largest strains so far, not below 0
 inline constexpr int g0 = 12, gp = 13;           // E5*, largest |E5 - E5*| [williams2010, eq. 6.28]
 inline constexpr int sg = 14;                    // sign of the shear branch; 0 means +1
-inline constexpr int W1 = 15, W2 = 16, W3 = 17;  // work done on warp, weft, shears, J/m^3
+inline constexpr int W1 = 15, W2 = 16, W3 = 17;  // work on warp, weft and both kinds of shear, J/m^3
 inline constexpr int dissipated = 18;            // J/m^3, work less stored energy
-inline constexpr int created = 19;               // J/m^3, sum of its falls
+inline constexpr int created = 19;               // J/m^3, sum of the decreases of `dissipated`
 inline constexpr int count = 20;
 }  // namespace rate_state
 

@@ -1,4 +1,4 @@
-// Stored and dissipated energy, and what the outputs show of a point, from strain and state alone.
+// Stored and dissipated energy, and the outputs of a point, as functions of strain and state only.
 #include "law/data.hpp"
 #include "law/energy_kernel.hpp"
 

@@ -1,5 +1,5 @@
-// Stored and dissipated energy per reference volume, from strain and state alone (share/doc/theory.md, 4),
-// over a number type T.
+// Stored and dissipated energy per reference volume as functions of
+// strain and state only (share/doc/theory.md, 4), over a number type T.
 #pragma once
 #include "law/potential.hpp"
 #include "law/rate_laws.hpp"
@@ -11,11 +11,11 @@ inline namespace FABRICSH_ISA {
 // J/m^3.
 template <class T>
 struct EnergyOf {
-  T stored, warp, weft, shear;  // stored; dissipated in warp, weft and shear
-  T created;                    // by a law that is not dissipative
+  T stored, warp, weft, shear;  // dissipated in warp, weft and shear, besides stored
+  T created;                    // energy created by a law that is not dissipative
 };
 
-// Stored energy of one yarn with its share c nu E^2 / 2 of the coupling.
+// Stored energy of one yarn, including its part c nu E^2 / 2 of the coupling.
 template <class T>
 T yarn_stored(const AxisData& axis, double coupling, T E, T residual) {
   const T cross(coupling * axis.poisson), half(0.5), x = E - residual;
@@ -29,7 +29,7 @@ struct YarnPoint {
   T stored, dissipated, residual;
 };
 
-// m: the largest strain so far.
+// Energy dissipated by one yarn; m: its largest strain so far.
 template <class T>
 YarnPoint<T> yarn_point(const AxisData& axis, double coupling, T E, T m) {
   const T peak = max(E, m);
@@ -99,7 +99,7 @@ EnergyOf<T> elastic_energy(const ElasticData& e, const T E[5]) {
           none, none, none, none};
 }
 
-// The comparison laws keep the work; what is not stored counts as dissipated.
+// The comparison laws record the work; the part that is not stored counts as dissipated.
 template <class T>
 EnergyOf<T> rate_energy(const WovenData& w, const T* s) {
   using namespace rate_state;

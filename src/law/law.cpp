@@ -8,7 +8,7 @@
 
 namespace fabricsh::law {
 
-// The copies that batch_isa.cpp makes.
+// The copies compiled by batch_isa.cpp.
 namespace avx2 {
 unsigned batch(const Law&, const Step&, const double*, const double*, double*, double*, double*);
 void energies(const Law&, const double*, const double*, double*);
@@ -87,7 +87,7 @@ double stiffest_potential(const WovenData& w) {
   return larger_eigenvalue(axial(0) + T, c + alpha * T, c + alpha * T, axial(1) + alpha * alpha * T);
 }
 
-// The coupling of [williams2010, eq. 6.24] adds to Du_max / (1 - nn): the eigenvalue counts it.
+// The coupling of [williams2010, eq. 6.24] adds to Du_max / (1 - nn); the eigenvalue includes it.
 double stiffest_rate(const WovenData& w) {
   const double D1 = w.axis[0].unloading, D2 = w.axis[1].unloading;
   const double nu12 = w.axis[0].poisson, nu21 = w.axis[1].poisson;

@@ -1,22 +1,22 @@
-// The frame of a pull at an angle to the warp: 1 along the pull, 2 across it, in the plane.
+// The in-plane frame of a pull at an angle to the warp: axis 1 along the pull, axis 2 across it.
 #pragma once
 #include <array>
 #include <cmath>
 
 namespace fabricsh::law {
 
-// Exact at multiples of 90 degrees, so that a pull along a yarn shears nothing.
+// Exact at multiples of 90 degrees, so that a pull along a yarn gives no shear.
 class LoadFrame {
  public:
   explicit LoadFrame(double angle) : c_(snap(std::cos(angle))), s_(snap(std::sin(angle))) {}
 
-  // Strain (E11 E22 E12, tensor) of the load frame, turned into material axes.
+  // Converts strain (E11 E22 E12, tensor) from the load frame to material axes.
   std::array<double, 3> strain(const std::array<double, 3>& e) const {
     return {c_ * c_ * e[0] + s_ * s_ * e[1] - 2 * c_ * s_ * e[2],
             s_ * s_ * e[0] + c_ * c_ * e[1] + 2 * c_ * s_ * e[2],
             c_ * s_ * (e[0] - e[1]) + (c_ * c_ - s_ * s_) * e[2]};
   }
-  // Strain (tensor) or stress of the material axes, seen in the load frame.
+  // Converts strain (tensor) or stress from material axes to the load frame.
   std::array<double, 3> strain_in(const std::array<double, 3>& e) const {
     return {c_ * c_ * e[0] + s_ * s_ * e[1] + 2 * c_ * s_ * e[2],
             s_ * s_ * e[0] + c_ * c_ * e[1] - 2 * c_ * s_ * e[2],

@@ -1,5 +1,5 @@
-// Means of a tangent modulus along a straight strain path x(s) = x0 + s dx, 0 <= s <= 1, with every switch
-// resolved: the path is cut where the modulus changes its formula, and each stretch is integrated exactly.
+// Means of a tangent modulus along a straight strain path x(s) = x0 + s dx, 0 <= s <= 1. The path is
+// divided at every switch, where the modulus changes its formula, and each part is integrated exactly.
 #pragma once
 #include <limits>
 
@@ -16,7 +16,7 @@ struct PathMean {
 
 inline constexpr double far_away = std::numeric_limits<double>::infinity();
 
-// A path; dx is not zero (a standing path is given a tiny step to the side that counts).
+// A path; dx is not zero (a path of zero length gets a tiny step in the relevant direction).
 template <class T>
 struct Path {
   T x0, dx;
@@ -24,7 +24,7 @@ struct Path {
 
 template <class T>
 struct Stretch {
-  T a, length;  // of s
+  T a, length;  // beginning and length of a part in s
 };
 
 // The part of the path with low <= x < high.
@@ -57,7 +57,7 @@ void add_smooth(PathMean<T>& sum, const Path<T>& path, const Stretch<T>& part, F
   }
 }
 
-// D over the part of the path with x >= from, piece by piece, then the guard.
+// Integrates D over the part of the path with x >= from, piece by piece, then the guard.
 template <class T>
 void add_backbone(PathMean<T>& sum, const Backbone& curve, const Path<T>& path, T from) {
   for (int i = 0; i < curve.pieces; ++i) {

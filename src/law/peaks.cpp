@@ -6,7 +6,7 @@
 
 namespace fabricsh::law {
 
-// The copies that peaks_isa.cpp makes.
+// The copies compiled by peaks_isa.cpp.
 namespace avx2 {
 void shares(const Law&, const double*, const double*, long, int, double*);
 }

@@ -1,5 +1,5 @@
-// Shares of the tested strains for a whole batch: compiled once per instruction set, picked at run time by
-// shares_function().
+// Relative peak strains for a whole batch: compiled once per
+// instruction set, selected at run time by shares_function().
 #include "law/data.hpp"
 #include "simd/pack.hpp"
 
@@ -8,8 +8,8 @@ inline namespace FABRICSH_ISA {
 
 namespace {
 
-// Of law "potential": the state has the largest strains of the yarns, and of shear the branch, whose
-// farthest strain is its origin and its peak put together.
+// For law "potential": the state has the largest strains of the yarns and the origin
+// and peak of the present shear branch, which together give its largest shear strain.
 Pack potential_share(const Pack inverse[3], const double* s) {
   namespace at = potential_state;
   const auto entry = [s](int i) { return load(s + i * lanes); };

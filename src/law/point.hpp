@@ -1,4 +1,4 @@
-// One material point, driven to a strain or to a uniaxial stress: the single-element test of [williams2010,
+// One material point under prescribed strain or uniaxial stress: the single-element test of [williams2010,
 // section 7.2]. Strains and stresses are TENSOR components in material axes (1 = warp, 2 = weft).
 #pragma once
 #include <array>
@@ -17,28 +17,28 @@ struct Sample {
   double E11 = 0, E22 = 0, E12 = 0;   // tensor
   double stored = 0, dissipated = 0;  // J/m^3
   double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, created = 0;
-  double S = 0, E = 0, E_lateral = 0;  // in the load frame, after uniaxial(); else 0
+  double S = 0, E = 0, E_lateral = 0;  // in the load frame, after uniaxial(); otherwise 0
 };
 
 class PointDriver {
  public:
   explicit PointDriver(std::shared_ptr<const law::Law> law);
 
-  // Total strain reached in one straight increment over so many seconds and committed; a component without a
-  // value stays. Throws NumericalFailure where the law fails (strain not finite).
+  // Reaches the given total strain in one straight increment of the given duration (s) and commits;
+  // components without a value are kept. Throws NumericalFailure if the law fails (strain not finite).
   Sample strain(std::optional<double> E11, std::optional<double> E22, std::optional<double> E12,
                 double over = 0);
 
-  // Strain E along a direction `angle` (rad, counter-clockwise from the warp), the stress across it and the
-  // shear stress in that frame driven to zero; committed. Throws NumericalFailure where no such state is
-  // found.
+  // Applies the strain E along the direction `angle` (rad, counter-clockwise
+  // from the warp), with zero lateral stress and zero shear stress in that
+  // frame, and commits. Throws NumericalFailure if no such state is found.
   Sample uniaxial(double angle, double E, double over = 0);
 
-  // Many straight increments in one call: each row E11 E22 E12, and the seconds that the increment takes.
+  // Many straight increments in one call; each row has E11 E22 E12 and the duration of the increment (s).
   std::vector<Sample> path(const std::vector<std::array<double, 4>>& rows);
-  // E11 = E, E22 = ratio E, E12 unchanged, for each E.
+  // For each E: E11 = E, E22 = ratio E, E12 unchanged.
   std::vector<Sample> biaxial(double ratio, const std::vector<double>& strains);
-  // A whole curve of uniaxial(), one call; each increment takes so many seconds.
+  // A whole curve of uniaxial() in one call; each increment takes `over` seconds.
   std::vector<Sample> uniaxial(double angle, const std::vector<double>& strains, double over = 0);
 
   Sample now() const { return sample_; }
@@ -47,16 +47,16 @@ class PointDriver {
   void reset();  // virgin cloth at zero strain and time 0
 
  private:
-  void begin(double over);  // an increment of so many seconds
+  void begin(double over);  // starts an increment of this duration, s
   bool update(const std::array<double, 3>& e);
   void commit(const std::array<double, 3>& e);
   std::array<double, 3> solve_uniaxial(double angle, double E);
 
   std::shared_ptr<const law::Law> law_;
   std::vector<double> committed_, trial_;
-  std::array<double, 5> strain_{}, stress_{};  // Voigt-5, of the last commit; stress of the last update
+  std::array<double, 5> strain_{}, stress_{};  // order of law.hpp; of the last commit, last update
   std::array<double, 25> tangent_{};           // of the last update, Pa
-  law::Step step_;                             // of the increment under way
+  law::Step step_;                             // of the present increment
   Sample sample_;
 };
 

@@ -23,12 +23,12 @@ void save_shear(const ShearOf<Curve>& shear, const ShearState<T>& s, T* s1) {
   if (fades(shear)) s1[count] = s.faded;
 }
 
-// Where the biaxial peak stands in the state, if there is one.
+// Index of the biaxial peak in the state, if it has one.
 inline int biaxial_slot(const WovenData& law) {
   return potential_state::count + (law.shear.fading || law.friction.on ? 1 : 0);
 }
 
-// Where the state of viscous shear (viscous.hpp) begins, if there is any.
+// Index at which the state of viscous shear (viscous.hpp) begins, if there is one.
 inline int viscous_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
 
 template <class T>
@@ -49,7 +49,7 @@ void add_biaxial(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T
 template <class T>
 void add_biaxial(const PlainWoven&, AtSwitch, const T*, const T*, T*, Response<T>&) {}
 
-// In-plane shear as a hysteretic spring, or elastic with friction beside it.
+// In-plane shear: a hysteretic spring, or an elastic one with parallel friction.
 template <class Woven, class T>
 SpringValue<T> hysteretic_shear(const Woven& law, AtSwitch at, T gamma, const T* s0, T* s1) {
   auto branch = load_shear(law.shear, s0);
@@ -72,7 +72,7 @@ SpringValue<T> rubbing_shear(const WovenData& law, AtSwitch at, T gamma, const T
   return {side * elastic.P + rubs.S, elastic.D + rubs.C};
 }
 
-// Woven: WovenData, or PlainWoven where the law is that plain; rubs: with friction in shear.
+// Woven: WovenData, or PlainWoven for a plain law; rubs: shear has friction.
 template <bool rubs = false, class Woven, class T>
 Response<T> potential_update(const Woven& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
   using namespace potential_state;

@@ -1,8 +1,8 @@
 // The comparison laws, both in rate form [williams2010, eqs. 6.11-6.30] with the corrections of
 // share/doc/theory.md, 8:
-//   thesis       the modulus at the end of the increment holds for all of it [williams2010, eq. 6.31]
-//   incremental  the mean modulus along the straight strain path, switches resolved inside the step
-// S11 += (dE1 + nu21 dE2) A1 / (1 - nn), likewise S22; A the modulus, by one rule or the other.
+//   thesis       the modulus at the end of the increment is used for all of it [williams2010, eq. 6.31]
+//   incremental  the mean modulus along the straight strain path, with switches inside the step resolved
+// S11 += (dE1 + nu21 dE2) A1 / (1 - nn), and S22 likewise, where A is the modulus of the respective rule.
 #pragma once
 #include "law/path_mean.hpp"
 #include "law/response.hpp"
@@ -11,17 +11,17 @@
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
-inline constexpr double standing = 1e-300;  // the step given to a path that does not move
-inline constexpr double creeping = 1e-9;    // steps below which a difference quotient is not trusted
+inline constexpr double standing = 1e-300;  // the step used for a path of zero length
+inline constexpr double creeping = 1e-9;    // below this step a difference quotient is not used
 
-// A modulus over an increment: its mean, int (1 - s) f ds for the work, and d mean / d(end strain).
+// The modulus of an increment: its mean, int (1 - s) f ds for the work, and d mean / d(end strain).
 template <class T>
 struct StepModulus {
   T mean, first, rate;
 };
 
-// Axial modulus of one yarn that has been stretched to m [williams2010, 6.3.1]: D(0) in compression, Du below
-// 0.999 lambda_max, from there to lambda_max linear in lambda from Du to D(m), then virgin D(E).
+// Axial modulus of one yarn that has been stretched to m [williams2010, 6.3.1]: D(0) in compression; Du
+// below 0.999 lambda_max; from there to lambda_max linear in lambda from Du to D(m); then virgin D(E).
 template <class T>
 struct YarnModulus {
   T m, D0, Du, Dm;
@@ -55,7 +55,7 @@ struct YarnModulus {
   }
 };
 
-// d mean / d end from the end value; half the slope where the step is too small for the quotient.
+// d mean / d end from the value at the end; half the slope if the step is too small for a quotient.
 template <class T>
 T mean_rate(T end, T mean, T slope, T step) {
   const auto small = abs(step) < T(creeping);
@@ -78,22 +78,22 @@ StepModulus<T> yarn_step(const AxisData& axis, AtSwitch at, T E0, T E, T m) {
     const auto path = law.along(axis, Path<T>{E0, moving(dE, at)});
     out = {path.mean, path.first, mean_rate(end.D, path.mean, end.slope, dE)};
   }
-  if (at == AtSwitch::unloading) {  // the predictor of a reversal: the band is 0.1 % of a stretch wide
+  if (at == AtSwitch::unloading) {  // after a reversal; the transition is 0.1 % of a stretch wide
     const auto turning = (dE == T(0.0)) & (E >= m) & (m > T(0.0));
     out = {select(turning, T(axis.unloading), out.mean), out.first, select(turning, T(0.0), out.rate)};
   }
   return out;
 }
 
-// In-plane shear over an increment: stress, slope, and the modulus that transverse shear may follow.
+// In-plane shear over an increment: stress, slope, and the modulus for transverse shear that follows it.
 template <class T>
 struct ShearIncrement {
   T S, C;
   StepModulus<T> modulus;
 };
 
-// G along r on the branch the step begins on: virgin above its peak, Gu down to zero stress, then the
-// reverse.
+// G at the distance r on the branch at the beginning of the step: virgin
+// above its peak, Gu down to zero stress, then the reverse branch.
 template <class T>
 PathMean<T> shear_along(const ShearData& shear, const Path<T>& path, T peak, T zero) {
   PathMean<T> sum;
@@ -103,7 +103,7 @@ PathMean<T> shear_along(const ShearData& shear, const Path<T>& path, T peak, T z
   return sum;
 }
 
-// The closed form of the shear spring, and the path it took from gamma0.
+// The closed form of the shear spring, and the path from gamma0.
 template <class T>
 ShearIncrement<T> shear_exact(const ShearData& shear, AtSwitch at, T gamma0, T gamma, ShearState<T>& s) {
   s.sign = select(s.sign < T(0.0), T(-1.0), T(1.0));
@@ -129,8 +129,8 @@ ShearIncrement<T> shear_elastic(const ShearData& shear, AtSwitch at, T gamma0, T
       sign * curve.P, curve.D, {sum.mean, sum.first, mean_rate(curve.D, sum.mean, slope, gamma - gamma0)}};
 }
 
-// [williams2010, 6.3.3 and 6.4]: loading if S dE >= 0, virgin if also |E5 - E5*| >= its peak; E5* is set to
-// the end of the step in which the stress changed sign.
+// [williams2010, 6.3.3 and 6.4]: loading if S dE >= 0, and virgin if also |E5 - E5*|
+// >= its peak. E5* is set at the end of the step in which the stress changed its sign.
 template <class T>
 ShearIncrement<T> shear_endpoint(const ShearData& shear, AtSwitch at, T gamma0, T gamma, T S0,
                                  ShearState<T>& s) {
@@ -168,14 +168,14 @@ ShearIncrement<T> shear_step(const ShearData& shear, AtSwitch at, const T* s0, T
   return out;
 }
 
-// Work on one component over the step: dE (S0 + dE first), `reach` standing for the dE inside dS = reach
-// mean.
+// Work on one component over the step, dE (S0 + dE
+// first); `reach` replaces the dE in dS = reach mean.
 template <class T>
 T step_work(T dE, T S0, T reach, T first) {
   return dE * (S0 + reach * first);
 }
 
-// [williams2010, eqs. 6.11, 6.24]: the axial part, both yarns.
+// Axial stresses of both yarns [williams2010, eqs. 6.11, 6.24].
 template <bool exact, class T>
 void axial_rates(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T* s1, Response<T>& out) {
   using namespace rate_state;
@@ -197,7 +197,7 @@ void axial_rates(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T
   s1[W2] = s0[W2] + step_work(d2, s0[S + 1], reach2, weft.first);
 }
 
-// Transverse shear: elastic, or 5/6 of the in-plane modulus as it switches [williams2010, eq. 6.30].
+// Transverse shear: elastic, or 5/6 of the switching in-plane modulus [williams2010, eq. 6.30].
 template <class T>
 void transverse_rates(const WovenData& law, const T E[5], const T* s0, T* s1, const StepModulus<T>& G,
                       Response<T>& out) {
@@ -217,8 +217,8 @@ void transverse_rates(const WovenData& law, const T E[5], const T* s0, T* s1, co
   s1[W3] = s0[W3] + step_work(d3, s0[S + 2], d3, first) + step_work(d4, s0[S + 3], d4, first);
 }
 
-// What the convention of share/doc/law.md calls stored: S11^2 / (2 Du1) + S22^2 / (2 Du2) + S12^2 / (2 Gu) +
-// transverse; with its parts.
+// Stored energy by the convention of share/doc/law.md, S11^2 / (2 Du1)
+// + S22^2 / (2 Du2) + S12^2 / (2 Gu) + transverse, and its parts.
 template <class T>
 struct RateStored {
   T warp, weft, shear;

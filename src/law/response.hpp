@@ -1,4 +1,4 @@
-// What every law kernel returns, over a number type T (double or Pack).
+// The result of every law kernel, over a number type T (double or Pack).
 #pragma once
 #include "law/data.hpp"
 #include "simd/pack.hpp"
@@ -6,7 +6,7 @@
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
-// S  5-vector, Pa, material axes; C: the entries of dS/dE that any of the laws fills, Pa.
+// S: 5-vector, Pa, material axes. C: the entries of dS/dE that are not zero in some law, Pa.
 template <class T>
 struct Response {
   T S[5];
@@ -23,7 +23,7 @@ void transverse_elastic(const T& G23, const T& G13, const T E[5], Response<T>& o
   out.C35 = out.C45 = T(0.0);
 }
 
-// Neither strain nor stress may be NaN or infinite: their sum shows both.
+// Whether strain and stress are finite; the sum of all is enough to detect NaN and infinity.
 template <class T>
 auto healthy(const T E[5], const Response<T>& out) {
   T sum(0.0);

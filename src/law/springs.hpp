@@ -6,10 +6,10 @@
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
-// Strains closer than this to a switch count as being on it when a tangent is chosen (never a stress).
+// Strains closer than this to a switch count as lying on it when a tangent is chosen (not for a stress).
 inline constexpr double switch_width = 1e-12;
 
-// Does the virgin tangent hold at x, the largest strain so far being m before this step?
+// Whether the virgin tangent is used at x, where m is the largest strain before this step.
 template <class T>
 auto virgin_tangent(T x, T m, AtSwitch at) {
   const T width(switch_width);
@@ -21,7 +21,7 @@ struct SpringValue {
   T S, C;  // stress and slope
 };
 
-// H(E) of one yarn; m: in the committed, out the trial largest strain.
+// H(E) of one yarn; m: on entry the committed, on return the trial largest strain.
 template <class Curve, class T>
 SpringValue<T> yarn_spring(const AxisOf<Curve>& axis, double coupling, AtSwitch at, T E, T& m) {
   const T m0 = m;
@@ -35,14 +35,14 @@ SpringValue<T> yarn_spring(const AxisOf<Curve>& axis, double coupling, AtSwitch 
   const T yarn = select(is_virgin, curve.P, unloading) + cross * E;
   const T slack = cross * residual + h * (E - residual);
   const T slope = select(virgin_tangent(E, m0, at), curve.D, Du) + cross;
-  // Virgin cloth at E = 0: loading is virgin, unloading is slack at once.
+  // Virgin cloth at E = 0: loading follows the virgin curve, unloading is slack at once.
   const auto slack_slope = at == AtSwitch::loading
                                ? is_slack & !(virgin_tangent(E, m0, at))
                                : is_slack | ((m <= T(switch_width)) & (E <= T(switch_width)));
   return {select(is_slack, slack, yarn), select(slack_slope, h, slope)};
 }
 
-// Does the shear spring remember the branch left behind? Never with a plain law.
+// Whether the shear spring remembers the previous branch; a plain law never does.
 inline bool fades(const ShearData& shear) { return shear.fading; }
 constexpr bool fades(const ShearOf<CubicBackbone>&) { return false; }
 
@@ -50,7 +50,7 @@ constexpr bool fades(const ShearOf<CubicBackbone>&) { return false; }
 template <class T>
 struct ShearState {
   T origin, peak, sign, lost;
-  T faded;  // peak of the branch left behind (memory "fading" only)
+  T faded;  // peak of the previous branch (memory "fading" only)
 };
 
 // Energy dissipated on a branch whose peak is g: U(g) - P(g)^2 / (2 Gu).
@@ -59,7 +59,7 @@ T branch_loss(const BackboneValue<T>& at_peak, T Gu) {
   return at_peak.U - at_peak.P * at_peak.P / (T(2.0) * Gu);
 }
 
-// The branch that a reversal of stress opens: at zero stress, with the peak that memory leaves it.
+// The branch after a reversal of stress: it starts at zero stress, with the peak that the memory leaves.
 template <class Curve, class T>
 ShearState<T> reversed(const ShearOf<Curve>& shear, T gamma, const ShearState<T>& old,
                        const BackboneValue<T>& at_peak, T zero, T beyond) {
@@ -94,7 +94,7 @@ SpringValue<T> shear_spring(const ShearOf<Curve>& shear, AtSwitch at, T gamma, S
   const T r_old = s.sign * (gamma - s.origin);
   const auto at_peak = backbone_at(shear.curve, s.peak);
   const T zero = s.peak - at_peak.P * T(shear.softness);
-  // Unloading to zero stress is no crossing; only a branch that has a peak can be unloaded.
+  // Unloading to exactly zero stress is no reversal; only a branch with a peak can be unloaded.
   const T slop = select(s.peak > width, width, T(0.0));
   const auto flip = r_old < zero - slop;
   if (any(flip)) s = choose(flip, reversed(shear, gamma, s, at_peak, zero, zero - r_old), s);
@@ -104,7 +104,7 @@ SpringValue<T> shear_spring(const ShearOf<Curve>& shear, AtSwitch at, T gamma, S
   s.peak = max(r, peak0);
   const auto curve = backbone_at(shear.curve, s.peak);
   const T S = select(r >= peak0, curve.P, curve.P - Gu * (peak0 - r));
-  // Just after a reversal r is the whole way since, however small: virgin in either reading.
+  // Just after a reversal r is the whole distance since then, however small: virgin for either value of `at`.
   const auto is_virgin = virgin_tangent(r, peak0, at) | (flip & (r >= peak0)) | (s.peak <= width);
   return {s.sign * S, select(is_virgin, curve.D, Gu)};
 }
@@ -115,7 +115,7 @@ T friction_limit(const FrictionData& f, T gamma) {
   return T(f.stress) + T(f.growth) * min(abs(gamma), T(f.limit));
 }
 
-// Its integral from 0: odd.
+// The integral of the yield stress from 0; odd.
 template <class T>
 T friction_area(const FrictionData& f, T gamma) {
   const T size = abs(gamma), inside = min(size, T(f.limit));
@@ -123,8 +123,8 @@ T friction_area(const FrictionData& f, T gamma) {
   return select(gamma < T(0.0), -area, area);
 }
 
-// The gamma at which friction that stuck at a slip begins to slide towards larger gamma:
-// k (gamma - slip) = limit(gamma).
+// The gamma at which friction that sticks at a given slip begins
+// to slide towards larger gamma: k (gamma - slip) = limit(gamma).
 template <class T>
 T slide_begins(const FrictionData& f, T slip) {
   const T k(f.stiffness), reach = k * slip + T(f.stress);
@@ -133,8 +133,8 @@ T slide_begins(const FrictionData& f, T slip) {
   return select(abs(inside) <= T(f.limit), inside, outside);
 }
 
-// Friction in shear over a straight step; slip and lost committed in, trial out. What is lost while it slides
-// from gamma_c to gamma is int limit dgamma less what is stored, (limit^2 - limit_c^2) / (2 k).
+// Friction in shear over a straight step; slip and lost: committed on entry, trial on return. Sliding
+// from gamma_c to gamma loses int limit dgamma less what is stored, (limit^2 - limit_c^2) / (2 k).
 template <class T>
 SpringValue<T> shear_friction(const FrictionData& f, AtSwitch at, T gamma, T& slip, T& lost) {
   const T k(f.stiffness), limit = friction_limit(f, gamma), one(1.0), zero(0.0);
@@ -152,7 +152,7 @@ SpringValue<T> shear_friction(const FrictionData& f, AtSwitch at, T gamma, T& sl
   return {held, select(sticks, k, slope)};
 }
 
-// T(y) of the biaxial spring, y = E11 + alpha E22 - offset; slack T = 0.
+// T(y) of the biaxial spring, y = E11 + alpha E22 - offset; below its residual T = 0.
 template <class T>
 SpringValue<T> biaxial_spring(const BiaxialData& spring, AtSwitch at, T y, T& m) {
   const T m0 = m;

@@ -1,4 +1,4 @@
-// Newton on the two strains across a pull, until the stress across it and the shear stress vanish.
+// Newton's method for the lateral and the shear strain, until the lateral stress and the shear stress vanish.
 #include <algorithm>
 #include <cmath>
 
@@ -10,19 +10,19 @@ namespace fabricsh::law {
 
 namespace {
 
-constexpr double small = 1e-6;      // strain: below it rounding is not measured against the strain itself
-constexpr double rounding = 1e-12;  // of the scale: where a residual may stall
+constexpr double small = 1e-6;      // strain: rounding is compared with at least this
+constexpr double rounding = 1e-12;  // relative size at which a residual may stagnate
 
-// Two unknowns of the load frame: lateral strain a, shear strain b (tensor).
+// The two unknowns in the load frame: lateral strain a and shear strain b (tensor).
 struct Pair {
   double a = 0, b = 0;
 };
 
-// Residual (S across, S shear) and its derivative with respect to (a, b), Pa.
+// Residual (lateral stress, shear stress) and its derivative by (a, b), Pa.
 struct System {
   Pair residual;
   double aa, ab, ba, bb;
-  double scale;  // Pa, what rounding is measured against
+  double scale;  // Pa, with which rounding is compared
 
   System(const LoadFrame& frame, const std::array<double, 3>& E, const std::array<double, 5>& S,
          const std::array<double, 25>& C) {
@@ -43,7 +43,7 @@ struct System {
     const double det = aa * bb - ab * ba;
     return {-(bb * residual.a - ab * residual.b) / det, -(aa * residual.b - ba * residual.a) / det};
   }
-  // Rate of the potential along a step: the shear strain b counts twice.
+  // Derivative of the potential along a step; the shear strain b counts twice.
   double slope(const Pair& step) const { return step.a * residual.a + 2 * step.b * residual.b; }
   bool searching(const Pair& step, double target) const {
     return std::fabs(slope(step)) > target && size() > rounding * scale;
@@ -67,8 +67,8 @@ std::array<double, 3> PointDriver::solve_uniaxial(double angle, double E) {
   best = x;
   for (int iteration = 0; iteration < 100 && now.size() > 1e-16 * now.scale; ++iteration) {
     const Pair step = now.newton();
-    // Along a step the potential is convex: bracket the zero of its slope. The search gets sharp when plain
-    // Newton steps wander between kinks.
+    // The potential is convex along a step: bracket the zero of its slope.
+    // The search becomes more exact if Newton steps alternate between kinks.
     const double g0 = now.slope(step), sharp = iteration < 5 ? 0.5 : 1e-2;
     double low = 0, high = 0, s = 1;
     System next = system_at({x.a + step.a, x.b + step.b});

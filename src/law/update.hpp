@@ -1,4 +1,4 @@
-// One update of any law over a number type T: chooses the kernel by the kind of law.
+// One update of any law over a number type T: selects the kernel by the kind of law.
 #pragma once
 #include "law/elastic.hpp"
 #include "law/potential.hpp"
@@ -8,7 +8,7 @@
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
-// Law "potential" by what is switched on.
+// Selects the kernel of law "potential" by the features used.
 template <bool rubs, class T>
 Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
   return law.viscous.on ? viscous_update<rubs>(law, step, E, s0, s1)
@@ -31,7 +31,7 @@ Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, 
   }
 }
 
-// Row-major 5x5, entry e handed to put(e, value).
+// Passes the entries of the row-major 5x5 tangent to put(e, value).
 template <class T, class Put>
 void put_tangent(const Response<T>& out, Put put) {
   const T nought(0.0);

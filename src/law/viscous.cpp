@@ -6,7 +6,7 @@ namespace fabricsh::law {
 
 namespace {
 
-// x int_0^1 ((1 - exp(-x s)) / x)^2 ds, of which the closed form loses its digits where x is small.
+// x int_0^1 ((1 - exp(-x s)) / x)^2 ds, by a series where x is small and the closed form loses digits.
 double pulled_share(double x, double left, double left_twice) {
   if (x > 0.5) return (1 - 2 * left / x + left_twice / (2 * x)) / x;
   double sum = 0, power = x, two = 4, factorial = 2;

@@ -1,16 +1,16 @@
-// Shear that relaxes: a spring and a dashpot in series (Maxwell), beside the spring of the woven law, which
-// together are a standard linear solid. q is the stress of the pair, gamma = 2 E12:
+// Shear that relaxes: a spring and a dashpot in series (Maxwell), parallel to the shear spring of the
+// woven law; together a standard linear solid. q is the stress of the spring and dashpot, gamma = 2 E12:
 //   dq/dt = G dgamma/dt - q / tau
-// Within a step gamma goes straight from its last value to the new one, for which all of this is exact: a
-// ramp in one step or in a thousand gives the same.
+// Within a step gamma is linear in time, and for that the solution is exact: a ramp gives the same
+// result in one step or in a thousand.
 #pragma once
 #include "law/potential.hpp"
 
 namespace fabricsh::law {
 
-// What a step of x = dt / tau does, the same for all points:
+// The effect of a step of x = dt / tau, the same for all points:
 //   q1 = decay q0 + share G dgamma,   lost = (q0^2 own + 2 q0 (G dgamma) mixed + (G dgamma)^2 pulled) / G
-// At once (x = 0): decay = share = 1 and nothing is lost.
+// An instantaneous step (x = 0): decay = share = 1 and nothing is lost.
 struct ViscousStep {
   double decay = 1, share = 1;
   double own = 0, mixed = 0, pulled = 0;
@@ -19,7 +19,7 @@ ViscousStep viscous_step(double x);
 
 inline namespace FABRICSH_ISA {
 
-// State, behind that of the rest of the law: gamma and q of the last step, and what was lost since virgin.
+// State, after that of the rest of the law: gamma and q at the last step, and the energy lost so far.
 namespace viscous_state {
 inline constexpr int gamma = 0, q = 1, lost = 2, count = 3;
 }
@@ -42,7 +42,7 @@ Response<T> viscous_update(const WovenData& law, const Step& step, const T E[5],
   return out;
 }
 
-// Energies of the pair, J/m^3.
+// Energies of the spring and dashpot, J/m^3.
 template <class T>
 void add_viscous_energy(const WovenData& law, const T* s, T& stored, T& lost) {
   const int at = viscous_slot(law);

@@ -14,7 +14,7 @@ std::string dotted(int major, int minor, int patch) {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
 }
 
-// "OpenBLAS 0.3.21 NO_AFFINITY USE64BITINT ...": the second word.
+// The version is the second word of "OpenBLAS 0.3.21 NO_AFFINITY USE64BITINT ...".
 std::string openblas() {
   const std::string words = openblas_get_config();
   const auto first = words.find(' ') + 1;

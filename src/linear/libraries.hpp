@@ -1,4 +1,4 @@
-// What the linear solvers stand on.
+// The libraries that the linear solvers use.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace fabricsh::linear {
 
-// The name of the kernels that OpenBLAS chose for this machine, "SkylakeX": the bits of a solve hang on them.
+// The kernels that OpenBLAS chose for this machine, as "SkylakeX"; the bits of a solution depend on them.
 std::string blas_kernels();
 
-std::vector<Library> libraries();  // Eigen, UMFPACK, CHOLMOD, OpenBLAS with the kernels that it chose
+std::vector<Library> libraries();  // Eigen, UMFPACK, CHOLMOD, OpenBLAS with its kernels
 
 }  // namespace fabricsh::linear

@@ -1,4 +1,4 @@
-// What factorises a matrix and solves with it.
+// Interface of the direct solvers, which factorise a matrix and solve with the factors.
 #pragma once
 #include <memory>
 #include <span>
@@ -14,14 +14,14 @@ struct LinearReport {
   Index negative_pivots = 0;  // of a symmetric matrix: its negative eigenvalues (Sylvester's law of inertia)
 };
 
-// Direct solver. The symbolic phase runs once per pattern, when a matrix with another version comes; the
-// numeric one per matrix.
+// A direct solver. The symbolic phase runs only when a matrix with another
+// pattern version arrives; the numerical phase runs for every matrix.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  // False: singular, structurally or by its numbers, or memory ran out.
+  // False: the matrix is singular (structurally or numerically), or memory ran out.
   bool factorise(const Matrix& A) { return prepare(A) && factorise_numbers(A); }
-  // The symbolic phase alone, where it is needed. False: structurally singular, or memory ran out.
+  // The symbolic phase alone, if it is needed. False: structurally singular, or memory ran out.
   bool prepare(const Matrix& A) {
     if (analysed_ == A.pattern->version) return true;
     if (!analyse(A)) return false;
@@ -31,8 +31,8 @@ class LinearSolver {
   }
   virtual bool solve(const Matrix& A, std::span<const double> b, std::span<double> x) = 0;
   virtual LinearReport report() const = 0;
-  // Does the way that the next matrix is factorised hang on the last one? To be kept with a run's state, so
-  // that it continues with the same bits.
+  // Whether the factorisation of the next matrix depends on the outcome of the last
+  // one. A checkpoint stores this flag, so that a restarted run computes the same bits.
   virtual bool doubtful() const { return false; }
   virtual void set_doubtful(bool) {}
   std::int64_t analyses() const { return analyses_; }  // symbolic phases so far
@@ -42,20 +42,20 @@ class LinearSolver {
   virtual bool factorise_numbers(const Matrix& A) = 0;
 
  private:
-  std::uint64_t analysed_ = 0;  // version of the pattern
+  std::uint64_t analysed_ = 0;  // version of the pattern analysed last
   std::int64_t analyses_ = 0;
 };
 
-// What keeps the factors sparse. automatic: AMD for small matrices, METIS for large ones, by measurement
-// (tests/bench/bench_solver.cpp).
+// The fill-reducing ordering. automatic: AMD for small matrices, METIS
+// for large ones, as measured with tests/bench/bench_solver.cpp.
 enum class Ordering { automatic, amd, metis };
 
-// UMFPACK with the symmetric-pattern strategy: unsymmetric values. BLAS is held to one thread.
+// UMFPACK with the symmetric-pattern strategy, for matrices with unsymmetric values. BLAS uses one thread.
 std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering = Ordering::automatic);
 
-// Supernodal Cholesky (CHOLMOD), which reads the upper triangle alone. A matrix that is not positive definite
-// goes to the unsymmetric solver, which counts its negative pivots; so do the ones after it, until one has
-// none.
+// Supernodal Cholesky (CHOLMOD), which reads the upper triangle only. A matrix that
+// is not positive definite is factorised by the unsymmetric solver, which counts
+// its negative pivots; so are the following ones, until one has no negative pivots.
 std::unique_ptr<LinearSolver> make_symmetric_solver(Ordering ordering = Ordering::automatic);
 
 }  // namespace fabricsh::linear

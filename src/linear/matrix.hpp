@@ -1,5 +1,5 @@
-// A square sparse matrix in compressed columns: a pattern, which may be shared and grows by being made anew,
-// and the values of its entries.
+// A square sparse matrix in compressed columns: a pattern, which may be shared by several
+// matrices and is replaced when entries are added, and the values of its entries.
 #pragma once
 #include <cassert>
 #include <cstdint>
@@ -11,26 +11,26 @@ namespace fabricsh::linear {
 
 using Index = std::int64_t;
 
-// Where a matrix may have entries. Made once, never changed: what couples otherwise gets a pattern of its
-// own, with another version, which tells a solver to analyse anew.
+// The positions of the possible entries of a matrix. A pattern never changes: where other
+// unknowns couple, a new pattern is made, and its version tells the solver to analyse again.
 class Pattern {
  public:
   Pattern() : Pattern(std::vector<std::vector<Index>>{}) {}
-  // columns[c]: the rows of column c, in any order, repeated or not; emptied on the way.
+  // columns[c]: the rows of column c, in any order, possibly repeated. The argument is left empty.
   explicit Pattern(std::vector<std::vector<Index>>&& columns);
-  // Ready arrays: size + 1 starts, and the rows ascending in each column.
+  // From finished arrays: size + 1 column starts, and the rows in ascending order in each column.
   Pattern(std::vector<Index> column, std::vector<Index> row);
 
   Index size = 0;
   std::vector<Index> column;  // size + 1 starts
   std::vector<Index> row;     // ascending in each column
-  std::uint64_t version = 0;  // no two patterns of a program have the same
+  std::uint64_t version = 0;  // unique among all patterns of the program
 
   Index entries() const { return static_cast<Index>(row.size()); }
-  // The place of an entry among the values. An entry outside the pattern is a bug: asserted in debug builds,
-  // and in release builds an exception rather than a neighbour's entry.
+  // The index of an entry in the array of values. An entry outside the pattern is a
+  // bug: debug builds assert, release builds throw, rather than change another entry.
   Index slot(Index r, Index c) const;
-  // This pattern with further entries, columns as in the constructor.
+  // This pattern with additional entries; columns as in the constructor.
   Pattern with(std::vector<std::vector<Index>>&& further) const;
 };
 
@@ -43,10 +43,10 @@ struct Matrix {
 
   Index size() const { return pattern->size; }
   void add(Index r, Index c, double v) { value[static_cast<std::size_t>(pattern->slot(r, c))] += v; }
-  void clear();  // all entries zero
-  // Takes another pattern where its version differs; the values are then zero.
+  void clear();  // sets all entries to zero
+  // Takes over another pattern if its version differs; the values are then zero.
   void follow(const std::shared_ptr<const Pattern>& p);
-  // Takes another pattern with all values. One outside of it must be zero: a bug otherwise, as in add().
+  // Takes over another pattern with all values. A nonzero one outside of it is a bug, as in add().
   void carry(const std::shared_ptr<const Pattern>& p);
 };
 

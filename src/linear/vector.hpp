@@ -1,4 +1,4 @@
-// What solvers do with vectors.
+// Vector operations that the solvers need.
 #pragma once
 #include <algorithm>
 #include <cmath>

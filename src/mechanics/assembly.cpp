@@ -40,7 +40,7 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
   if (contact_ != nullptr) contact_->move(scale);
 }
 
-// Supports go the whole way whatever the share is: where that is not safe either, no share is.
+// Supports go to their targets whatever the share is; if that is not safe either, the result is 0.
 double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
   constexpr int tries = 5;
   double share = limit_of_terms(delta, targets);
@@ -77,7 +77,7 @@ void Assembly::aim(double time) {
   for (auto& term : terms_) term->aim(time);
 }
 
-// The forces of all terms but the cloth, and the worst of all outcomes.
+// Adds the forces of all terms but the cloth; returns the worst of all outcomes.
 Outcome Assembly::with_rest(Outcome worst, const law::Step& step, Forces& forces) {
   for (std::size_t i = 1; i < terms_.size(); ++i) {
     Outcome one = terms_[i]->add_forces(step, trial(), forces);
@@ -96,7 +96,7 @@ bool Assembly::forces(const law::Step& step) {
   return take(with_rest(cloth_->add_forces(step, trial(), sums), step, sums));
 }
 
-// Leaves the trial configuration at the iterate, where a term limits steps.
+// If a term limits steps, the trial configuration is reset to the iterate.
 double Assembly::limit_of_terms(std::span<const double> delta, std::span<const double> targets) {
   if (std::none_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->limits(); })) return 1;
   dofs_.retract(delta, 1, targets);
@@ -115,7 +115,7 @@ void Assembly::couple(std::vector<NodePair> pairs) {
   coupled_ = std::move(pairs);
 }
 
-// The pattern holds what the terms want to couple at the trial configuration.
+// Makes the pattern hold the pairs that the terms couple at the trial configuration.
 void Assembly::couple() {
   if (!stiffness_) {
     stiffness_ = std::make_unique<Stiffness>(dofs_, cloth_->batches(), cloth_->places());
@@ -279,7 +279,7 @@ void Assembly::keep(Archive& archive) {
     archive.filled(force_x_);
     archive.filled(force_d_);
   });
-  std::vector<Index> pairs;  // the pattern's, on which the bits of a solve hang
+  std::vector<Index> pairs;  // the pairs of the pattern, on which the bits of a solution depend
   for (const auto& [a, b] : coupled_) pairs.insert(pairs.end(), {a, b});
   archive.section("couplings", [&] { archive(pairs); });
   if (!archive.reading()) return;

@@ -1,8 +1,8 @@
-// A model compiled: its configuration, its degrees of freedom and the sum of its terms. Gives forces and
-// tangents for the trial configuration, the same bits for any number of threads.
+// A compiled model: its configuration, its degrees of freedom and the sum of its terms. It computes forces
+// and tangents for the trial configuration, with the same bits for any number of threads.
 //
-// An explicit step: begin_iterate(), retract(), aim(time), forces(), residual(), commit(time). No matrix and
-// no pattern is made unless a tangent is asked for.
+// An explicit step: begin_iterate(), retract(), aim(time), forces(), residual(), commit(time). No matrix or
+// pattern is made unless a tangent is computed.
 #pragma once
 #include <memory>
 #include <span>
@@ -21,15 +21,15 @@ namespace fabricsh::mechanics {
 
 class Contacts;
 
-// What does work on the cloth from outside, 3 per node, global.
+// The external forces that do work on the cloth; 3 per node, global.
 struct WorkingForces {
   std::vector<double> on_x;  // N
-  std::vector<double> on_d;  // N m, on directors; empty where no load and no moving support acts on them
+  std::vector<double> on_d;  // N m, on directors; empty if no load and no moving support acts on them
 };
 
 class Assembly {
  public:
-  // Errors: a degenerate element (named); warp without a direction.
+  // Errors: a degenerate element (named); a warp direction that is not defined.
   explicit Assembly(const model::Model& model);
   ~Assembly();
 
@@ -38,13 +38,13 @@ class Assembly {
   const Dofs& dofs() const { return dofs_; }
   const Freedoms& freedoms() const { return dofs_.freedoms(); }
   const Cloth& cloth() const { return *cloth_; }
-  Contacts* contact() { return contact_; }  // null: nothing touches
+  Contacts* contact() { return contact_; }  // null: the model has no contact
   const Contacts* contact() const { return contact_; }
   const std::vector<Vec3>& reference() const { return dofs_.reference(); }
   Configuration& state() { return configuration_; }
   const Configuration& state() const { return configuration_; }
   const std::vector<std::unique_ptr<Term>>& terms() const { return terms_; }
-  // A further term, before the first forces; which it returns.
+  // Adds and returns a further term; to be called before forces are first computed.
   template <class T>
   T& add(std::unique_ptr<T> term) {
     T& made = *term;
@@ -55,46 +55,46 @@ class Assembly {
   // --- configurations: see Dofs
   void begin_iterate();
   void retract(std::span<const double> delta, double scale, std::span<const double> targets);
-  // Has all that the step drives beside the supports come to where it ends.
+  // Whether everything that the step moves besides the supports has reached its final position.
   bool arrived() const;
   std::vector<double> targets(double time) const { return dofs_.targets(time); }
   void commit(double time);
   void rollback();
-  void aim(double time);  // of the next forces and tangents, whose loads are taken then
+  void aim(double time);  // sets the time of the loads for the next forces and tangents
 
-  // The share of a step from the iterate along delta, supports at their targets, that all terms take for
-  // safe, 0 to 1. Leaves the trial configuration somewhere along it. Of the terms but contact, whose explicit
-  // steps have a guard of their own: limit_of_terms.
+  // The share, 0 to 1, of a step from the iterate along delta, with the supports at their targets, that all
+  // terms consider safe. The trial configuration is left somewhere along the step. limit_of_terms omits
+  // contact, since explicit steps have their own check for contact.
   double limit(std::span<const double> delta, std::span<const double> targets);
   double limit_of_terms(std::span<const double> delta, std::span<const double> targets);
 
-  // --- at the trial configuration. False: some term failed (see outcome).
-  bool forces(const law::Step& step);  // internal forces, trial states
-  // Tangent into K, which takes the pattern. With `lead` (increments of the driven freedoms) also the product
-  // of the coupling block with them, one number per unknown, into `product`.
+  // --- at the trial configuration. False: a term failed (see outcome).
+  bool forces(const law::Step& step);  // internal forces and trial states
+  // Computes the tangent K, which takes over the pattern. `lead` has the increments of the driven degrees of
+  // freedom; `product` receives the product of their coupling block with these, one number per unknown.
   bool tangent(const law::Step& step, linear::Matrix& K, std::span<const double> lead,
                std::span<double> product);
-  // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]; forces stay as
-  // they are. lead, product: as tangent().
+  // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]. The forces are
+  // not changed. lead and product as for tangent().
   bool material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product);
   const Outcome& outcome() const {
     return outcome_;
-  }  // of the last forces or tangent: the worst of the terms'
-  // c_x on the diagonal of the nodes' displacements, c_d on that of their rotations, through ties.
+  }  // of the last forces or tangent: the worst of all terms
+  // Adds c_x to the diagonal of the nodes' displacements and c_d to that of their rotations, through ties.
   void add_diagonal(std::span<const double> c_x, std::span<const double> c_d, linear::Matrix& K);
-  // Made when first asked for, and anew where terms couple more nodes than it holds (see Term::couple). A
-  // rollback goes back to the pairs that the last commit found.
+  // Created at the first call, and again when terms couple nodes that it does not contain (see Term::couple).
+  // A rollback restores the pairs of the last commit.
   const std::shared_ptr<const linear::Pattern>& pattern();
-  bool symmetric() const;  // is every term's tangent symmetric
+  bool symmetric() const;  // whether the tangents of all terms are symmetric
 
-  // Dead loads at a time, 3 per node, N, global.
+  // Dead loads at the given time, 3 per node, N, global.
   void external(double time, std::vector<double>& out) const;
-  // Loads that follow the configuration, at a time, at the trial configuration, 3 per node, N, global.
+  // Loads that follow the configuration, at a time and the trial configuration, 3 per node, N, global.
   void follower(double time, std::vector<double>& on_x) const;
-  bool constant_loads() const;  // dead loads: the same at all times
+  bool constant_loads() const;  // whether the dead loads are constant in time
   bool symmetric_loads() const;
-  bool hangs_on_time() const { return cloth_->hangs_on_time(); }  // do stresses change while nothing moves
-  // r = f_ext - f_int on the unknowns, along the nodes' frames. on_d: N m, further forces on directors.
+  bool hangs_on_time() const { return cloth_->hangs_on_time(); }  // whether stresses change at rest
+  // r = f_ext - f_int on the unknowns, in the nodes' frames. on_d: additional forces on directors, N m.
   void residual(std::span<const double> external, std::span<double> r,
                 std::span<const double> on_d = {}) const {
     dofs_.residual(external, force_x_, force_d_, on_d, moments_, r);
@@ -106,18 +106,18 @@ class Assembly {
   }
   double largest_force() const { return dofs_.largest_force(force_x_, force_d_); }
   double rounding_floor(const linear::Matrix& K) const { return dofs_.rounding_floor(K); }
-  // Force of the supports on one node, N, global: internal minus external along the held and driven
+  // The force of the supports on one node, N, global: internal minus external along the held and driven
   // directions.
   Vec3 support_force(Index node, std::span<const double> external) const {
     return dofs_.support_force(node, force_x_, external);
   }
-  // Dead loads, follower loads and the forces of supports that move, at the trial configuration (its forces
-  // computed, aimed at its time).
+  // Dead loads, follower loads and the forces of moving supports at the trial configuration, whose forces
+  // must have been computed after aim() at its time.
   void working_forces(std::span<const double> dead, WorkingForces& out);
-  // Are the working forces the dead loads alone, the same at all times?
+  // Whether the working forces are only dead loads that are constant in time.
   bool constant_work() const;
   void expect_energies(bool expected);  // see Term
-  // J, done in the step from outside by what neither loads nor supports do.
+  // J, external work in the step that is done neither by loads nor by supports.
   double step_work() const;
   // Energies of all terms by name, at the trial configuration.
   std::vector<Energy> energies() const;
@@ -127,15 +127,15 @@ class Assembly {
   double share(Index element) const { return cloth_->share(element); }
 
   // --- motion
-  // Of the steps of a run, null: none; kept by reference. Terms that hang on it are added by the run.
+  // Sets the motion of a run's steps, by reference; null: none. The run adds the terms that depend on it.
   void set_motion(const Motion* motion) { motion_ = motion; }
-  OnMass on_mass() const;                  // the sum of the terms'
-  bool begin_step();                       // see Term; false: some term failed (see outcome)
+  OnMass on_mass() const;                  // the sum over the terms
+  bool begin_step();                       // see Term; false: a term failed (see outcome)
   void resist(std::span<double> r);        // see Term
   void add_resistance(linear::Matrix& K);  // see Term
   void finish_step();                      // before commit()
-  // kg per unknown displacement, kg m^2 per unknown rotation, lumped. Error: ties whose lumped mass is not
-  // positive.
+  // Lumped masses: kg per unknown displacement, kg m^2 per unknown rotation. Error: ties that have no
+  // positive lumped mass.
   std::vector<double> lumped_mass(bool scaled) const {
     return dofs_.lump(cloth_->mass(), cloth_->rotary_inertia(scaled));
   }
@@ -145,13 +145,13 @@ class Assembly {
     dofs_.spread_rates(rates, driven, out);
   }
   std::vector<double> collect_rates(const NodalRates& nodal) const { return dofs_.collect_rates(nodal); }
-  // s: the largest stable step of central differences, the smallest of the terms', for the reference
-  // configuration.
+  // s: the largest stable step of central differences for the reference configuration, the smallest over the
+  // terms.
   double stable_step(bool scaled) const;
   double smallest_size() const { return cloth_->smallest_size(); }
   double largest_stretch() const { return cloth_->largest_stretch(); }
 
-  // --- reading a state
+  // --- reading of the state
   using PointVisitor = Cloth::PointVisitor;
   void visit(Index element, const PointVisitor& f) const { cloth_->visit(element, f); }
   std::pair<Vec3, Vec3> yarns(Index element) const { return cloth_->yarns(element); }
@@ -162,7 +162,7 @@ class Assembly {
   Index node_of_unknown(Index unknown) const { return dofs_.node_of(unknown); }
   Index element_of_unknown(Index unknown) const { return cloth_->element_at(dofs_.node_of(unknown)); }
 
-  // The committed state and its internal forces. Error when reading: of another model.
+  // The committed state and its internal forces. Error when reading: the state of another model.
   void keep(Archive& archive);
 
  private:
@@ -170,7 +170,7 @@ class Assembly {
   T* make(Arguments&&... arguments);
   Trial trial() const { return {configuration_, dofs_.reference(), aimed_, motion_}; }
   Forces sums() { return {force_x_, force_d_}; }
-  bool take(Outcome outcome);  // keeps it; is it ok
+  bool take(Outcome outcome);  // stores the outcome; returns whether it is ok
   Outcome with_rest(Outcome cloth, const law::Step& step, Forces& forces);
   void couple();
   void couple(std::vector<NodePair> pairs);
@@ -178,10 +178,10 @@ class Assembly {
   const model::Model& model_;
   Configuration configuration_;
   Dofs dofs_;
-  std::vector<std::unique_ptr<Term>> terms_;  // the cloth first
+  std::vector<std::unique_ptr<Term>> terms_;  // the cloth is the first
   Cloth* cloth_ = nullptr;
   Contacts* contact_ = nullptr;
-  const std::vector<Vec3>* moments_ = nullptr;  // of the term that has them
+  const std::vector<Vec3>* moments_ = nullptr;  // those of the term that has moments
   std::unique_ptr<Stiffness> stiffness_;
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
   std::vector<double> force_x_, force_d_;              // internal, 3 per node

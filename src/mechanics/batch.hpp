@@ -1,4 +1,4 @@
-// Eight elements of one kind and region side by side, as the kernels take them.
+// Eight elements of the same kind and region, in the layout of the kernels.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,31 +9,31 @@
 
 namespace fabricsh::mechanics {
 
-// Fewer are done by one thread: waking the others costs more, above all on a busy machine.
+// Below this number of batches one thread is used: waking the others would cost more than it saves.
 inline constexpr Index few_batches = 16;
 
-// Where an element sits in the batches.
+// The position of an element in the batches.
 struct Place {
   Index batch;
   int lane;
 };
 
-// What must be known of a kind of element with a number of thickness points.
+// Properties of a kind of element with a given number of thickness points.
 struct Kind {
   element::Shell4Kernels kernels;
   int corners, in_plane, dofs;
-  int first_point;    // of the geometry column: where the points' transforms begin, eight numbers each
-  int geometry_size;  // of the column of one lane
+  int first_point;    // where in the geometry column the points' transforms begin, eight numbers each
+  int geometry_size;  // length of the geometry column of one lane
   int point(int g, int k, int points) const { return first_point + 8 * (points * g + k); }
 };
 
 struct Batch {
-  std::array<Index, lanes> element{};  // lanes from `used` on repeat the last one
+  std::array<Index, lanes> element{};  // the last element is repeated in lanes from `used` on
   std::array<std::array<Index, 4>, lanes> nodes{};
   int used = 0;
   const Kind* kind = nullptr;
   const section::Section* section = nullptr;
-  std::size_t geometry = 0, law = 0, force = 0;  // where its numbers begin
+  std::size_t geometry = 0, law = 0, force = 0;  // indices at which its data begin
   element::Sharing sharing = element::Sharing::none;
 };
 

@@ -1,6 +1,6 @@
-// Where the nodes are and where their directors point: a committed and a trial copy. Only a run commits or
-// rolls back. A step moves the trial copy and calls touch(); the terms read it; commit() makes it the
-// committed one.
+// Positions and directors of the nodes, as a committed and a trial copy. Only a run commits or rolls back.
+// A step changes the trial copy and calls touch(); the terms read it; commit() makes it the committed
+// copy.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,12 +13,12 @@ namespace fabricsh::mechanics {
 
 class Configuration {
  public:
-  // nodes: 9 numbers each, global: position x (m), director d (unit), first axis b1 of the director's frame
-  // (unit).
+  // nodes: each has 9 numbers, global: position x (m), director d (unit), first axis b1 of the director's
+  // frame (unit).
   explicit Configuration(std::size_t nodes) : nodes_(nodes), committed_(9 * nodes, 0.0), trial_(committed_) {}
 
   std::size_t nodes() const { return nodes_; }
-  // Trial copy: 3 per node each.
+  // Trial copy, 3 per node each.
   std::span<double> x() { return part(writable(), 0); }
   std::span<double> d() { return part(writable(), 1); }
   std::span<double> b1() { return part(writable(), 2); }
@@ -27,14 +27,14 @@ class Configuration {
   std::span<const double> d() const { return part(current(), 1); }
   std::span<const double> b1() const { return part(current(), 2); }
   std::span<const double> kinematics() const { return current(); }
-  // Committed copy: all x, then all d, then all b1.
+  // Committed copy: x of all nodes, then d, then b1.
   std::span<const double> committed_kinematics() const { return committed_; }
 
   double time() const { return time_; }  // of the committed copy, s
   std::uint64_t version() const { return version_; }
-  void touch() { ++version_; }           // the trial copy has changed
-  bool moved() const { return moved_; }  // may the trial copy differ from the committed one
-  // All of the trial copy is about to be written: nothing of the committed one has to be brought over.
+  void touch() { ++version_; }           // to be called after a change of the trial copy
+  bool moved() const { return moved_; }  // whether the trial copy may differ from the committed one
+  // To be called before the whole trial copy is written: the committed one then need not be copied first.
   void overwrite() { moved_ = true; }
   void commit(double time) {
     if (moved_) committed_.swap(trial_);
@@ -46,7 +46,7 @@ class Configuration {
     moved_ = false;
     ++version_;
   }
-  // The committed copy, for snapshots and checkpoints. Error when reading: of another number of nodes.
+  // The committed copy, for snapshots and checkpoints. Error when reading: a different number of nodes.
   void keep(Archive& archive) {
     archive(time_);
     archive.filled(committed_);
@@ -54,7 +54,7 @@ class Configuration {
   }
 
  private:
-  // While the trial copy has not moved it is the committed one, and its own numbers are stale.
+  // Until the trial copy is moved, its numbers are not valid and the committed copy is used instead.
   const std::vector<double>& current() const { return moved_ ? trial_ : committed_; }
   std::span<double> writable() {
     if (!moved_) trial_ = committed_;

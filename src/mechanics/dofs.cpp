@@ -12,7 +12,7 @@
 namespace fabricsh::mechanics {
 
 namespace {
-constexpr Index kShare = 2048;  // nodes from which threads share a loop
+constexpr Index kShare = 2048;  // number of nodes from which loops use several threads
 }
 
 Dofs::Dofs(const model::Model& model, Configuration& configuration)
@@ -38,7 +38,7 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
   measure_unknowns(model);
 }
 
-// Which node an unknown moves, whether it turns it, and what its moments are divided by.
+// Finds for each unknown its node, whether it is a rotation, and the length by which its moments are divided.
 void Dofs::measure_unknowns(const model::Model& model) {
   const Index n = freedoms_.unknowns;
   unknown_node_.assign(n, -1);
@@ -76,14 +76,14 @@ void Dofs::measure_unknowns(const model::Model& model) {
   }
 }
 
-// Where a node's director may turn about held axes alone, its first axis is the direction that is left.
+// If held rotation axes leave a director only one tangent direction, that is its first axis b1.
 void Dofs::realign(Index node) {
   const auto& held_axes = freedoms_.nodes[node].held_axes;
   if (held_axes.empty()) return;
   const Vec3 direction = allowed_direction(held_axes, at(configuration_.d(), node));
   if (direction.isZero()) return;
-  // The longest shadow changes from one held axis to another, and turns round where the director passes an
-  // axis. A rate along b1 keeps its number through a step, so b1 has to keep its sense.
+  // The direction changes its sign when the director passes a held axis, or when another axis becomes
+  // decisive. A rate along b1 keeps its value through a step, so b1 must keep its sense.
   const Vec3 before = at(configuration_.b1(), node);
   at(configuration_.b1(), node) = direction.dot(before) < 0 ? Vec3(-direction) : direction;
 }
@@ -156,7 +156,7 @@ void Dofs::retract(std::span<const double> delta, double scale, std::span<const 
 
 namespace {
 
-// The residual force on a director: of loads and inertia, where there are any, less the internal one.
+// The residual force on a director: that of loads and inertia, if any, less the internal one.
 Vec3 on_director(std::span<const double> on_d, std::span<const double> internal_d, Index node) {
   const Vec3 internal = at(internal_d, node);
   return on_d.empty() ? Vec3(-internal) : Vec3(at(on_d, node) - internal);
@@ -261,7 +261,7 @@ std::vector<double> Dofs::lump(std::span<const double> nodal, std::span<const do
         if (eq[c] >= 0) mass[eq[c]] += c < 3 ? nodal[n] : rotary[n];
       continue;
     }
-    // The row sum of L^T M L, where the columns of a freedom's links add up to one.
+    // Lumping sums the rows of L^T M L; here the columns of a node's links add up to one.
     links(n, node);
     for (const Link& link : node)
       if (link.equation >= 0)
@@ -307,7 +307,7 @@ double Dofs::largest_force(std::span<const double> on_x, std::span<const double>
 }
 
 double Dofs::rounding_floor(const linear::Matrix& K) const {
-  double stiffest[2] = {0, 0}, farthest = 0;  // displacements, rotations
+  double stiffest[2] = {0, 0}, farthest = 0;  // displacements, rotations; largest coordinate
   for (Index eq = 0; eq < K.size(); ++eq) {
     const double k = std::abs(K.value[K.pattern->slot(eq, eq)]);
     stiffest[turns_[eq]] = std::max(stiffest[turns_[eq]], k);

@@ -6,13 +6,12 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-constexpr double kNoShadow =
-    1e-8;  // a held axis this close to the director (sine of the angle) holds nothing
+constexpr double kNoShadow = 1e-8;  // a held axis at a smaller angle (its sine) to the director has no effect
 
 Vec3 shadow(const Vec3& axis, const Vec3& d) { return axis - axis.dot(d) * d; }
 
-// How many of the two director rotations the held axes take away: the rank of their shadows on the tangent
-// plane.
+// The number of director rotations that the held axes prevent: the rank of the axes' projections on the
+// tangent plane.
 int held_rotations(const std::vector<Vec3>& axes, const Vec3& d) {
   const Vec3 first = allowed_direction(axes, d);
   if (first.isZero()) return 0;
@@ -34,7 +33,7 @@ Index add_history(const model::History& history, Freedoms& f) {
   return static_cast<Index>(f.histories.size()) - 1;
 }
 
-// Every node of the set gets its director driven, and with a centre its three displacements.
+// The director of every node in the set becomes driven; with a centre, also its three displacements.
 void add_turn(const model::Turn& turn, const mesh::Mesh& mesh, Freedoms& f,
               std::vector<std::array<Index, 3>>& motion) {
   using Kind = DrivenFreedom::Kind;
@@ -55,7 +54,7 @@ void add_turn(const model::Turn& turn, const mesh::Mesh& mesh, Freedoms& f,
   }
 }
 
-// Marks the freedoms that follow others and the nodes of rigid bodies.
+// Marks the degrees of freedom that follow others, and the nodes of rigid bodies.
 void mark_ties(const model::Model& model, Freedoms& f) {
   auto ties = model::work_out_ties(model);
   for (const auto& follower : ties.followers) {
@@ -94,7 +93,7 @@ Vec3 allowed_direction(const std::vector<Vec3>& held_axes, const Vec3& d) {
 
 namespace {
 
-// Which axis of its frame a support is a plane of symmetry normal to; -1: none.
+// The axis (0 to 2) of the frame to which a symmetry support's plane is normal; -1: it is no such support.
 int plane_normal(const model::Freedoms& fixed) {
   if (fixed.rotation) return -1;
   for (int i = 0; i < 3; ++i) {
@@ -109,7 +108,7 @@ int plane_normal(const model::Freedoms& fixed) {
 }  // namespace
 
 void lay_into_planes(const model::Model& model, std::vector<Vec3>& directors) {
-  constexpr double kAcross = 1e-6;  // a shorter shadow on the planes is no direction
+  constexpr double kAcross = 1e-6;  // a shorter projection gives no direction
   std::vector<std::vector<Vec3>> normals(directors.size());
   for (const auto& support : model.supports())
     if (const int i = plane_normal(support.fixed); i >= 0)
@@ -117,7 +116,7 @@ void lay_into_planes(const model::Model& model, std::vector<Vec3>& directors) {
         normals[n].push_back(support.frame.row(i).transpose());
   for (std::size_t n = 0; n < directors.size(); ++n) {
     Vec3 d = directors[n];
-    std::vector<Vec3> crossed;  // orthonormal
+    std::vector<Vec3> crossed;  // normals found so far, orthonormal
     for (Vec3 normal : normals[n]) {
       for (const Vec3& e : crossed) normal -= normal.dot(e) * e;
       if (normal.norm() < kAcross) continue;
@@ -148,7 +147,7 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
         if (support.fixed.axis[i]) h.axes.push_back(support.frame.row(i).transpose());
       }
       h.rotation = h.rotation || support.fixed.rotation;
-      // A node held along all three directions may keep any frame.
+      // For a node held along all three directions the frame has no effect.
       const bool whole =
           support.fixed.translation[0] && support.fixed.translation[1] && support.fixed.translation[2];
       if (translates && !whole) use_frame(n, support.frame);

@@ -1,6 +1,6 @@
-// The numbers that a law remembers at its points: a committed and a trial copy that are never copied into
-// each other. An evaluation reads all of the committed numbers and writes all of the trial ones, a commit
-// swaps the two, and what is read between a commit or rollback and the next evaluation is the committed copy.
+// The state variables of the laws at all points, as a committed and a trial copy. An evaluation reads all
+// committed numbers and writes all trial ones, and a commit swaps the two, so that nothing is ever copied.
+// Between a commit or rollback and the next evaluation the committed copy is read.
 #pragma once
 #include <span>
 
@@ -15,7 +15,7 @@ class LawStates {
 
   std::span<const double> current() const { return evaluated_ ? trial_ : committed_; }
   std::span<const double> committed() const { return committed_; }
-  // The trial copy to be written, all of it.
+  // The trial copy, all of which must be written.
   std::span<double> evaluate() {
     evaluated_ = true;
     return trial_;
@@ -25,7 +25,7 @@ class LawStates {
     evaluated_ = false;
   }
   void rollback() { evaluated_ = false; }
-  // The committed copy. Error when reading: of another number of states.
+  // The committed copy. Error when reading: a different number of states.
   void keep(Archive& archive) {
     archive.filled(committed_);
     if (archive.reading()) rollback();
@@ -33,7 +33,7 @@ class LawStates {
 
  private:
   LineVector committed_, trial_;
-  bool evaluated_ = false;  // does the trial copy belong to the trial configuration
+  bool evaluated_ = false;  // whether the trial copy belongs to the trial configuration
 };
 
 }  // namespace fabricsh::mechanics

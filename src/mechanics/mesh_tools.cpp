@@ -27,7 +27,7 @@ std::vector<Vec3> reference_directors(const mesh::Mesh& mesh) {
 }
 
 std::vector<int> colour(const mesh::Mesh& mesh) {
-  std::vector<std::uint64_t> taken(mesh.nodes.size(), 0);  // bit c: an element of colour c touches the node
+  std::vector<std::uint64_t> taken(mesh.nodes.size(), 0);  // bit c: an element of colour c has this node
   std::vector<int> colours;
   for (const auto& e : mesh.elements) {
     std::uint64_t used = 0;

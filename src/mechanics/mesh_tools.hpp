@@ -1,4 +1,4 @@
-// What is read off a mesh before a model is compiled: directors, colours, tributary shares, sizes.
+// Data derived from a mesh before a model is compiled: directors, colours, tributary shares, sizes.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace fabricsh::mechanics {
 
 using Index = std::int64_t;
 
-// What a set's nodes carry of something spread over it: by area where the set holds whole elements (m^2),
-// else by length where it holds whole element edges (m), else by count.
+// Shares of the nodes of a set in something distributed over it: by area if the set has whole elements (m^2),
+// otherwise by length if it has whole element edges (m), otherwise equal.
 struct Tributary {
   enum class Kind { area, length, count };
   Kind kind = Kind::count;
@@ -20,17 +20,17 @@ struct Tributary {
 };
 Tributary tributary(const mesh::Mesh& mesh, const mesh::NodeSet& nodes);
 
-// Unit normals at the nodes: the mean of the elements' corner normals, weighted by area.
+// Unit normals at the nodes: mean of the elements' corner normals, weighted by area.
 std::vector<Vec3> reference_directors(const mesh::Mesh& mesh);
 
-// Colours such that elements of one colour share no node: greedy in element order. Returns the colour of each
-// element.
+// Colours the elements such that those of one colour share no node; greedy in the order of the elements.
+// Returns the colour of each element.
 std::vector<int> colour(const mesh::Mesh& mesh);
 
-// Of an element of nodes X.
+// Of an element with nodes at X.
 int corners(const std::array<Index, 4>& element);                              // 3 or 4
 double area(const std::array<Index, 4>& element, const std::vector<Vec3>& X);  // m^2
-// m: the height over the longest edge, that a wave crosses first.
+// m: height over the longest edge, the shortest way of a wave through the element.
 double size(const std::array<Index, 4>& element, const std::vector<Vec3>& X);
 
 }  // namespace fabricsh::mechanics

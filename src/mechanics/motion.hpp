@@ -1,6 +1,6 @@
-// The motion of a step as a time scheme has it, for the terms that hang on it: damping and inertia. Two
-// schemes are there, run/newmark.hpp by nodes and run/central_differences.hpp by unknowns; a quasi-static
-// step has a length and no motion.
+// The motion in a step as defined by a time scheme, for the terms that depend on it: damping and inertia. Of
+// the two schemes run/newmark.hpp works with nodes and run/central_differences.hpp with unknowns. A
+// quasi-static step has a length but no motion.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace fabricsh::mechanics {
 
-// Velocities or accelerations of all nodes, 3 per node, global.
+// Velocities or accelerations of all nodes; 3 per node, global.
 struct NodalRates {
   std::vector<double> x;  // m/s or m/s^2
   std::vector<double> d;  // 1/s or 1/s^2, tangent to the sphere of directors
@@ -18,25 +18,25 @@ struct NodalRates {
 class Motion {
  public:
   virtual ~Motion() = default;
-  double dt() const { return dt_; }  // s, of the step under way
+  double dt() const { return dt_; }  // s, of the present step
   void set_dt(double dt) { dt_ = dt; }
 
-  // Do the nodes have velocities?
+  // Whether the nodes have velocities.
   virtual bool moves() const { return true; }
-  // Of the unknowns in the trial state, m/s and 1/s.
+  // Rates of the unknowns in the trial state, m/s and 1/s.
   virtual std::span<const double> rates() const = 0;
-  // Of the driven freedoms in the step, m/s and 1/s.
+  // Rates of the driven degrees of freedom in the step, m/s and 1/s.
   virtual std::vector<double> driven_rates() const = 0;
-  // 1/s: how much a damping matrix counts in the tangent, d(forces in the balance) / d(positions).
+  // 1/s: weight of a damping matrix in the tangent, d(forces in the balance) / d(positions).
   virtual double damping_weight() const = 0;
 
-  // --- J, in the step to the trial state, by the trapezoid
-  // Of forces on the unknowns that were `before` and are `after`, N and N m.
+  // --- work in the step up to the trial state, J, by the trapezoidal rule
+  // Of forces on the unknowns, N and N m, with the values `before` and `after` the step.
   virtual double work(std::span<const double> before, std::span<const double> after) const = 0;
-  // Of forces that are the mass times `factor` (1/s) times the velocity; times the acceleration.
+  // Of forces equal to mass times `factor` (1/s) times velocity; and of mass times acceleration.
   virtual double work_of_velocity(double factor) const = 0;
   virtual double work_of_acceleration() const = 0;
-  // J, of the trial state, without the displacements that are driven.
+  // J, in the trial state, without the driven displacements.
   virtual double kinetic() const = 0;
 
  private:

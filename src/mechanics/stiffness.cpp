@@ -13,7 +13,7 @@ using element::shell4_dofs;
 using Column = Eigen::Matrix<double, 5, 1>;
 using Dense = Eigen::Matrix<double, shell4_dofs, shell4_dofs>;
 constexpr int kEntries = shell4_dofs * shell4_dofs;
-constexpr int kBlocks = 4 * shell4_dofs;  // slots of an element
+constexpr int kBlocks = 4 * shell4_dofs;  // slots per element
 
 std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std::array<Index, 4>& nodes) {
   std::array<Index, shell4_dofs> eq;
@@ -22,7 +22,7 @@ std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std:
   return eq;
 }
 
-// Turns the translations of oblique nodes into their frames.
+// Rotates the translations of nodes with oblique frames into these frames.
 void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, Dense& K) {
   for (int a = 0; a < 4; ++a) {
     if (nodes[a] < 0 || !freedoms.nodes[nodes[a]].oblique) continue;
@@ -32,7 +32,7 @@ void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, De
   }
 }
 
-// The columns of an element tangent into their slots: entry (r, c) at k[(rows * c + r) * stride].
+// Adds the columns of an element tangent to their slots; entry (r, c) is k[(rows * c + r) * stride].
 void add_columns(const double* k, int stride, int corners, int rows, const Index* slot,
                  const signed char* offset, double* value) {
   bool whole[4];
@@ -78,7 +78,7 @@ void Stiffness::list_tied_elements(std::span<const Place> places) {
 
 namespace {
 
-// The unknowns that a node's freedoms lead to.
+// Adds the unknowns on which a node's degrees of freedom depend.
 void add_unknowns(const Dofs& dofs, Index node, std::vector<Index>& out) {
   if (node < 0) return;
   std::vector<Link> links;
@@ -127,8 +127,8 @@ void Stiffness::couple(std::span<const NodePair> pairs) {
   make_slots();
 }
 
-// A node's unknowns are numbered one after the other, so that its rows in a column are neighbours: one slot
-// for each column of the element and node, and one offset for each row.
+// The unknowns of a node have consecutive numbers, so that its rows are adjacent in each column. It is
+// therefore enough to store one slot for each column and node of an element, and one offset for each row.
 void Stiffness::make_slots() {
   const Freedoms& freedoms = dofs_.freedoms();
   slots_.assign(batches_.size() * lanes * kBlocks, -1);
@@ -169,7 +169,7 @@ void Stiffness::scatter(Index b, const double* K, const Target& to) {
   }
 }
 
-// An element with oblique, tied or driven nodes, by way of its whole matrix; a triangle fills its first
+// Adds an element with oblique, tied or driven nodes through its whole matrix; a triangle uses only the first
 // fifteen rows and columns.
 void Stiffness::scatter_with_care(const Batch& batch, Index element, int lane, const double* K,
                                   const Target& to) {
@@ -214,7 +214,7 @@ void Stiffness::scatter_tied(const Target& to) const {
   }
 }
 
-// One number into K, or through a driven column into the product.
+// Adds one number to K or, for a driven column, to the product.
 void Stiffness::add_entry(Index r, Index c, double v, const Target& to) const {
   if (r < 0 || c == held || v == 0) return;
   if (c < held) {
@@ -250,7 +250,7 @@ void Stiffness::add_diagonal(std::span<const double> c_x, std::span<const double
   }
 }
 
-// The director's own second variation, -(f.d) on its two rotations, is in K already; what remains is the
+// K already contains the director's own second variation, -(f.d) on its two rotations. What remains is the
 // force along the sphere, and a moment about the director.
 void Stiffness::add_body_stiffness(const Configuration& s, std::span<const double> internal_x,
                                    std::span<const double> internal_d, std::span<const double> external,
@@ -265,7 +265,7 @@ void Stiffness::add_body_stiffness(const Configuration& s, std::span<const doubl
       if (moments == nullptr) continue;
       const Vec3& moment = (*moments)[n];
       const Vec3 drill = moment.dot(d) * d;
-      // Its derivative, in the measure of the exponential map about the trial configuration.
+      // The derivative of the moment, in the exponential map about the trial configuration.
       k -= d * d.cross(moment).transpose() - cross_matrix(drill) / 2;
     }
     for (int i = 0; i < 3; ++i)

@@ -1,7 +1,7 @@
-// A term: something that makes force. Cloth, gravity, loads, springs, damping, inertia and contact are terms;
-// the assembly is their sum, and nothing else adds force, energy or stiffness. A term brings all of its own:
-// forces, tangent, energies by name, the pairs of nodes that it couples, its part of a checkpoint, the
-// largest stable step, and how much of a step is safe.
+// A term makes force: cloth, gravity, loads, springs, damping, inertia and contact are terms. The assembly is
+// their sum, and nothing else adds force, energy or stiffness. A term provides its forces, tangent, energies
+// by name, the pairs of nodes that it couples, its part of a checkpoint, the largest stable step, and the
+// safe share of a step.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -23,22 +23,22 @@ namespace fabricsh::mechanics {
 
 using Index = std::int64_t;
 
-// What a term sees: the trial configuration at the time that the step ends.
+// The data that a term reads: the trial configuration and the time at the end of the step.
 struct Trial {
   const Configuration& configuration;
   const std::vector<Vec3>& X;      // reference positions, m
-  double time = 0;                 // s, that loads are taken at
-  const Motion* motion = nullptr;  // of the step under way; null where no run steps the assembly
+  double time = 0;                 // s, time of the loads
+  const Motion* motion = nullptr;  // of the present step; null outside a run
 };
 
-// What energies are to the ledger.
+// The kind of an energy in the ledger.
 enum class Account {
-  stored,      // a function of the state, given back
-  moving,      // kinetic, beside that of the cloth
-  dissipated,  // a function of the state, lost
-  created,     // made by a law that is not dissipative
-  kinetic,     // of the motion, without the displacements that are driven
-  damping      // lost to forces that hang on the motion, so far
+  stored,      // a function of the state, recoverable
+  moving,      // kinetic energy besides that of the cloth
+  dissipated,  // a function of the state, not recoverable
+  created,     // created by a law that is not dissipative
+  kinetic,     // of the motion, without the driven displacements
+  damping      // lost so far to forces that depend on the motion
 };
 struct Energy {
   std::string name;  // "membrane", "warp", "springs", ...
@@ -46,7 +46,7 @@ struct Energy {
   double value = 0;  // J
 };
 
-// Stiffness goes here, by nodes; who fills the matrix minds frames, supports and ties.
+// Receives stiffness by nodes. The implementation handles frames, supports and ties.
 class TangentSink {
  public:
   virtual ~TangentSink() = default;
@@ -54,19 +54,19 @@ class TangentSink {
   virtual void on_positions(Index a, Index b, const Mat3& k) = 0;
   // On the two rotations of a node's director (q1 along b1, q2 along d x b1), N m.
   virtual void on_director(Index a, const Eigen::Matrix2d& k) = 0;
-  // Change of the internal force on x_a, N, global, when what the step drives beside the supports has come to
-  // where it ends.
+  // Change of the internal force on x_a, N, global, when everything that the step moves besides the supports
+  // goes to its final position.
   virtual void on_lead(Index a, const Vec3& force) = 0;
 };
 
-// Forces on nodes, 3 per node, global. Internal ones count against the residual: r = external - internal.
+// Forces on nodes; 3 per node, global. Internal forces count negative: r = external - internal.
 struct Forces {
   std::span<double> on_x;  // N, internal
   std::span<double> on_d;  // N m, internal, on directors
 };
 
-// What came of a term's forces. Where they could not be had: an element to name, -1: none; and why, in words
-// that end a sentence ("the law failed"), which a run that is broken off tells.
+// The outcome of computing a term's forces. After a failure: an element to be named (-1: none), and the
+// reason in words that can end a sentence ("the law failed"), reported when a run ends.
 struct Outcome {
   Answer answer = Answer::ok;
   Index element = -1;
@@ -74,14 +74,14 @@ struct Outcome {
   bool ok() const { return answer == Answer::ok; }
 };
 
-// What a term that is a multiple of the mass multiplies it with: forces m (acceleration * a + velocity * v)
-// on a node, m its mass or rotary inertia, a and v its acceleration and velocity.
+// The factors of a term that is a multiple of the mass: its forces on a node are m (acceleration * a +
+// velocity * v), where m is the mass or rotary inertia, a the acceleration and v the velocity.
 struct OnMass {
   double acceleration = 0;  // 1 for inertia
   double velocity = 0;      // 1/s
 };
 
-// Two nodes whose freedoms a tangent couples.
+// Two nodes whose degrees of freedom are coupled in a tangent.
 using NodePair = std::pair<Index, Index>;
 
 class Term {
@@ -90,63 +90,63 @@ class Term {
   virtual const char* name() const = 0;  // of its section in a checkpoint, and in messages
 
   // --- forces
-  // Adds the internal forces. What comes first (`starts`) may set instead of add, and must set all.
+  // Adds the internal forces. The first term (`starts`) may assign instead, but must then assign all.
   virtual Outcome add_forces(const law::Step&, const Trial&, Forces&) { return {}; }
   virtual bool starts() const { return false; }
-  // Forces that hang on time alone, N, 3 per node: added. Constant: the same at all times.
+  // Adds forces that depend on time only, N, 3 per node. Constant: the same at all times.
   virtual void add_dead(double /*time*/, std::span<double> /*on_x*/) const {}
   virtual bool constant() const { return true; }
-  // Loads that follow the configuration, at a time, for the work that they do: added. They are among the
-  // internal forces already, with the other sign.
+  // Adds loads that follow the configuration, at a given time, for computing their work. They are already
+  // included in the internal forces, with the opposite sign.
   virtual bool follows_positions() const { return false; }
   virtual bool follows_directors() const { return false; }
   virtual void add_follower(double /*time*/, const Trial&, std::span<double> /*on_x*/,
                             std::span<double> /*on_d*/) const {}
-  // Moments about axes fixed in space, N m per node: where they act on a rigid set, their part about the
-  // director works on the set alone. Null: none.
+  // Moments about axes fixed in space, N m per node. Their part about the director has an effect only on a
+  // rigid set. Null: none.
   virtual const std::vector<Vec3>* moments() const { return nullptr; }
 
   // --- tangent
   virtual void add_tangent(const Trial&, TangentSink&) const {}
   virtual bool symmetric() const { return true; }
-  // Adds the pairs of nodes, beyond those of the elements, that the tangent at the trial configuration
-  // couples. Asked before each tangent, and never where none is wanted; the pairs may be others each time.
-  // Where the pattern lacks one it is made anew, of the pairs wanted then, and the solver analyses again: a
-  // term whose pairs come and go had better name those too that may come soon.
+  // Adds the pairs of nodes that the tangent at the trial configuration couples, in addition to those of the
+  // elements. Called before each tangent; the pairs may differ each time. If the pattern lacks a pair, a new
+  // one is made from the pairs of that moment, and the solver must analyse it. A term whose pairs come and go
+  // should therefore also name pairs that may couple soon.
   virtual void couple(const Trial&, std::vector<NodePair>&) {}
 
-  // --- forces that hang on the motion of a step (trial.motion, never null here). They are counted beside the
-  // internal ones: supports do not feel them, and the work of loads and supports has none of them in it.
+  // --- forces that depend on the motion of a step (trial.motion, never null here). They are not part of the
+  // internal forces: support forces and the work of loads and supports do not include them.
   virtual OnMass on_mass() const { return {}; }
-  // A step from the committed configuration, which is the trial one, begins.
+  // Called at the beginning of a step, when the trial configuration is the committed one.
   virtual Outcome begin_step(const Motion&) { return {}; }
-  // Takes forces on the unknowns, N and N m, from the residual r; and adds their derivative to K, as much of
-  // it as the scheme weighs it with.
+  // Subtracts forces on the unknowns, N and N m, from the residual r; and adds their derivative to K, with
+  // the weight that the time scheme gives it.
   virtual void resist(const Trial&, std::span<double> /*r*/) {}
   virtual void add_resistance(const Trial&, linear::Matrix& /*K*/) {}
-  // The trial state is about to be committed: what the step did goes to the account.
+  // Called before the trial state is committed: adds what the step has done to the term's accounts.
   virtual void finish_step(const Motion&) {}
 
   // --- energies, at the trial configuration
-  // Will the energies be asked for after the next forces? A term may then sum them on its way through those;
-  // add_energies() gives the same numbers all the same.
+  // Tells whether the energies will be needed after the next forces. A term may then sum them together with
+  // the forces; add_energies() gives the same numbers in either case.
   virtual void expect_energies(bool) {}
   virtual void add_energies(const Trial&, std::vector<Energy>&) const {}
-  // J, done from outside in the step from the committed to the trial configuration, beside what loads and
-  // supports do.
+  // J, external work in the step from the committed to the trial configuration, besides that of loads and
+  // supports.
   virtual double step_work() const { return 0; }
 
   // --- steps
-  // Does limit() ever say less than 1?
+  // Whether limit() can return less than 1.
   virtual bool limits() const { return false; }
-  // The share of a step that is safe to take, 0 to 1, from the trial configuration along delta, m, 3 per
-  // node. 0: none is, the step has to be cut.
+  // The safe share, 0 to 1, of a step from the trial configuration along delta (m, 3 per node). 0: the step
+  // must be cut.
   virtual double limit(const Trial&, std::span<const double> /*delta*/) { return 1; }
-  // s, the largest stable step of central differences; rotary inertia scaled or as it is.
+  // s, the largest stable step of central differences, with true or scaled rotary inertia.
   virtual double stable_step(bool /*scaled*/) const { return std::numeric_limits<double>::infinity(); }
 
   // --- state
-  virtual void aim(double /*time*/) {}  // the time of the next forces
+  virtual void aim(double /*time*/) {}  // sets the time of the next forces
   virtual void commit() {}
   virtual void rollback() {}
   virtual void keep(Archive&) {}  // the committed state

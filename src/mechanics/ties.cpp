@@ -1,6 +1,6 @@
-// Ties by elimination: followers take the weighted sum of their leads' displacements, rigid sets six
-// unknowns. A tied node's forces go to what it follows through the columns of its links, the same that carry
-// increments to it.
+// Ties are eliminated: followers take the weighted sum of their leads' displacements, and rigid sets have six
+// unknowns. The forces on a tied node are passed to its leads by the columns of its links, the same columns
+// that give its increments.
 #include <algorithm>
 
 #include "geometry/node_view.hpp"
@@ -12,8 +12,8 @@ namespace {
 using Column = Eigen::Matrix<double, 5, 1>;
 }
 
-// Directors of nodes tied to each other become their mean: the two sides of a seam see half the elements
-// each.
+// The directors of nodes tied together are replaced by their mean, because each side of a seam sees only half
+// of the elements.
 void Dofs::meet_directors() {
   std::vector<Vec3> sum = directors_;
   for (const auto& f : freedoms_.followers)
@@ -66,7 +66,7 @@ void Dofs::links(Index n, std::vector<Link>& out) const {
     }
 }
 
-// Tied nodes after all others: bodies from the iterate, followers from their leads.
+// Moves the tied nodes after all others: bodies from the iterate, followers from their leads.
 void Dofs::retract_ties(std::span<const double> delta, double scale) {
   const std::size_t n = X_.size();
   const std::span<const double> base = iterate();
@@ -111,14 +111,14 @@ void Dofs::add_tied_residual(std::span<const double> external, std::span<const d
     const Vec3 internal = at(internal_d, i),
                turning = on_d.empty() ? Vec3(-internal) : Vec3(at(on_d, i) - internal);
     f << freedoms_.nodes[i].frame * (at(external, i) - at(internal_x, i)), b1.dot(turning), b2.dot(turning);
-    // What an untied freedom of this node carries is there already.
+    // The untied degrees of freedom of this node have been added already.
     for (int c = 0; c < 5; ++c)
       if (freedoms_.nodes[i].equation[c] != tied && !(c == 4 && freedoms_.nodes[i].equation[3] == tied))
         f[c] = 0;
     links(i, node);
     for (const Link& l : node)
       if (l.equation >= 0) r[l.equation] += l.column.dot(f);
-    // A director has no rotation about itself: that part of a moment works on the body alone.
+    // A director cannot rotate about itself: that part of a moment acts on the body only.
     if (const Index which = freedoms_.body(i); which >= 0 && moments != nullptr) {
       const Vec3 drill = (*moments)[i].dot(at(s.d(), i)) * at(s.d(), i);
       for (int k = 0; k < 3; ++k) r[freedoms_.bodies[which].equation + 3 + k] += drill[k];
@@ -126,7 +126,7 @@ void Dofs::add_tied_residual(std::span<const double> external, std::span<const d
   }
 }
 
-// Internal minus external force that a node's followers hand to it, N, global.
+// The force, internal minus external, that the followers of a node pass to it, N, global.
 Vec3 Dofs::tied_force(Index lead, std::span<const double> internal_x,
                       std::span<const double> external) const {
   Vec3 sum = Vec3::Zero();

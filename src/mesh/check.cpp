@@ -41,7 +41,7 @@ struct Shape {
     for (std::size_t i = 0; i < n; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(ids[i])];
   }
   Vec3 side(std::size_t i) const { return x[(i + 1) % n] - x[i % n]; }
-  // Square to the plane of the corner, as long as the area of its parallelogram.
+  // The corner's normal vector; its length is the area of the parallelogram that the corner spans.
   Vec3 corner(std::size_t i) const { return side(i + n - 1).cross(side(i)); }
   Vec3 area() const { return n == 4 ? Vec3(0.5 * (x[2] - x[0]).cross(x[3] - x[1])) : Vec3(0.5 * corner(1)); }
   double shortest() const {
@@ -54,7 +54,7 @@ struct Shape {
     for (std::size_t i = 0; i < n; ++i) length = std::max(length, side(i).norm());
     return length;
   }
-  // Angle between the triangles on either side of a diagonal, the larger of the two.
+  // Angle between the two triangles on either side of a diagonal, for the diagonal where it is larger.
   double warping() const {
     return n == 3 ? 0 : std::max(degrees(corner(0), corner(2)), degrees(corner(1), corner(3)));
   }
@@ -244,8 +244,8 @@ void Checker::unused() {
   if (!nodes.empty()) add("unused", Severity::warning, listed("node", nodes) + ": in no element", {}, nodes);
 }
 
-// Nodes closer than 1e-9 of the mesh's size. Cells of twice that size: a near node lies in one of the eight
-// cells around the corner of its cell that is nearest.
+// Finds nodes closer than 1e-9 of the mesh's size. Cells have twice that width, so that
+// a near node lies in one of the eight cells around the nearest corner of its cell.
 void Checker::duplicates() {
   if (mesh_.nodes.empty()) return;
   const Box all = box_of(mesh_.nodes);

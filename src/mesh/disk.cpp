@@ -10,13 +10,13 @@ namespace fabricsh::mesh {
 
 namespace {
 
-// The core is a square that bulges towards the circle through its corners: its corners lie at core_size of
-// the radius, and bulge = 1 would be that circle itself. Chosen by trial for the best worst angle of all
-// elements.
+// The core is a square whose sides bulge towards the circle through its corners. Its
+// corners lie at core_size of the radius; bulge = 1 would give that circle itself.
+// Both numbers were chosen by trial for the best worst angle of all elements.
 constexpr double core_size = 0.58;
 constexpr double bulge = 0.35;
 
-// The square [-1, 1]^2 onto the unit disk: equal steps along its sides become equal angles on the circle.
+// Maps the square [-1, 1]^2 onto the unit disk: equal steps along a side become equal angles on the circle.
 Vec3 round(double u, double v) {
   const double a = std::numbers::pi / 4 * u, b = std::numbers::pi / 4 * v;
   return std::numbers::sqrt2 * Vec3(std::sin(a) * std::cos(b), std::cos(a) * std::sin(b), 0);
@@ -26,7 +26,7 @@ Vec3 core(double u, double v) {
   return core_size * ((1 - bulge) / std::numbers::sqrt2 * Vec3(u, v, 0) + bulge * round(u, v));
 }
 
-// Place (i, j) in the core of the k-th node of its border, counter-clockwise from (0, 0).
+// Position (i, j) in the core of the k-th node of its border, counter-clockwise from (0, 0).
 std::array<Index, 2> border(Index k, Index cells) {
   const Index along = k % cells;
   switch (k / cells % 4) {

@@ -1,22 +1,22 @@
-// The edges of a mesh, and what they say of it.
+// The edges of a mesh, and what follows from them.
 #pragma once
 #include "mesh/mesh.hpp"
 
 namespace fabricsh::mesh {
 
-// An edge as one element has it; first < second.
+// An edge as seen by one element; first < second.
 struct Edge {
   Index first, second;
   Index element;
-  bool forward;  // the element walks it from first to second
+  bool forward;  // in the order of the element's nodes the edge runs from first to second
 };
 
-// Edges of all elements, those between the same two nodes side by side.
+// The edges of all elements, sorted so that those between the same two nodes are adjacent.
 std::vector<Edge> edges(const Mesh& mesh);
-// Calls visit(edges of the elements that share one edge).
+// Calls visit once for each edge of the mesh, with the entries of all elements that share it.
 void for_each_edge(const std::vector<Edge>& sorted,
                    const std::function<void(const Edge* begin, const Edge* end)>& visit);
-// Nodes on the edges that one element alone has, ascending.
+// Nodes on the edges that belong to only one element, ascending.
 NodeSet free_nodes(const Mesh& mesh);
 
 }  // namespace fabricsh::mesh

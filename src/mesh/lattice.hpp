@@ -1,5 +1,5 @@
-// What the generators share: checks of their fields, and a lattice of quadrilaterals that may close on
-// itself.
+// Shared by the generators: checks of their fields, and a
+// lattice of quadrilaterals that may be closed in one direction.
 #pragma once
 #include <functional>
 
@@ -15,15 +15,15 @@ void check_count(const char* call, const char* field, Index count, Index least =
 void check_angle(const char* call, const char* field, double angle, double most);
 void check_product(const char* call, const char* fields, Index a, Index b);
 
-// Unit vector in the x-y plane; exact at multiples of 90 degrees.
+// Unit vector in the x-y plane, exact at multiples of 90 degrees.
 Vec3 direction(double degrees);
 
-// columns x rows elements; node (i, j) is number j * width + i and lies at position(i / columns, j / rows).
-// A closed lattice has its last column of nodes on its first.
+// A lattice of columns x rows elements; node (i, j) has the number j * width + i and the position
+// position(i / columns, j / rows). In a closed lattice the last column of nodes is the first one.
 struct Lattice {
   Index columns = 1, rows = 1;
   bool closed = false;
-  bool clockwise = false;  // elements turn from rows to columns
+  bool clockwise = false;  // the elements' orientation runs from rows to columns
   Index width() const { return closed ? columns : columns + 1; }
   Index node(Index i, Index j) const { return j * width() + (closed ? i % columns : i); }
 };

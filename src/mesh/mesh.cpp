@@ -26,7 +26,7 @@ std::string text(const Vec3& p) {
   return buffer;
 }
 
-// Corners of an element in use: 4, or 3 for a triangle.
+// The number of corners of an element: 4, or 3 for a triangle.
 std::size_t corners(const std::array<Index, 4>& element) { return element[3] < 0 ? 3 : 4; }
 
 }  // namespace
@@ -101,7 +101,7 @@ std::vector<Index> Mesh::elements_in(const NodeSet& ids) const {
   return found;
 }
 
-// Ids are shown from 1, as decks count.
+// Messages count nodes from 1, as decks do.
 void Mesh::define(const std::string& name, NodeSet ids) {
   if (name.empty()) throw Error("set: expected a name, got an empty one");
   if (ids.empty()) throw Error("set '" + name + "': no node is in it");
@@ -146,8 +146,8 @@ void check_unused(const Mesh& mesh, const char* call) {
   if (mesh.in_use) throw Error(std::string(call) + ": a compiled model uses this mesh: make a new one");
 }
 
-// The shortest edge, or the smallest height (area over longest edge; twice that for a triangle) where an
-// element is skewed.
+// The shortest edge of an element, or its smallest height if it
+// is skewed: area over longest edge (twice that for a triangle).
 double smallest_length(const Mesh& mesh, Index element) {
   const auto& ids = mesh.elements[static_cast<std::size_t>(element)];
   const std::size_t n = corners(ids);
@@ -160,8 +160,8 @@ double smallest_length(const Mesh& mesh, Index element) {
     shortest = std::min(shortest, edge);
     longest = std::max(longest, edge);
   }
-  // Half the product of the diagonals is a quadrilateral's area, and the product of two edges twice a
-  // triangle's.
+  // Half the cross product of the diagonals is the area of a quadrilateral;
+  // the cross product of two edges is twice that of a triangle.
   const Vec3 a = node(2) - node(0);
   const Vec3 b = n == 4 ? Vec3(node(3) - node(1)) : Vec3(node(1) - node(0));
   const double area = (n == 4 ? 0.5 : 1.0) * a.cross(b).norm();

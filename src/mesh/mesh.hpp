@@ -22,11 +22,11 @@ struct Mesh {
                                                // a triangle has -1 in the last place
   std::map<std::string, NodeSet, std::less<>> sets;
   bool flat = false;  // generated in the x-y plane and not mapped since: the warp direction may default to +x
-  bool in_use = false;  // a compiled model refers to it: nodes, elements and named sets stay as they are
-  std::string origin;   // "rectangle 3x9", "file disc.msh": for messages and the printed model
+  bool in_use = false;  // by a compiled model: nodes, elements and named sets must not change any more
+  std::string origin;   // "rectangle 3x9", "file disc.msh": used in messages and in the printed model
 
-  // Of a mesh that was joined from others: where their nodes and elements are. A set of a part goes by
-  // "part.set", also one that is made later.
+  // For a mesh joined from others: where the nodes and elements of each part are.
+  // A set of a part is found as "part.set", even if it is defined after the join.
   struct Part {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
@@ -34,36 +34,36 @@ struct Mesh {
   };
   std::vector<Part> parts;
 
-  // The named set. Error: unknown name, with the nearest known one and the list.
+  // The named set. Error: unknown name; the message has the nearest name and the list of names.
   const NodeSet& set(std::string_view name) const;
-  std::vector<std::string> set_names() const;  // ascending, those of the parts too
+  std::vector<std::string> set_names() const;  // ascending, including those of the parts
   // Elements all of whose nodes are in the set.
   std::vector<Index> elements_in(const NodeSet& nodes) const;
-  // New or replaced set; error on an id outside the mesh or an empty list, and on other ids under a known
-  // name once the mesh is in use.
+  // Defines or replaces a set. Error: an id outside the mesh, an empty
+  // list, or other ids for an existing name while the mesh is in use.
   void define(const std::string& name, NodeSet ids);
   void define(const std::string& name, const std::function<bool(const Vec3&)>& inside);
-  // Move every node; error if a position is not finite or the mesh in use. Clears `flat`. On error nothing is
-  // moved.
+  // Moves every node and clears `flat`. Error: a position that
+  // is not finite, or a mesh in use; then no node is moved.
   void map(const std::function<Vec3(const Vec3&)>& f);
 
  private:
-  struct FromPart {  // a part's set as it was when it was last asked for, and with the joined mesh's ids
+  struct FromPart {  // a part's set when last looked up, and the same set in the ids of the joined mesh
     NodeSet own, joined;
   };
   const NodeSet* set_of_part(std::string_view name) const;
   mutable std::map<std::string, FromPart, std::less<>> of_parts_;
 };
 
-// One mesh of several, part after part; each named set of a part is there as "part.set", and "all". Nodes are
-// not shared between parts. Error: two parts of one name, or one without a name.
+// Joins several meshes into one, part after part. The named sets of a part are available as "part.set"; there
+// is also "all". The parts share no nodes. Error: two parts of the same name, or a part without a name.
 Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>& parts);
 
-// Error when the mesh is in use: a call that would change it.
+// Error if the mesh is in use and `call` would change it.
 void check_unused(const Mesh& mesh, const char* call);
 
-// Every quadrilateral becomes two triangles: cut along the diagonal from its first corner, or in every other
-// cell of a lattice of `across` columns from its second, so that the cuts make a union jack.
+// Cuts every quadrilateral into two triangles along the diagonal from its first corner; with `across`
+// (columns of a lattice), in every other cell from its second corner, which gives a union jack pattern.
 void split(Mesh& mesh, Index across);
 
 // Structured rectangle in the x-y plane, normal +z, nodes row-major from the origin corner.

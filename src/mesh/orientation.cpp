@@ -11,7 +11,7 @@ namespace {
 
 struct Neighbour {
   Index element;
-  bool agrees;  // both walk their edge, in opposite directions
+  bool agrees;  // the two elements run through their common edge in opposite directions, as they should
 };
 
 std::vector<std::vector<Neighbour>> neighbours(const Mesh& mesh, const std::vector<Edge>& sorted) {
@@ -25,7 +25,7 @@ std::vector<std::vector<Neighbour>> neighbours(const Mesh& mesh, const std::vect
   return list;
 }
 
-// All elements that hang together with the first, each turned to agree with the one it was reached from.
+// All elements connected with the first, each reversed if needed to agree with the one it was reached from.
 std::vector<Index> spread(Orientation& result, const std::vector<std::vector<Neighbour>>& near, Index first) {
   std::vector<Index> reached{first};
   const Index part = result.parts();
@@ -56,13 +56,13 @@ void keep_the_most(Orientation& result, const std::vector<Index>& part) {
 
 void turn(std::array<Index, 4>& element) { std::swap(element[1], element[element[3] < 0 ? 2 : 3]); }
 
-// Twice the area along the normal. The last corner of a triangle stands for the fourth.
+// Twice the area times the normal. For a triangle the last corner is used twice.
 Vec3 area_vector(const Mesh& mesh, const std::array<Index, 4>& ids) {
   const auto x = [&](std::size_t i) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(ids[i])]; };
   return (x(2) - x(0)).cross(x(ids[3] < 0 ? 2 : 3) - x(1));
 }
 
-// 1 for each part whose mean normal points against the direction.
+// For each part 1 if its mean normal points against the direction, else 0.
 std::vector<char> against(const Mesh& mesh, const Orientation& found, const Vec3& direction) {
   std::vector<Vec3> sum(found.one_sided.size(), Vec3::Zero());
   std::vector<double> size(found.one_sided.size(), 0.0);

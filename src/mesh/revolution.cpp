@@ -10,7 +10,7 @@ namespace fabricsh::mesh {
 
 namespace {
 
-// A closed ring of two elements would fold flat; so would an open one of half a turn or more made of one.
+// A closed ring of two elements would collapse, as would one element over half a turn or more.
 void check_around(const char* call, Index around, double angle) {
   check_angle(call, "angle", angle, 360);
   check_count(call, "around", around, angle > 180 ? 3 : angle == 180 ? 2 : 1);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kTimes = 33;
 
-// Collects what belongs to a part.
+// Collects what belongs to one part of the fingerprint.
 class Part {
  public:
   Part(const Model& model, double duration) : model_(model), duration_(duration) {}
@@ -57,7 +57,7 @@ void add_mesh(Part& part, const Model& model) {
     for (const mesh::Index n : element) part.add(n);
 }
 
-// The direction before it is projected; on a flat mesh that has none it is the default.
+// The warp direction before it is projected; on a flat mesh without one it is the default.
 void add_warp(Part& part, const Model& model) {
   const auto add = [&](const WarpField& warp) {
     for (const Vec3& node : model.mesh().nodes) {

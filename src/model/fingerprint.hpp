@@ -1,4 +1,4 @@
-// What tells two models apart: a checkpoint of one is none of the other.
+// Distinguishes models, so that a checkpoint is not restored into a different one.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -17,12 +17,12 @@ struct FingerprintPart {
 };
 using Fingerprint = std::vector<FingerprintPart>;
 
-// Mesh, warp, thickness, supports, motions, loads, ties, velocities; not the cards. Histories are looked at
-// at 33 times from 0 to the duration and at their kinks.
+// Covers mesh, warp, thickness, supports, motions, loads, ties and velocities, but not the cards. Histories
+// are sampled at 33 times from 0 to the duration and at their kinks.
 Fingerprint fingerprint(const Model& model, double duration);
 
-// "the mesh (441 nodes and 400 elements there, 121 nodes and 100 elements here) and the supports"; empty:
-// they are the same.
+// "the mesh (441 nodes and 400 elements there, 121 nodes and 100 elements here) and the supports"; empty if
+// the fingerprints are equal.
 std::string difference(const Fingerprint& there, const Fingerprint& here);
 
 }  // namespace fabricsh::model

@@ -16,7 +16,7 @@ namespace {
 
 std::string quoted(const std::string& s) { return "'" + s + "'"; }
 
-// The elements of one side; a body of several goes by its name. Error: unknown, or no whole element.
+// The elements of a side; one of several bodies goes by its name. Error: unknown set, no whole element.
 std::vector<Index> elements_of(const std::string& set, const mesh::Mesh& mesh) {
   for (const auto& part : mesh.parts) {
     if (part.name != set) continue;
@@ -174,7 +174,7 @@ void Interactions::validate(const mesh::Mesh& mesh) const {
 
 namespace {
 
-// Every named side of the cloth once, with its elements.
+// Each named side of the cloth once, with its elements.
 class Sides {
  public:
   Sides(const Interactions& interactions, const mesh::Mesh& mesh) {
@@ -202,9 +202,9 @@ class Sides {
   std::vector<std::vector<int>> of_element_;
 };
 
-// Elements that the same sides name make a surface.
+// Elements that belong to the same named sides form one surface.
 std::vector<std::vector<int>> group(const Sides& sides, const mesh::Mesh& mesh, Surfaces& out) {
-  std::vector<std::vector<int>> named;  // by each surface
+  std::vector<std::vector<int>> named;  // the sides of each surface
   std::vector<int> owner(mesh.nodes.size(), -1);
   for (Index e = 0; e < static_cast<Index>(mesh.elements.size()); ++e) {
     const auto& by = sides.of(e);

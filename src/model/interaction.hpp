@@ -1,4 +1,4 @@
-// Which surfaces touch, and how rigid bodies move: what m:contact, m:move and m:velocity declare.
+// Contacts and the motion of rigid bodies, as declared by m:contact, m:move and m:velocity.
 #pragma once
 #include <array>
 #include <optional>
@@ -11,33 +11,33 @@
 
 namespace fabricsh::model {
 
-// One side of a contact: a rigid body, or the elements of the cloth all of whose nodes are in a set ("all",
-// "front": a body of several, "front.left").
+// One side of a contact: a rigid body, or the elements of the cloth whose nodes all lie in a set ("all";
+// "front" for one of several bodies; "front.left").
 struct Party {
   std::string set;
-  RigidPointer body;  // null: a set
+  RigidPointer body;  // null: a set of the cloth
 };
 
 struct ContactGiven {
-  std::vector<Party> between;  // every two of them; one: with itself
+  std::vector<Party> between;  // every two of them meet; a single one meets itself
   double friction = 0;
-  std::optional<double> thickness = {};  // m, of the cloth as contact sees it; default the cloth's own
-  std::optional<double> stiffness = {};  // Pa/m; default from cloth and mesh
-  bool settle = false;                   // is what overlaps at the start opened instead of refused
+  std::optional<double> thickness = {};  // m, thickness of the cloth in contact; default the cloth's own
+  std::optional<double> stiffness = {};  // Pa/m; default computed from cloth and mesh
+  bool settle = false;                   // open an overlap at the start instead of refusing it
 };
 
 using Displacement = std::array<std::optional<history::History>, 3>;
 struct BodyTurn {
-  Vec3 axis = Vec3::UnitZ();        // any length but zero
+  Vec3 axis = Vec3::UnitZ();        // of any nonzero length
   history::History angle;           // degrees
   std::optional<Vec3> centre = {};  // m, default the body's
 };
 struct BodyMotion {
   RigidPointer body;
-  Displacement displacement;  // m, from where it was declared, global
+  Displacement displacement;  // m, from the declared position, global
   std::optional<BodyTurn> turn;
 };
-struct BodyVelocity {  // of a free body at time 0
+struct BodyVelocity {  // initial velocity of a free body
   RigidPointer body;
   Vec3 linear = Vec3::Zero();  // m/s
   Vec3 spin = Vec3::Zero();    // rad/s
@@ -45,27 +45,27 @@ struct BodyVelocity {  // of a free body at time 0
 
 class Interactions {
  public:
-  // Errors: an unknown set, a set of no whole element, fewer than two sides, two rigid bodies alone, friction
-  // below 0, a thickness or stiffness that is not positive.
+  // Errors: an unknown set, a set without a whole element, fewer than two sides, only rigid bodies, negative
+  // friction, a thickness or stiffness that is not positive.
   void add(ContactGiven contact, const mesh::Mesh& mesh);
-  // Errors: a free body, a moving surface, a body that is moved already, nothing given, no axis.
+  // Errors: a free body, a moving surface, a body that is moved already, nothing given, a zero axis.
   void move(BodyMotion motion);
-  // Errors: a body that is not free, one with a velocity already, a number that is not finite.
+  // Errors: a body that is not free, a body that has a velocity already, a number that is not finite.
   void velocity(BodyVelocity velocity);
-  // Takes back the i-th (from 0) of a kind. Error: there is none.
+  // Removes the i-th declaration (from 0) of a kind. Error: it does not exist.
   enum class Part { contact, motion, velocity };
   void remove(Part part, std::size_t i);
-  // Errors: bodies that are moved or have a velocity but touch nothing; a history that is not finite at time
-  // 0; sets that share nodes without being the same; two sides that meet twice.
+  // Errors: a body that is moved or has a velocity but is in no contact; a history that is not finite at time
+  // 0; sets that share nodes without being equal; two sides that meet twice.
   void validate(const mesh::Mesh& mesh) const;
 
   bool any() const { return !contacts_.empty(); }
   const std::vector<ContactGiven>& contacts() const { return contacts_; }
   const std::vector<BodyMotion>& motions() const { return motions_; }
   const std::vector<BodyVelocity>& velocities() const { return velocities_; }
-  std::vector<RigidPointer> bodies() const;      // each once, in the order in which contacts name them
-  std::string name_of(const Rigid& body) const;  // its own, or "sphere", or "sphere 2" where there are more
-  const BodyMotion* motion_of(const Rigid& body) const;      // null: it stands or is free
+  std::vector<RigidPointer> bodies() const;      // each once, in the order in which the contacts name them
+  std::string name_of(const Rigid& body) const;  // its own; else "sphere", or "sphere 2" if there are several
+  const BodyMotion* motion_of(const Rigid& body) const;      // null: it is at rest or free
   const BodyVelocity* velocity_of(const Rigid& body) const;  // null: at rest
   std::vector<double> kinks() const;
 
@@ -75,16 +75,16 @@ class Interactions {
   std::vector<BodyVelocity> velocities_;
 };
 
-// The cloth's surfaces, none of which shares a node with another: each is what the same contacts name.
+// The surfaces of the cloth. No two share a node; each consists of the elements that the same contacts name.
 struct Meeting {
-  int first, second;    // surfaces; a body is behind them, in the order of Interactions::bodies()
-  std::size_t contact;  // of Interactions::contacts()
+  int first, second;    // numbers of surfaces; those of bodies follow, in the order of Interactions::bodies()
+  std::size_t contact;  // index in Interactions::contacts()
 };
 struct Surfaces {
   std::vector<std::vector<mesh::Index>> elements;  // of each surface, ascending
   std::vector<Meeting> meetings;
 };
-// Errors: as Interactions::validate().
+// Errors: those of Interactions::validate().
 Surfaces work_out_surfaces(const Interactions& interactions, const mesh::Mesh& mesh);
 
 }  // namespace fabricsh::model

@@ -105,7 +105,7 @@ void Model::add_body(Index which) {
            region.set);
 }
 
-// Gives the elements of a body's set (empty: all of the body) to a region.
+// Assigns the elements of a set of a body (empty: the whole body) to a region.
 void Model::assign(Index region, Index which, const std::string& set) {
   const BodyGiven& body = bodies_[which];
   const Index first = mesh_->parts.empty() ? 0 : mesh_->parts[which].first_element;
@@ -312,12 +312,12 @@ std::vector<double> Model::kinks() const {
 
 namespace {
 
-// What a validation has seen of a node so far, per direction: 0 free, 1 fixed, 2 moved; and by which set.
+// State of a node during validation: for each direction 0 free, 1 fixed, 2 moved; and the set responsible.
 struct Seen {
   std::array<int, 3> kind{};
   std::array<std::string, 3> by;
   Mat3 frame = global_frame();
-  bool framed = false;  // held along one or two directions only: the frame matters
+  bool framed = false;  // held along one or two directions only, so that the frame matters
   std::string framed_by;
 };
 

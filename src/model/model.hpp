@@ -22,19 +22,19 @@ namespace fabricsh::model {
 using history::History;
 using mesh::Index;
 
-// Warp direction at a point of the reference surface: an angle in degrees, counter-clockwise about the shell
-// normal from global +x projected on the surface, or a vector (projected on the surface).
+// Warp direction at a point of the reference surface: an angle (degrees, counter-clockwise about the shell
+// normal, from global +x projected on the surface), or a vector to be projected on the surface.
 using Direction = std::variant<double, Vec3>;
 using WarpField = std::function<Direction(const Vec3& X)>;
 
-// Orthonormal frame of an oblique support or load: rows e1 e2 e3, global components; x y z of the call count
-// along them.
+// Orthonormal frame of an oblique support or load: rows e1 e2 e3 in global components. The x y z of the call
+// are components along them.
 Mat3 frame_from(const Vec3& e1,
                 const Vec3& e2);  // Error unless they span a plane; e2 is made orthogonal to e1
 inline Mat3 global_frame() { return Mat3::Identity(); }
 
-// Freedoms of a node: three translations, three rotation axes (a director has two rotations; a rotation axis
-// acts on the part of it that is tangent to the sphere of directors). rotation = both director rotations.
+// Degrees of freedom of a node: three translations, three rotation axes. A director has only two rotations;
+// an axis acts on its part tangent to the sphere of directors. rotation = both.
 struct Freedoms {
   std::array<bool, 3> translation{};
   std::array<bool, 3> axis{};
@@ -44,7 +44,7 @@ struct Freedoms {
 Freedoms parse_freedoms(const std::string& words, const std::string& call = "fix");
 
 using Components = std::array<std::optional<History>, 3>;
-// The same at all times.
+// The same vector at all times.
 inline Components steady(const Vec3& v) {
   return {History::constant(v.x()), History::constant(v.y()), History::constant(v.z())};
 }
@@ -61,32 +61,32 @@ struct Motion {
 };
 struct Force {
   std::string set;
-  Components total;  // N, shared by tributary length (edges) or area; a single node takes it whole
+  Components total;  // N, distributed by tributary length (edges) or area; a single node gets all of it
   Mat3 frame;
 };
 
 struct Moment {
   std::string set;
-  Components total;  // N m about the frame's axes, which stay fixed in space; shared like a force
+  Components total;  // N m about the axes of the frame, which stay fixed in space; distributed like a force
   Mat3 frame;
 };
 struct Traction {
   std::string set;
-  Components intensity;  // dead: N/m^2 of reference area where the set holds whole elements, else N/m of edge
+  Components intensity;  // dead load: N/m^2 of reference area if the set has whole elements, else N/m of edge
   Mat3 frame;
 };
 struct Pressure {
   std::string set;
-  History value;  // Pa, along the shell normal, following the surface
+  History value;  // Pa, along the shell normal, which follows the surface
 };
 struct Spring {
   std::string set;
   std::array<double, 3>
-      stiffness{};  // N/m along the frame, to ground, total for the set, shared like a force
+      stiffness{};  // N/m along the frame, to ground, total of the set, distributed like a force
   Mat3 frame;
 };
-// Directors, and with a centre the nodes too, turned rigidly about a fixed axis: d = R(angle) D, x = c + R (X
-// - c).
+// Rigid rotation of directors, and with a centre also of nodes, about a fixed axis: d = R(angle) D, x = c + R
+// (X - c).
 struct Turn {
   std::string set;
   Vec3 axis = Vec3::UnitZ();   // unit
@@ -94,14 +94,14 @@ struct Turn {
   std::optional<Vec3> centre;  // m
 };
 
-// A rigid body's velocity: linear + spin x (X - centre); a director turns with the spin.
+// Velocity of a rigid body: linear + spin x (X - centre); a director rotates with the spin.
 struct RigidVelocity {
   Vec3 linear = Vec3::Zero();  // m/s
   Vec3 spin = Vec3::Zero();    // rad/s
   Vec3 centre = Vec3::Zero();  // m
 };
-// Velocity at time 0 of a set's nodes and directors: the same rigid one for all, or at each node X the one
-// that the function of place gives there.
+// Velocity at time 0 of the nodes and directors of a set: one rigid motion for all, or for each node X the
+// motion that a function returns for it.
 struct InitialVelocity {
   std::string set;
   Vec3 linear = Vec3::Zero();  // m/s
@@ -111,41 +111,41 @@ struct InitialVelocity {
   RigidVelocity at(const Vec3& X) const { return place ? place(X) : RigidVelocity{linear, spin, centre}; }
 };
 
-// equal     the nodes of the set share their displacements
-// straight  they stay on the line between the set's two extreme nodes, where they lie on it in the reference
+// equal     the nodes of the set have equal displacements
+// straight  the nodes stay on the line between the two extreme nodes of the set, on which they lie initially
 // rigid     nodes and directors move as one rigid body
-// periodic  u_b - u_a is the same for all pairs of the set and its partner; directors of a pair are the same
+// periodic  u_b - u_a is equal for all pairs of the set and its partner; both directors of a pair are equal
 enum class TieKind { equal, straight, rigid, periodic };
 struct Tie {
   TieKind kind;
-  std::string set, partner;  // partner: periodic only
-  Freedoms freedoms;         // along global axes; a rigid set has none of its own
+  std::string set, partner;  // partner: only for periodic
+  Freedoms freedoms;         // along global axes; empty for a rigid set
 };
 
 struct Options {
-  std::optional<double> thickness;  // m; wins over the card's
+  std::optional<double> thickness;  // m; takes precedence over the card's
   std::optional<WarpField> warp;    // required unless the mesh is flat
   std::string warp_text;            // for the printed model
   int points = 3;                   // through the thickness, 1 to 9
-  std::vector<section::Ply> plies;  // given: they stand in for the card and the thickness
-  double offset = 0;                // reference surface at zeta_bar in [-1, 1] (0: middle surface)
+  std::vector<section::Ply> plies;  // if given, they replace the card and its thickness
+  double offset = 0;                // reference surface at zeta_bar in [-1, 1]; 0: middle surface
 };
 
-// A set of elements with a card, thickness, plies or warp of its own.
+// A set of elements with its own card, thickness, plies or warp.
 struct RegionGiven {
-  std::string set;  // of the body's mesh
+  std::string set;  // of the mesh of the body
   card::Card card;
   Options options;
 };
 struct BodyGiven {
-  std::string name;  // empty: the only body of its model, whose sets keep their names
+  std::string name;  // empty: the only body of its model; its sets keep their names
   std::shared_ptr<mesh::Mesh> mesh;
   card::Card card;
   Options options;
   std::vector<RegionGiven> regions;
 };
 
-// What a part of the elements is made of, compiled: the rest of a body, or one of its regions.
+// Material data of a part of the elements, compiled: one region of a body, or the rest of it.
 struct Region {
   std::string name;  // "", "front", "pocket", "front.pocket"
   card::Card card;
@@ -155,14 +155,14 @@ struct Region {
 
 class Model {
  public:
-  // Errors: points outside 1..9; thickness not positive; warp missing on a mesh that is not flat; a card that
-  // the law refuses (with its reason).
+  // Errors: points outside 1..9; a thickness that is not positive; no warp on a mesh that is not flat; a card
+  // that its law refuses (with the reason).
   Model(std::shared_ptr<mesh::Mesh> mesh, card::Card card, Options options);
-  // Several bodies, or one with regions. Errors, besides: no body; several without names of their own; a
-  // region of no whole element; an element in two regions (named).
+  // Several bodies, or one with regions. Further errors: no body; several without different names; a region
+  // without a whole element; an element in two regions (named).
   explicit Model(std::vector<BodyGiven> bodies);
 
-  // Errors of all: unknown set; model already compiled; no component given.
+  // Common errors: unknown set; model already compiled; no component given.
   void fix(const std::string& set, const Freedoms& fixed, const Mat3& frame = global_frame());
   void move(const std::string& set, Components displacement, const Mat3& frame = global_frame());
   void force(const std::string& set, Components total, const Mat3& frame = global_frame());
@@ -173,17 +173,17 @@ class Model {
   void spring(const std::string& set, const std::array<double, 3>& stiffness,
               const Mat3& frame = global_frame());
   void turn(const std::string& set, const Vec3& axis, History angle, std::optional<Vec3> centre);
-  // At time 0, for a run in motion. Error: a number that is not finite.
+  // At time 0, for dynamic runs. Error: a number that is not finite.
   void velocity(InitialVelocity velocity);
   void symmetry(const std::string& set,
                 int axis);  // plane normal to axis 0, 1 or 2: that displacement, two rotations
 
-  // Errors: a freedom that the kind does not tie; none named; a rigid set of one node; a periodic tie without
-  // a partner.
+  // Errors: a degree of freedom that this kind does not tie; no freedom given; a rigid set of one node; a
+  // periodic tie without a partner.
   void tie(Tie tie);
 
-  // Takes back the i-th (from 0) of what was told of a kind; the i of gravity is not looked at. Error: there
-  // is none.
+  // Removes the i-th declaration (from 0) of a kind; for gravity i is ignored. Error: it does not
+  // exist.
   enum class Told {
     fix,
     move,
@@ -206,26 +206,26 @@ class Model {
   void move(BodyMotion motion);
   void velocity(BodyVelocity velocity);
 
-  // Error: a freedom fixed and moved or moved twice (names node and both calls); a node held in two frames at
-  // once; what work_out_ties refuses.
+  // Error: a degree of freedom that is both fixed and moved, or moved twice (naming node and calls); a node
+  // held in two frames; the errors of work_out_ties.
   void validate() const;
-  // By the analysis that compiles it: any change of it or its mesh after that is an Error.
+  // Called by the analysis that compiles the model: later changes of the model or its mesh are Errors.
   void seal();
 
   const mesh::Mesh& mesh() const { return *mesh_; }
   std::shared_ptr<const mesh::Mesh> mesh_pointer() const { return mesh_; }
   const std::vector<BodyGiven>& bodies() const { return bodies_; }
-  // The body's own part first, then its regions, body after body.
+  // For each body: the body's own region first, then its other regions.
   const std::vector<Region>& regions() const { return regions_; }
-  const card::Card& card() const { return regions_.front().card; }  // of the first
-  // One section per region; an element belongs to one of them.
+  const card::Card& card() const { return regions_.front().card; }  // of the first region
+  // One section per region; each element belongs to exactly one.
   const std::vector<section::Section>& sections() const { return sections_; }
   int region_of(mesh::Index element) const { return region_of_.empty() ? 0 : region_of_[element]; }
-  std::string element_name(mesh::Index element) const;  // "12", or "12 of body front" where there are several
+  std::string element_name(mesh::Index element) const;  // "12", or "12 of body front" if there are several
   const section::Section& section() const { return sections_.front(); }
   const Options& options() const { return regions_.front().options; }  // of the first region
   double thickness() const { return section().thickness; }
-  // Of one element's region; of the first where the element is -1 (none).
+  // The card of the element's region; of the first region for element -1 (none).
   const card::Card& card_of(mesh::Index element) const {
     return regions_[element < 0 ? 0 : region_of(element)].card;
   }
@@ -242,10 +242,10 @@ class Model {
   const std::vector<Turn>& turns() const { return turns_; }
   const std::vector<Tie>& ties() const { return ties_; }
   const Interactions& interactions() const { return interactions_; }
-  // Times on which a step must land: the kinks of every history.
+  // Times at which a step must end: the kinks of all histories.
   std::vector<double> kinks() const;
-  // Warp direction as a vector (not yet projected), at X on a surface with unit normal n. Error: not finite,
-  // or no direction left after projection.
+  // Warp direction as a vector, not yet projected, at X on a surface with the unit normal n. Error: not
+  // finite, or zero after projection.
   Vec3 warp_at(mesh::Index element, const Vec3& X, const Vec3& n) const;
   std::string describe() const;  // a few lines: mesh, card, warp, thickness, points, supports
 
@@ -254,10 +254,10 @@ class Model {
   void add_body(Index body);
   void assign(Index region, Index body, const std::string& set);
   std::vector<BodyGiven> bodies_;
-  std::shared_ptr<mesh::Mesh> mesh_;  // the body's own, or the bodies' joined
+  std::shared_ptr<mesh::Mesh> mesh_;  // that of the only body, or all bodies joined
   std::vector<Region> regions_;
   std::vector<section::Section> sections_;  // one per region
-  std::vector<int> region_of_;              // per element; empty: all in the first
+  std::vector<int> region_of_;              // per element; empty: all elements are in the first
   std::vector<Support> supports_;
   std::vector<Motion> motions_;
   std::vector<Force> forces_;

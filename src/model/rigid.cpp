@@ -22,7 +22,7 @@ const char* kind_of(const RigidShape& shape) {
   return kinds[shape.index()];
 }
 
-// What a shape's constructor refuses, by field.
+// Checks the fields of a shape and throws the errors of its constructor.
 class Checks {
  public:
   explicit Checks(std::string call) : call_(std::move(call)) {}
@@ -177,7 +177,7 @@ struct AddTo {
   int operator()(const MovingFacets& m) const { return (*this)(m.first); }
 };
 
-// Rings about an axis: each at a place along it with a radius; closed by facets between neighbours.
+// Rings about an axis, each with a position along it and a radius; facets connect neighbours.
 struct Ring {
   double along, radius;
 };
@@ -201,7 +201,7 @@ Facets revolve(const Vec3& origin, const Vec3& axis, const std::vector<Ring>& ri
   return out;
 }
 
-// A quarter of a circle about (along, radius) from angle a to b, degrees from the axis.
+// Adds a quarter of a circle about (along, radius), from angle a to b in degrees from the axis.
 void add_arc(std::vector<Ring>& rings, double along, double radius, double r, double a, double b) {
   constexpr int parts = 12;
   for (int i = 0; i <= parts; ++i) {

@@ -14,13 +14,13 @@ namespace {
 
 using Key = std::pair<mesh::Index, int>;  // node, component
 const char* const kNames[] = {"x", "y", "z", "rotation"};
-constexpr double kNear = 1e-6;  // of a set's size: positions this close are the same
+constexpr double kNear = 1e-6;  // of a set's size: positions closer than this are equal
 
 [[noreturn]] void clash(mesh::Index node, const std::string& what) {
   throw Error("model: node " + std::to_string(node + 1) + ": " + what);
 }
 
-// How the freedoms of every node are held by supports, motions and turns: for the messages.
+// How supports, motions and rotations hold the degrees of freedom of each node, for messages.
 class Holds {
  public:
   explicit Holds(const Model& model) {
@@ -84,7 +84,7 @@ mesh::Index farthest(const mesh::Mesh& mesh, const mesh::NodeSet& nodes, const V
 
 std::string metres(double length) { return number(length) + " m"; }
 
-// Partners in b of the nodes of a: the nearest to each one's place after the translation of the centroids.
+// For each node of a the partner in b: the nearest one after translating the centroid of a to that of b.
 mesh::NodeSet partners(const mesh::Mesh& mesh, const Tie& tie) {
   const auto &a = mesh.set(tie.set), &b = mesh.set(tie.partner);
   if (a.size() != b.size())
@@ -201,7 +201,7 @@ class Builder {
       if (tie.freedoms.rotation) follow(b[i], 3, {{a[i], 1}});
     }
   }
-  // Leads that follow in their turn are replaced by their own, until none does.
+  // Replaces leads that are followers themselves by their leads, until none is.
   Leads resolved(int component, const Leads& leads, int depth = 0) const {
     if (depth > 100) clash(leads.front().node, std::string(kNames[component]) + " is tied in a circle");
     std::map<mesh::Index, double> sum;
@@ -228,7 +228,7 @@ class Builder {
   const Model& model_;
   const mesh::Mesh& mesh_;
   Holds holds_;
-  std::string tied_;  // the tie being read, for messages
+  std::string tied_;  // the present tie, for messages
   std::map<Key, Leads> first_;
   std::vector<std::pair<Key, Leads>> again_;
   std::vector<mesh::NodeSet> bodies_;

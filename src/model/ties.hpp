@@ -1,4 +1,4 @@
-// Ties between nodes: which freedoms follow which, worked out once from the mesh.
+// Ties between nodes: which degrees of freedom follow which others, worked out once from the mesh.
 #pragma once
 #include <vector>
 
@@ -13,21 +13,21 @@ struct Lead {
   double weight;
 };
 
-// A freedom that follows others: a displacement along a global axis (component 0 to 2), the weighted sum of
-// the leads' displacements along it; or a director (component 3), the same as its one lead's.
+// A degree of freedom that follows others: a displacement along a global axis (component 0 to 2), the
+// weighted sum of its leads'; or a director (component 3), equal to that of its only lead.
 struct Follower {
   mesh::Index node;
   int component;
-  std::vector<Lead> leads;  // none of them follows; ascending nodes, each once
+  std::vector<Lead> leads;  // not followers themselves; ascending nodes, each once
 };
 
 struct Ties {
-  std::vector<Follower> followers;    // ascending node, then component
+  std::vector<Follower> followers;    // sorted by node, then component
   std::vector<mesh::NodeSet> bodies;  // nodes and directors that move as one rigid body
 };
 
-// Errors: a freedom tied and fixed, moved or turned; tied twice in two ways; ties that lead in a circle; sets
-// whose nodes do not pair (names node and distance); a straight set that is not straight.
+// Errors: a degree of freedom tied and also fixed, moved or rotated; two different ties for one; circular
+// ties; sets whose nodes do not pair (naming node and distance); a straight set that is not straight.
 Ties work_out_ties(const Model& model);
 
 }  // namespace fabricsh::model

@@ -56,7 +56,7 @@ Canvas canvas_for(const std::string& ending, const Layout& l, const Paper& paper
           w / scale, h / scale};
 }
 
-// Without blanks at the ends of lines, and without empty lines before the first.
+// Removes blanks at the ends of lines and empty lines at the beginning.
 std::string trimmed(const std::string& text) {
   std::string out;
   std::istringstream lines(text);

@@ -25,7 +25,7 @@ struct Curve {
 
 struct Axis {
   std::string label = {};
-  std::optional<double> low = {}, high = {};  // none: from the curves
+  std::optional<double> low = {}, high = {};  // empty: chosen from the curves
   bool logarithmic = false;
 };
 

@@ -8,8 +8,8 @@ namespace fabricsh::plot {
 
 namespace {
 
-// gnuplot repeats the line that it stumbled over, points at a place in it, and gives its reason in the last
-// line, behind a place in a script that the user has never seen.
+// gnuplot repeats the line with the error, marks a place in it, and gives the reason in the last
+// line, preceded by a position in a script that the user has never seen. This returns the reason.
 std::string reason_in(const std::string& said) {
   const std::size_t start = said.find_last_of('\n');
   std::string last = start == std::string::npos ? said : said.substr(start + 1);
@@ -24,7 +24,7 @@ std::string reason_in(const std::string& said) {
 
 std::string run_gnuplot(const std::string& script) {
   const system::ChildResult result =
-      system::run_child({"gnuplot", "-d"}, script, "figure");  // -d: no start-up file of the user's
+      system::run_child({"gnuplot", "-d"}, script, "figure");  // -d: ignore the user's start-up file
   if (!result.found)
     throw NoGnuplot("figure: gnuplot is needed to draw and is not installed (apt-get install gnuplot-nox)");
   if (!result.good) throw Error("figure: gnuplot failed: " + reason_in(result.said));

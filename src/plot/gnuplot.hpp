@@ -1,4 +1,4 @@
-// The drawing program, run on a script.
+// Runs gnuplot on a script.
 #pragma once
 #include <string>
 
@@ -6,14 +6,14 @@
 
 namespace fabricsh::plot {
 
-// The drawing program is not installed: the one reason for which a figure may be missing.
+// gnuplot is not installed; callers may then go on without the figure.
 class NoGnuplot : public Error {
  public:
   using Error::Error;
 };
 
-// Returns what it drew on its standard output; it is given no file to write to. NoGnuplot; Error: it failed
-// or drew nothing, with the reason that it gave.
+// Returns the drawing that gnuplot writes to its standard output. Throws
+// NoGnuplot, or Error with gnuplot's reason if it failed or drew nothing.
 std::string run_gnuplot(const std::string& script);
 
 }  // namespace fabricsh::plot

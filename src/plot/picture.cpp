@@ -15,7 +15,7 @@ namespace fabricsh::plot {
 
 namespace {
 
-// One line each, "name value"; a line end inside a text would end it.
+// One line "name value"; line ends inside a text would break the format and are replaced.
 std::string line(const char* name, std::string value) {
   for (char& c : value)
     if (c == '\n' || c == '\r' || c == '\0') c = ' ';

@@ -1,5 +1,5 @@
-// A picture of sheets with a field on them: what is to be drawn. The drawing itself is the work of the
-// program fabricsh-render (room render), so that fabricsh starts without the rendering libraries.
+// Description of a picture of sheets with a field. The drawing is done by the program
+// fabricsh-render (room render), so that fabricsh starts without the rendering libraries.
 #pragma once
 #include <istream>
 #include <string>
@@ -15,12 +15,12 @@ struct Panel {
 
 struct Picture {
   std::string png;            // path of the file to write
-  std::vector<Panel> panels;  // side by side, in `columns` columns
-  int columns = 0;            // 0: as many as fit the picture's shape
+  std::vector<Panel> panels;  // arranged in `columns` columns
+  int columns = 0;            // 0: chosen by the shape of the picture
   std::string title;
   std::string array,
-      component;      // of cells, else of points; without a component its magnitude; empty: no field
-  double factor = 1;  // the bar shows factor times the value
+      component;      // field of cells, else of points; without a component its magnitude; empty: none
+  double factor = 1;  // the colour bar shows factor times the value
   std::string bar;    // title of the colour bar, with the unit
   bool fixed_range = false;
   double low = 0, high = 0;        // of the bar, where fixed
@@ -31,7 +31,7 @@ struct Picture {
   double font_size = 7;            // points, on paper; on a screen letters go with the picture
 };
 
-// The text that goes to fabricsh-render, and back. Error: a line that is not one of these.
+// The description as text for fabricsh-render, and the reverse. Error: a line that is not valid.
 std::string picture_text(const Picture& picture);
 Picture read_picture(std::istream& text);
 

@@ -1,11 +1,11 @@
-// Colour scales that grey print and most colour-blind readers keep apart.
+// Colour scales that remain distinguishable in grey print and for most colour-blind readers.
 #pragma once
 #include <vtkLookupTable.h>
 #include <vtkSmartPointer.h>
 
 namespace fabricsh::render {
 
-// From low to high: from dark violet to yellow, or blue, white at zero, red where the range has both signs.
+// Dark violet to yellow; or blue, white at zero, and red if the range includes both signs.
 vtkSmartPointer<vtkLookupTable> colours(double low, double high);
 
 }  // namespace fabricsh::render

@@ -1,13 +1,13 @@
-// What the rendering library would print: kept, and told in plain words where it matters.
+// Collects the messages that VTK would print, so that they can be reported in plain words.
 #pragma once
 #include <string>
 
 namespace fabricsh::render {
 
-// From now on nothing is printed by the library itself.
+// After this call VTK prints nothing.
 void collect_complaints();
-// The first complaint since the last call, without the place in the library's sources where it was made;
-// empty: there was none.
+// The first message since the last call, without
+// its position in VTK's sources; empty: no message.
 std::string take_complaint();
 
 }  // namespace fabricsh::render

@@ -18,9 +18,9 @@ namespace fabricsh::render {
 
 namespace {
 
-constexpr int kPatience = 30'000;  // ms that the server may take to come up
+constexpr int kPatience = 30'000;  // ms to wait for the server to start
 
-// Number of the display that the server writes to the pipe, or empty.
+// The display number that the server writes to the pipe, or empty.
 std::string answer(int pipe) {
   std::string text;
   pollfd wait{pipe, POLLIN, 0};
@@ -29,7 +29,7 @@ std::string answer(int pipe) {
   return text;
 }
 
-// Starts Xvfb, which picks a free number and writes it to the pipe. 0: not installed.
+// Starts Xvfb, which chooses a free number and writes it to the pipe. 0: Xvfb is not installed.
 pid_t start(int pipe) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

@@ -1,11 +1,11 @@
-// A display to draw on where there is no screen.
+// A display for machines without a screen.
 #pragma once
 #include <sys/types.h>
 
 namespace fabricsh::render {
 
-// A virtual display (Xvfb) for as long as the object lives, named by DISPLAY. Where Xvfb is not installed,
-// the display that DISPLAY names already. Error: neither.
+// A virtual display (Xvfb) that lives as long as the object and sets the variable DISPLAY.
+// If Xvfb is not installed, the display named by DISPLAY is used. Error: neither exists.
 class Display {
  public:
   Display();

@@ -57,7 +57,7 @@ Ref<vtkRenderer> viewport(Scene& scene, double x0, double y0, double x1, double 
   return renderer;
 }
 
-// Common bounds, so that panels can be compared.
+// Common bounds of all sheets, so that the panels can be compared.
 Bounds common(const std::vector<Sheet>& sheets) {
   Bounds all{};
   for (std::size_t i = 0; i < sheets.size(); ++i) {
@@ -100,7 +100,7 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
   return result;
 }
 
-// Parallel projection in which the bounds stand as the layout says, seen from outside of them.
+// Sets a parallel projection that places the bounds as the layout states, seen from outside the bounds.
 void aim(vtkRenderer* renderer, const Bounds& bounds, const View& view, const Layout& l, const Point& size) {
   double focus[3], eye[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -166,7 +166,7 @@ void add_bar(Scene& scene) {
 }
 
 struct Place {
-  double x0, y0, x1, y1;  // parts of the picture
+  double x0, y0, x1, y1;  // shares of the picture
 };
 
 // Where panel i of the grid of panels stands.
@@ -249,9 +249,9 @@ void make_table(Scene& scene) {
     for (const Sheet& sheet : scene.sheets) low = std::min(low, sheet.low), high = std::max(high, sheet.high);
   }
   if (!(low <= high)) throw Error("render: the field '" + scene.picture.array + "' holds no finite value");
-  if (std::abs(low) < 1e-9 * high) low = 0;  // rounding beside the rest
-  // A field that is the same everywhere gets one colour and a bar around it, not the noise of its last
-  // digits.
+  if (std::abs(low) < 1e-9 * high) low = 0;  // only rounding error compared with the range
+  // A constant field gets one colour and a bar around
+  // its value, instead of a scale for rounding errors.
   const double largest = std::max(std::abs(low), std::abs(high));
   if (largest == 0) low = -1, high = 1;
   if (high - low < 1e-6 * largest) low -= 0.05 * largest, high += 0.05 * largest;
@@ -287,7 +287,7 @@ std::vector<std::string> draw(const Picture& picture) {
   scene.window->SetOffScreenRendering(1);
   scene.window->SetMultiSamples(8);
   scene.window->SetSize(picture.width, picture.height);
-  viewport(scene, 0, 0, 1, 1);  // white behind everything
+  viewport(scene, 0, 0, 1, 1);  // white background
   add_panels(scene);
   if (scene.table) add_bar(scene);
   if (!picture.title.empty())

@@ -1,4 +1,4 @@
-// Draws a picture with VTK, off-screen.
+// Draws a picture off-screen with VTK.
 #pragma once
 #include <string>
 #include <vector>

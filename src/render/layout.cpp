@@ -18,7 +18,7 @@ double length(const Point& a) { return std::hypot(a[0], a[1]); }
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Half of what a text takes along a direction.
+// Half of the extent of a text along a direction.
 double reach(const Point& size, const Point& along) {
   return (std::abs(along[0]) * size[0] + std::abs(along[1]) * size[1]) / 2;
 }
@@ -35,7 +35,7 @@ std::string text_of(double value, double step) {
   return text;
 }
 
-// Round numbers in a range.
+// Rounded tick values within a range.
 struct Ticks {
   double first, step;
   int count;
@@ -53,7 +53,7 @@ class Draft {
   Draft(const Bounds& bounds, const View& view, const std::string& unit, const Space& space, double scale)
       : bounds_(bounds), view_(view), unit_(unit), space_(space), scale_(scale) {}
 
-  // With the centre of the bounds at {0, 0}.
+  // The layout with the centre of the bounds at {0, 0}.
   Layout made() {
     if (!unit_.empty()) {
       for (int k = 0; k < 3; ++k) axis(k);
@@ -74,8 +74,8 @@ class Draft {
     return {scale_ * dot(from_centre, view_.right), scale_ * dot(from_centre, view_.up)};
   }
 
-  // x and y run along the lowest of their four edges, z along the leftmost one; of equals the leftmost and
-  // lowest.
+  // x and y are labelled along the lowest of their four edges, z along the
+  // leftmost one; ties are resolved by the leftmost, then the lowest edge.
   void axis(int k) {
     const auto n = static_cast<std::size_t>(k), i = (n + 1) % 3, j = (n + 2) % 3;
     Axis best{k, {}, {}, {}};
@@ -107,7 +107,7 @@ class Draft {
     return all;
   }
 
-  // The closest round numbers whose texts keep a distance.
+  // The smallest round interval whose tick labels keep a distance.
   Ticks chosen(int k, const Point& along, double pixels) const {
     const double low = bounds_[static_cast<std::size_t>(2 * k)],
                  high = bounds_[static_cast<std::size_t>(2 * k + 1)];
@@ -148,7 +148,7 @@ class Draft {
     title(k, start, end, out, farthest);
   }
 
-  // Beside the middle of the axis, and farther out as long as another word is there; above an upright one.
+  // Beside the middle of the axis, moved outwards until it overlaps no other label; above a vertical axis.
   void title(int k, const Point& start, const Point& end, const Point& out, double farthest) {
     Word word{std::string(1, "xyz"[k]) + ", " + unit_, {}, {}};
     word.size = space_.measure(word.text);
@@ -180,7 +180,7 @@ struct Frame {
   }
 };
 
-// What the sheet, its axes and their words take.
+// The space occupied by the sheet, its axes and their labels.
 Frame taken(const Layout& l, const Bounds& b, const View& view) {
   Frame frame;
   for (int corner = 0; corner < 8; ++corner) {
@@ -212,7 +212,7 @@ Layout layout(const Bounds& bounds, const View& view, const std::string& unit, c
     const Frame f = taken(l, bounds, view);
     return f.high[0] - f.low[0] <= width && f.high[1] - f.low[1] <= height;
   };
-  // Without words the bounds alone would fill the space at the higher scale.
+  // Without labels the bounds alone would fill the space at this larger scale.
   const Frame bare = taken(Draft(bounds, view, "", space, 1).made(), bounds, view);
   double low = 0, high = std::min({width / std::max(bare.high[0] - bare.low[0], 1e-300),
                                    height / std::max(bare.high[1] - bare.low[1], 1e-300), space.most});

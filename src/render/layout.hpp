@@ -1,5 +1,5 @@
-// Where a sheet and the words of its axes stand in a part of a picture: in pixels from its lower left corner.
-// Nothing here draws, so that it can be tried that no word lies on another or is cut off.
+// Positions of a sheet and its axis labels within a part of a picture, in pixels from its lower left
+// corner. Nothing is drawn here, so that tests can check that no label overlaps another or is cut off.
 #pragma once
 #include <array>
 #include <functional>
@@ -11,7 +11,7 @@ namespace fabricsh::render {
 
 using Point = std::array<double, 2>;  // pixels, to the right and up
 using Vector = std::array<double, 3>;
-using Bounds = std::array<double, 6>;  // x, x, y, y, z, z: lower and upper end
+using Bounds = std::array<double, 6>;  // x, x, y, y, z, z: lower and upper bound
 
 struct Word {
   std::string text;
@@ -20,31 +20,31 @@ struct Word {
 struct Line {
   Point from{}, to{};
 };
-// From where it is seen: unit vectors of space that point to the right and up in the picture.
+// Viewing direction, as the unit vectors in space that point right and up in the picture.
 struct View {
   Vector right, up;
 };
-// Degrees: 0, 90 from above, 0, 0 along +y.
+// Degrees: 0, 90 is from above; 0, 0 is along +y.
 View view_from(double azimuth, double elevation);
 
 struct Layout {
   double scale = 1;  // pixels per unit of length
-  Point centre{};    // of the bounds
+  Point centre{};    // position of the centre of the bounds
   std::vector<Word> words;
   std::vector<Line> lines;
 };
 
 struct Space {
   double width = 0, height = 0;  // pixels
-  double letter = 10;            // size of the letters
-  // Width and height of a text in these letters.
+  double letter = 10;            // font size
+  // Width and height of a text in this font size.
   std::function<Point(const std::string&)> measure;
   double most = 1e300;  // pixels per unit of length, at most
 };
 
-// The largest picture of the bounds, with the words of the axes, that lies within the space. Axes run along
-// edges of the bounds; one that is seen from its end, or is no longer than a letter, has no words. unit: of
-// lengths; empty: no axes at all.
+// The largest picture of the bounds and the axis labels that fits into the
+// space. Axes run along edges of the bounds; one that is seen end-on or is not
+// longer than a letter has no labels. unit: unit of length; empty: no axes.
 Layout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space);
 
 // A colour bar: its ends, and round numbers on it.

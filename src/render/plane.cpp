@@ -51,7 +51,7 @@ void style(vtkTextProperty* text, int size) {
   text->ShadowOff();
 }
 
-// Without the last character; the bytes that continue it in UTF-8 go with it.
+// Removes the last character, with all its bytes in UTF-8.
 void shorten(std::string& text) {
   while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
   if (!text.empty()) text.pop_back();

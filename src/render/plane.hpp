@@ -1,4 +1,4 @@
-// Words, lines and colours flat on a part of a picture: places in pixels from its lower left corner.
+// Text, lines and colours in a part of a picture; positions in pixels from its lower left corner.
 #pragma once
 #include <vtkLookupTable.h>
 #include <vtkRenderer.h>
@@ -9,7 +9,7 @@
 
 namespace fabricsh::render {
 
-// Width and height of a text in letters of a size.
+// Width and height of a text in the given font size.
 Point text_size(const std::string& text, int size);
 
 void write(vtkRenderer* renderer, const std::string& text, int size, const Point& centre);

@@ -48,7 +48,7 @@ double value(vtkDataArray* array, vtkIdType i, int component) {
   return std::sqrt(sum);
 }
 
-// Adds the array of numbers; false: this data doesn't hold the field.
+// Adds the array of the values to be drawn; false: this data set does not have the field.
 bool show(vtkDataSetAttributes* data, const plot::Picture& picture, Sheet& sheet) {
   vtkDataArray* array = data->GetArray(picture.array.c_str());
   const int component = array != nullptr ? component_of(array, picture.component) : -2;

@@ -1,4 +1,4 @@
-// What is drawn: the sheet of one file, in the length unit of the picture, with one number per cell or point.
+// The sheet of one file, in the length unit of the picture, with one number per cell or point.
 #pragma once
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
@@ -7,15 +7,15 @@
 
 namespace fabricsh::render {
 
-inline constexpr const char* kShown = "shown";  // name of the array of numbers
+inline constexpr const char* kShown = "shown";  // name of the array that is shown
 
 struct Sheet {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  bool of_cells = false, of_points = false;  // where the numbers are; neither: no field
-  double low = 0, high = 0;                  // of the finite numbers
+  bool of_cells = false, of_points = false;  // the values belong to cells or points; neither: no field
+  double low = 0, high = 0;                  // range of the finite numbers
 };
 
-// Error: no such file, no such field (with those that there are).
+// Error: the file is missing, or it does not have the field (the message lists those that it has).
 Sheet read_sheet(const std::string& path, const plot::Picture& picture);
 // Numbers of cells become those of points, each the mean of the cells around it.
 void make_smooth(Sheet& sheet);

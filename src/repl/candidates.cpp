@@ -1,4 +1,4 @@
-// Files as candidates, and candidates in columns.
+// File names as candidates for completion, and the listing of candidates in columns.
 #include <algorithm>
 #include <filesystem>
 

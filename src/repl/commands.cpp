@@ -21,7 +21,7 @@ bool is_free(lua_State* L, const std::string& name) {
   return free;
 }
 
-// shear, mesh:set, fabric.lab.fit, drape coefficient.
+// Whether the text is a help topic: shear, mesh:set, fabric.lab.fit, drape coefficient.
 bool is_topic(const std::string& text) {
   std::string word;
   for (const char c : text + ".") {

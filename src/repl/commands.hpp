@@ -1,4 +1,4 @@
-// Words that mean something at the prompt alone: help, ?, quit, exit.
+// Words with a meaning only at the prompt: help, ?, quit, exit.
 #pragma once
 #include <string>
 
@@ -6,14 +6,14 @@
 
 namespace fabricsh::repl {
 
-// Said when a session begins.
+// Shown at the beginning of a session.
 inline constexpr const char* greeting =
     "help() shows what there is, help \"shear\" all about shear; Tab completes; quit or Ctrl-D ends";
 
-// quit, exit, with or without (), where the user has no such name.
+// quit or exit, with or without (), unless the user has defined such a name.
 bool asks_to_leave(script::Session& session, const std::string& input);
 
-// "help", "?" and "? word" as the Lua that they mean; other input as it is.
+// Translates "help", "?" and "? word" to Lua; other input is returned unchanged.
 std::string meant(script::Session& session, const std::string& input);
 
 }  // namespace fabricsh::repl

@@ -32,9 +32,9 @@ class Completer {
   }
 
  private:
-  // Pushes what the first `steps` steps of a path lead to. Nothing is called: of a function's result no more
-  // is known than its class, which is returned (nil is pushed), unless it is the object that the method was
-  // called on.
+  // Pushes the value at the first `steps` steps of a path without calling anything. For the result of a
+  // function only its class is known; then nil is pushed and the class returned, except if the result is the
+  // object on which the method was called.
   std::string push(const Path& path, std::size_t steps) {
     lua_pushglobaltable(L_);
     std::string known;
@@ -44,7 +44,7 @@ class Completer {
     return known;
   }
 
-  // Replaces the value on top by what the step leads to from there.
+  // Replaces the value on top by the result of one step from it.
   std::string step_from_value(const Step& step) {
     if (step.name.empty())
       script::peek_item(L_, -1, step.number);
@@ -55,7 +55,7 @@ class Completer {
     return {};
   }
 
-  // The function on top, of the value below it, is called: both are replaced.
+  // A call of the function on top, which belongs to the value below it: replaces both by the result.
   std::string call(const Step& step) {
     const Entry* entry = script::entry_of(L_, -1);
     const std::string owner = script::class_of(L_, -2);
@@ -68,7 +68,7 @@ class Completer {
     return result;
   }
 
-  // The same where only a class is known of the value; nil is and stays on top.
+  // A step from a value of which only the class is known; the nil on top is kept.
   static std::string step_from_class(const Step& step, const std::string& owner) {
     const std::string result = script::result_class(owner + (step.called ? ":" : ".") + step.name);
     return result == "self" ? owner : result;
@@ -83,8 +83,8 @@ class Completer {
     return method_of(frame);
   }
 
-  // A name that is a property and a method too (mesh.elements, mesh:elements), or a method of what a call
-  // returns.
+  // The method for a name that is both a property and a method (mesh.elements, mesh:elements), or for a
+  // method of a call's result.
   const Entry* method_of(const Frame& frame) {
     const std::string known = push(*frame.callee, frame.callee->size() - 1);
     const std::string owner = known.empty() ? script::class_of(L_, -1) : known;
@@ -98,7 +98,7 @@ class Completer {
     return row == rows.end() ? nullptr : &*row;
   }
 
-  // Rows of the entries of a table that frame `level` opens; null when it isn't known.
+  // Rows of the entries in the table that frame `level` opens; null if not known.
   const std::vector<Argument>* rows_inside(std::size_t level) {
     const Frame& frame = place_.frames[level];
     if (frame.open != "{") return nullptr;
@@ -113,7 +113,7 @@ class Completer {
     return row == nullptr ? nullptr : &row->rows;
   }
 
-  // The row of the value that is being typed inside frame `level`; of a list's entry that of the list.
+  // The row of the value being typed inside frame `level`; inside a list, the row of the list.
   const Argument* row_inside(std::size_t level) {
     const Frame& frame = place_.frames[level];
     if (frame.open == "(") {
@@ -131,7 +131,7 @@ class Completer {
 
   const Argument* row() { return place_.frames.empty() ? nullptr : row_inside(place_.frames.size() - 1); }
 
-  // Names of arguments that are still to be given; true when there are any that fit.
+  // Adds the names of arguments not given yet; true if any of them matches.
   bool argument_names() {
     const auto* rows = place_.first ? rows_inside(place_.frames.size() - 1) : nullptr;
     if (rows == nullptr) return false;
@@ -143,7 +143,7 @@ class Completer {
     return !found_.empty();
   }
 
-  // Values that the row asks for: its words, in quotes, and globals that are objects of its class.
+  // Adds values that the row accepts: its words, in quotes, and global objects of its class.
   bool values_of_row() {
     const Argument* wanted = row();
     if (wanted == nullptr) return false;
@@ -182,7 +182,7 @@ class Completer {
     lua_pop(L_, 1);
   }
 
-  // Methods, or properties, of a class.
+  // The methods, or properties, of a class.
   Words names_of(const std::string& cls) const {
     Words names;
     for (const Entry& entry : session_.registry().entries())
@@ -203,7 +203,7 @@ class Completer {
     }
   }
 
-  // Texts that name something: a set of the object at hand, a freedom, a card.
+  // Adds texts that name something: a set of the present object, a degree of freedom, a card.
   bool special(const Argument& wanted) {
     const Entry* entry = callee(place_.frames.back());
     const bool of_sets = wanted.name == "set" || (entry != nullptr && entry->name == "mesh:set");
@@ -225,7 +225,7 @@ class Completer {
     return false;
   }
 
-  // One text holds several, with blanks between: the last is being typed.
+  // A text may have several of them, separated by blanks; the last one is being typed.
   void freedoms() {
     const std::size_t blank = place_.word.find_last_of(' ');
     if (blank != std::string::npos) {
@@ -236,7 +236,7 @@ class Completer {
     found_ = {"x", "y", "z", "rx", "ry", "rz", "rotation"};
   }
 
-  // What help knows by name, as it is written at the prompt.
+  // Adds the topics of help, as they are written at the prompt.
   void topics() {
     for (const Entry& entry : session_.registry().entries())
       found_.push_back(entry.name.starts_with("fabric.") ? entry.name.substr(7) : entry.name);
@@ -253,7 +253,7 @@ class Completer {
     lua_pop(L_, 2);
   }
 
-  // Keys of the table that is indexed.
+  // Adds the keys of the table that is indexed.
   void keys() {
     const auto& path = place_.frames.back().callee;
     if (!path) return;
@@ -287,7 +287,7 @@ class Completer {
   std::string_view text_;
   Place place_;
   Words found_;
-  std::string close_;  // what follows a word that is the only one
+  std::string close_;  // appended after the word if it is the only candidate
 };
 
 struct Request {

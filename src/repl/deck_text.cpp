@@ -14,7 +14,7 @@ std::string commented(const std::string& text, const std::string& mark) {
   return out + "\n";
 }
 
-// A comment at the end would swallow what is put behind it.
+// Ends a comment at the end of the input, which would otherwise include the text appended to it.
 std::string closed(const std::string& input) {
   const auto tokens = tokens_of(input);
   return !tokens.empty() && tokens.back().kind == Token::Kind::comment ? input + "\n" : input;
@@ -24,7 +24,7 @@ std::string statements(const std::string& input) {
   const auto tokens = tokens_of(input);
   if (outermost(tokens, "return")) return "_show((function(...)\n" + input + "\nend)(...))\n";
   if (!chunk_locals(tokens).empty() || outermost(tokens, "::")) return "do\n" + input + "\nend\n";
-  // a bracket at its beginning would call the value before it
+  // otherwise a bracket at the beginning would call the preceding value
   return (!tokens.empty() && tokens.front().is("(") ? ";" : "") + input + "\n";
 }
 

@@ -1,4 +1,4 @@
-// Prompt input as part of a deck: so that the same is done when all of it is one chunk.
+// Converts prompt input to a part of a deck, so that all of it has the same effect as a single chunk.
 #pragma once
 #include <string>
 
@@ -6,11 +6,11 @@
 
 namespace fabricsh::repl {
 
-// What failed becomes a comment; an expression is shown by _show(...); what is local or returns keeps to
-// itself.
+// A failed input becomes a comment; an expression is printed by _show(...); an input with local names or a
+// return is enclosed in a block.
 std::string deck_text(const std::string& input, const Result& result);
 
-// A deck that was run before the prompt came.
+// For a deck that was run before the prompt started.
 std::string deck_call(const std::string& path);
 
 }  // namespace fabricsh::repl

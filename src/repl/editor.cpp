@@ -20,9 +20,9 @@ namespace fabricsh::repl {
 namespace {
 
 constexpr int kept_inputs = 2000;
-constexpr char literal = '\1';  // around what takes no place on the screen
+constexpr char literal = '\1';  // encloses characters without width on the screen
 
-// Set by signals: Ctrl-C, the window has another size, the program was stopped and goes on.
+// Set by signals: Ctrl-C, change of the window's size, continuation after a stop.
 volatile std::sig_atomic_t interrupted = 0, resized = 0, resumed = 0;
 extern "C" void on_signal(int signal) {
   if (signal == SIGINT) interrupted = 1;
@@ -30,7 +30,7 @@ extern "C" void on_signal(int signal) {
   if (signal == SIGCONT) resumed = 1;
 }
 
-// These signals are for the editor, as long as it lives.
+// While an object of this class exists, the editor handles these signals.
 class Signals {
  public:
   Signals() {
@@ -45,7 +45,7 @@ class Signals {
   Signals(const Signals&) = delete;
   Signals& operator=(const Signals&) = delete;
 
-  // Sleeps until there is input or a signal, one that came since the last key too.
+  // Waits for input or a signal, including one that came since the last key.
   static void wait_for_input() {
     sigset_t ours, usual;
     sigemptyset(&ours);
@@ -76,7 +76,7 @@ class Terminal : public Lines {
  public:
   explicit Terminal(TerminalOptions options)
       : options_(std::move(options)), file_(options_.history_file, kept_inputs) {
-    const char* locale = std::setlocale(LC_CTYPE, "");  // letters beyond ASCII
+    const char* locale = std::setlocale(LC_CTYPE, "");  // for letters beyond ASCII
     if (locale == nullptr || std::string(locale) == "C") std::setlocale(LC_CTYPE, "C.UTF-8");
     edit_ = el_init("fabricsh", stdin, stdout, stderr);
     el_set(edit_, EL_CLIENTDATA, this);
@@ -137,7 +137,7 @@ class Terminal : public Lines {
     const Signals signals;
     typing_ = true;
     el_set(edit_, EL_PREP_TERM,
-           1);  // before the prompt, not behind it: what is typed at once would be echoed twice
+           1);  // before the prompt: input typed meanwhile would otherwise be echoed twice
     const char* text = el_gets(edit_, &count);
     typing_ = false;
     return text;
@@ -164,7 +164,7 @@ class Terminal : public Lines {
     return State::end;
   }
 
-  // 1 with a letter, 0 at the end, -1 when a signal or the system stops the reading.
+  // Returns 1 with a letter, 0 at the end, -1 if a signal or an error ends the reading.
   int read_letter(wchar_t& letter) {
     std::mbstate_t state{};
     while (true) {
@@ -182,7 +182,7 @@ class Terminal : public Lines {
       if (used == static_cast<std::size_t>(-2)) continue;  // the letter has more bytes
       if (used == static_cast<std::size_t>(-1)) {
         state = {};
-        continue;  // no letter of this encoding
+        continue;  // not a letter in this encoding
       }
       return 1;
     }
@@ -204,7 +204,7 @@ class Terminal : public Lines {
     el_set(edit_, EL_REFRESH);
   }
 
-  // Tab: what is common to all that fits; again, and all of it is listed. Blanks where there is no word yet.
+  // Tab inserts what all candidates begin with; a second Tab lists them. Without a word it inserts blanks.
   unsigned char complete() {
     const LineInfo* line = el_line(edit_);
     const std::string typed(line->buffer, line->cursor);
@@ -237,7 +237,7 @@ class Terminal : public Lines {
   TerminalOptions options_;
   HistoryFile file_;
   std::string prompt_, before_;
-  std::string listed_;  // the text at the Tab before, when that found nothing to add
+  std::string listed_;  // the text at the previous Tab, if that had nothing to insert
   bool typing_ = false;
   EditLine* edit_ = nullptr;
   History* history_ = nullptr;

@@ -20,7 +20,7 @@ bool is_numerical(lua_State* L, int index) {
   return named;
 }
 
-// What error() was given: nothing, a table without a text of its own, or something that has one.
+// The value given to error(): nothing, a table without a text, or something that has one.
 int value_text(lua_State* L) {
   const bool plain = lua_istable(L, 1) && luaL_getmetafield(L, 1, "__tostring") == LUA_TNIL;
   if (lua_isnil(L, 1))
@@ -32,24 +32,24 @@ int value_text(lua_State* L) {
   return 1;
 }
 
-// With the zero bytes that it may hold.
+// A string including zero bytes.
 std::string text_at(lua_State* L, int index) {
   std::size_t length = 0;
   const char* text = lua_tolstring(L, index, &length);
   return {text, length};
 }
 
-// 12 of "prompt:12: unexpected symbol"; 0 where there is none.
+// 12 for "prompt:12: unexpected symbol"; 0 if there is none.
 long line_of(const std::string& message) {
   const auto colon = message.find(':');
   return colon == std::string::npos ? 0 : std::strtol(message.c_str() + colon + 1, nullptr, 10);
 }
 
-// The error on top of the stack as a result, with who called whom; popped. A __tostring of the user's may
-// itself fail.
+// Makes a result from the error on top of the stack, with the chain of calls, and pops it. A __tostring of
+// the user may itself fail.
 Result failed(lua_State* L, const std::vector<script::Caller>& callers = {}) {
   script::Session& session = script::Session::of(L);
-  session.rest_hook(L);  // an interrupt that has been answered must not stop what follows
+  session.rest_hook(L);  // an interrupt already handled must not stop the following code
   Result result{is_numerical(L, -1) ? Outcome::numerical_failure : Outcome::deck_error};
   lua_pushcfunction(L, value_text);
   lua_insert(L, -2);
@@ -61,14 +61,14 @@ Result failed(lua_State* L, const std::vector<script::Caller>& callers = {}) {
   return result;
 }
 
-// Looks at the calls that are under way where an error is raised; upvalue: where they are to be kept. Leaves
+// Message handler: records the active calls where an error is raised; upvalue: where to store them. Returns
 // the error.
 int see_callers(lua_State* L) {
   *static_cast<std::vector<script::Caller>*>(lua_touserdata(L, lua_upvalueindex(1))) = script::callers(L);
   return 1;
 }
 
-// Calls the chunk below `arguments` values with all results left on the stack.
+// Calls the chunk below `arguments` values; all results stay on the stack.
 Result call(lua_State* L, int arguments) {
   std::vector<script::Caller> callers;
   const int chunk = lua_gettop(L) - arguments;
@@ -80,7 +80,7 @@ Result call(lua_State* L, int arguments) {
   return status == LUA_OK ? Result{} : failed(L, callers);
 }
 
-// Whether the error on top says so; popped, as is a chunk.
+// Whether the error on top says that the input is incomplete; pops it, or the chunk.
 bool ends_early(lua_State* L, int status) {
   const std::string message = status == LUA_ERRSYNTAX ? lua_tostring(L, -1) : "";
   lua_pop(L, 1);
@@ -93,8 +93,8 @@ int load(lua_State* L, const std::string& text, const std::string& name) {
   return luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t");
 }
 
-// A quoted text can't go on in the next line, whatever the parser says, unless a backslash stands before the
-// end.
+// Whether a quoted string is unfinished. It cannot continue on the next line, whatever the parser says,
+// unless the line ends with a backslash.
 bool open_quote(const std::string& input) {
   const auto tokens = tokens_of(input);
   if (tokens.empty() || tokens.back().kind != Token::Kind::text || !tokens.back().unfinished) return false;
@@ -162,7 +162,7 @@ Result evaluate(script::Session& session, const std::string& input) {
     lua_remove(L, 1);
     return finish(session);
   }
-  // Neither an expression nor a statement: the reading that came further knows where it went wrong.
+  // Neither an expression nor a statement: of the two errors the one further on is the better.
   if (line_of(text_at(L, 1)) > line_of(text_at(L, 2))) lua_pop(L, 1);
   return failed(L);
 }

@@ -52,7 +52,7 @@ bool same_file(int opened, const std::string& path) {
          here.st_dev == there.st_dev;
 }
 
-// Opens and locks the file that has the name now: another session may have replaced it while this one waited.
+// Opens and locks the file of that name; another session may have replaced it during the wait.
 int open_locked(const std::string& path) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     const int number = open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
@@ -63,7 +63,7 @@ int open_locked(const std::string& path) {
   return -1;
 }
 
-// A line that a crash left without its end must not run into the next one.
+// A line left incomplete by a crash must not be joined with the next one.
 bool ends_a_line(const Descriptor& file) {
   struct stat status {};
   char last = '\n';
@@ -79,7 +79,7 @@ std::vector<std::string> read_lines(const std::string& path) {
   return lines;
 }
 
-// Made where it is missing.
+// Creates the folder if it is missing.
 bool folder_exists(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   std::error_code trouble;
@@ -103,7 +103,7 @@ std::vector<std::string> HistoryFile::load() const {
       system::write_file(path_, whole, system::Sync::no);
       chmod(path_.c_str(), 0600);
     } catch (const Error&) {
-      // it stays long: nothing is lost
+      // the file stays long; nothing is lost
     }
   }
   for (std::string& line : lines) line = from_one_line(line);

@@ -12,21 +12,21 @@ namespace fabricsh::repl {
 
 namespace {
 
-// A signal handler can be given nothing: what it needs has to be here.
+// Signal handlers have no arguments, so these variables must be global.
 script::Session* interruptible = nullptr;
 Attended attended_now = Attended::no;
-volatile std::sig_atomic_t running = 0, asked = 0;  // is something running; Ctrl-C came while it did
+volatile std::sig_atomic_t running = 0, asked = 0;  // something is running; Ctrl-C came meanwhile
 volatile std::sig_atomic_t between = 0;             // Ctrl-C came between two lines
-volatile std::sig_atomic_t last = 0;                // the signal that waits for an answer
-volatile std::time_t since = 0;  // s on a clock that only goes on, when the first SIGTERM came
+volatile std::sig_atomic_t last = 0;                // the last signal not answered yet
+volatile std::time_t since = 0;                     // s of a monotonic clock, at the first SIGTERM
 
-constexpr int kPatience = 10'000'000;    // instructions that a hook of a run may take to come to its end
+constexpr int kPatience = 10'000'000;    // instructions after which a hook of a run is stopped
 constexpr unsigned answers_within = 10;  // s
-constexpr std::time_t one_signal = 2;    // s, in which several are one that was sent in several ways
+constexpr std::time_t one_signal = 2;    // s, within which several signals count as one
 
 void stop_late(lua_State* L, lua_Debug*);
 
-// Lua code stops at once, but in a hook of a run, which answers after its step.
+// Stops Lua code at once; but in a hook of a run, the run answers after its step.
 void stop(lua_State* L, bool late) {
   script::Session& session = script::Session::of(L);
   session.rest_hook(L);
@@ -55,7 +55,7 @@ std::time_t seconds_now() {
   return now.tv_sec;
 }
 
-// SIGTERM may come several times at once: to each process of a job, and handed on by its shell.
+// SIGTERM may arrive several times at once: each process of a job gets it, and a shell forwards it.
 void ask_to_end(int signal) {
   if (running == 0) return end_by(signal);
   if (interruptible->terminated() == 0) {
@@ -66,7 +66,7 @@ void ask_to_end(int signal) {
   if (seconds_now() - since >= one_signal && !at_last_outputs) end_by(signal);
 }
 
-// Where Lua does not come to its next instruction no hook is called.
+// While C code runs, Lua calls no hooks, so an alarm ends the program if the signal is not answered.
 extern "C" void on_no_answer(int) {
   if (interruptible == nullptr || running == 0 || !interruptible->interrupted()) return;
   if (script::run_is_at_work())
@@ -75,7 +75,7 @@ extern "C" void on_no_answer(int) {
     end_by(last);
 }
 
-// While a line is being typed Ctrl-C need only wake the reader.
+// While a line is being typed, Ctrl-C only has to interrupt the reading.
 extern "C" void on_interrupt_or_end(int signal) {
   if (interruptible == nullptr) return;
   const bool first = interruptible->terminated() == 0;
@@ -99,13 +99,13 @@ extern "C" void on_interrupt_or_end(int signal) {
 
 void set_handler(void (*handler)(int)) {
   struct sigaction action {};
-  action.sa_handler = handler;  // without SA_RESTART: a read at the prompt is interrupted too
+  action.sa_handler = handler;  // without SA_RESTART, so that reading at the prompt is interrupted too
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup stays what it is
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup remains effective
 }
 
 void set_watch(void (*handler)(int)) {

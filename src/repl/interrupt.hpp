@@ -1,19 +1,19 @@
-// Ctrl-C, SIGTERM and SIGHUP: what runs stops where it is whole, and what does not stop is ended.
+// Ctrl-C, SIGTERM and SIGHUP: stops what is running in a consistent state; ends the program if that fails.
 #pragma once
 #include "script/session.hpp"
 
 namespace fabricsh::repl {
 
-// Does somebody sit at the program's prompt, who can ask again?
+// Whether a user is at the prompt, who can press Ctrl-C again.
 enum class Attended { no, yes };
 
-// Ctrl-C, SIGTERM or SIGHUP stops the Lua code or the analysis that runs in this session, as long as the
-// guard lives. The program ends by the signal where that has not been answered after ten seconds, as in one
-// long function of Lua's; a run is waited for, which answers after its step, and Ctrl-C at a prompt leaves it
-// to who sits there. A second Ctrl-C within the same input ends the program at once; a second SIGTERM or
-// SIGHUP does when it comes two seconds after the first or later, for the first may come several times,
-// unless a run is at its last outputs. After the guard Ctrl-C is ignored: all that was asked for is done, the
-// program is about to end, and its exit code should tell how the deck went.
+// While the guard exists, Ctrl-C, SIGTERM or SIGHUP stops the Lua code or the analysis running in this
+// session. If the signal is not answered within ten seconds, for example in a long function of Lua itself,
+// the program ends; but a run is waited for, since it answers after its step, and at a prompt Ctrl-C is left
+// to the user. A second Ctrl-C during the same input ends the program at once. A second SIGTERM or SIGHUP
+// does so if it comes at least two seconds after the first, because the first may be delivered several times,
+// and unless a run is writing its last outputs. After the guard has gone, Ctrl-C is ignored: everything is
+// done, and the exit code should still tell the result of the deck.
 class InterruptGuard {
  public:
   explicit InterruptGuard(script::Session& session, Attended attended = Attended::no);
@@ -22,7 +22,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
-// While this lives Ctrl-C is for what runs: input that is evaluated, or a deck.
+// While an object of this class exists, Ctrl-C concerns the input being evaluated, or a deck.
 class Running {
  public:
   explicit Running(script::Session& session);
@@ -34,7 +34,7 @@ class Running {
   script::Session& session_;
 };
 
-// Has Ctrl-C come while nothing ran and no line was being typed? Asking forgets it.
+// Whether Ctrl-C came while nothing was running and no line was being typed. Resets the flag.
 bool ctrl_c_between_lines();
 
 }  // namespace fabricsh::repl

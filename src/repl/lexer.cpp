@@ -75,7 +75,7 @@ class Reader {
         !closed && stop == text_.size());
   }
 
-  // Level of the long bracket that opens at a place: 0 of [[, 1 of [=[; -1: none does.
+  // Level of the long bracket that opens at a position: 0 for [[, 1 for [=[; -1 if there is none.
   int long_level(std::size_t place) const {
     int level = 0;
     for (std::size_t i = place + 1; i < text_.size(); ++i, ++level) {
@@ -85,7 +85,7 @@ class Reader {
     return -1;
   }
 
-  // From at_, where the long bracket opens at `open`.
+  // Reads from at_ a long text or comment whose long bracket is at `open`.
   void long_text(Token::Kind kind, std::size_t open) {
     const auto level = static_cast<std::size_t>(long_level(open));
     const std::string close = "]" + std::string(level, '=') + "]";

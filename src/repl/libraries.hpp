@@ -1,4 +1,4 @@
-// What the prompt and the language stand on.
+// The libraries used by the prompt and by the language.
 #pragma once
 #include <vector>
 

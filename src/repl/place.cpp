@@ -14,7 +14,7 @@ bool ends_value(const Token& token) {
          token.is("}");
 }
 
-// The step that ["c"] or [2] at the tokens before `end` makes.
+// The step given by ["c"] or [2] in the tokens before `end`.
 std::optional<Step> bracket_step(const Tokens& tokens, std::size_t end) {
   if (end < 4 || !tokens[end - 3].is("[")) return {};
   const Token& inside = tokens[end - 2];
@@ -23,7 +23,7 @@ std::optional<Step> bracket_step(const Tokens& tokens, std::size_t end) {
   return {};
 }
 
-// The token whose bracket the one before `end` closes; none: there is no such.
+// The token with the bracket that is closed just before `end`; empty if there is none.
 std::optional<std::size_t> opening(const Tokens& tokens, std::size_t end) {
   int depth = 0;
   for (std::size_t i = end; i-- > 0;) {
@@ -33,7 +33,7 @@ std::optional<std::size_t> opening(const Tokens& tokens, std::size_t end) {
   return {};
 }
 
-// Where the arguments begin of the call that ends before `end`: f(x), f{x}, f "x"; none: it is no call.
+// Where the arguments begin of a call that ends before `end`: f(x), f{x}, f "x"; empty if it is no call.
 std::optional<std::size_t> arguments_of(const Tokens& tokens, std::size_t end) {
   const Token& last = tokens[end - 1];
   const bool text = last.kind == Kind::text && !last.unfinished;
@@ -43,7 +43,7 @@ std::optional<std::size_t> arguments_of(const Tokens& tokens, std::size_t end) {
   return begin && *begin > 0 && tokens[*begin - 1].kind == Kind::name ? begin : std::nullopt;
 }
 
-// The path whose last token stands before `end`; none when it is an expression, or no value at all.
+// The path that ends before `end`; empty if it is an expression, or no value at all.
 std::optional<Path> path_before(const Tokens& tokens, std::size_t end) {
   Path path;
   while (end > 0) {
@@ -92,7 +92,7 @@ void follow(const Tokens& tokens, std::size_t i, std::vector<Frame>& frames) {
   }
 }
 
-// A text right behind a value is the one argument of a call: fabric.card "
+// A string right after a value is the only argument of a call: fabric.card "
 void text_place(const Tokens& tokens, Place& place, std::string_view all) {
   const Token& text = tokens.back();
   place.kind = Place::Kind::text;
@@ -104,7 +104,7 @@ void text_place(const Tokens& tokens, Place& place, std::string_view all) {
   if (frame.callee) place.frames.push_back(std::move(frame));
 }
 
-// A name, or the place right behind a dot, a colon, or anything else.
+// For a name, or the position right after a dot, a colon, or anything else.
 void word_place(const Tokens& tokens, Place& place, std::string_view all) {
   const bool typed = !tokens.empty() && tokens.back().end == all.size() &&
                      (tokens.back().kind == Kind::name || tokens.back().kind == Kind::keyword);

@@ -1,5 +1,5 @@
-// Where in Lua text a cursor stands: what is being typed there, in which call, behind which object. Text
-// alone, no Lua.
+// The context of the cursor in Lua text: what is being typed, in which call, after which object. Uses only
+// the text, not the Lua state.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,39 +10,39 @@
 
 namespace fabricsh::repl {
 
-// a.b["c"][2]:d(...).e as its steps; the first is a global.
+// The steps of a path such as a.b["c"][2]:d(...).e; the first one is a global.
 struct Step {
-  std::string name;  // empty: number
+  std::string name;  // empty: the step is `number`
   long long number = 0;
-  bool method = false;  // behind a colon
-  bool called = false;  // what it returns is meant
+  bool method = false;  // after a colon
+  bool called = false;  // the result of calling it
 };
 using Path = std::vector<Step>;
 
-// An opened bracket that the text has not closed.
+// A bracket or block that is still open.
 struct Frame {
   std::string open;                // "(", "{", "[", or the keyword of a block
-  std::optional<Path> callee;      // what is called by ( or {, or indexed by [; none: not known, or nothing
-  std::size_t argument = 0;        // commas so far
-  std::string key;                 // inside {: `key =` of the entry that is being typed
-  std::vector<std::string> given;  // inside {: keys of all entries so far
+  std::optional<Path> callee;      // what is called by ( or {, or indexed by [; empty: not known, or nothing
+  std::size_t argument = 0;        // number of commas so far
+  std::string key;                 // inside {: `key =` of the entry being typed
+  std::vector<std::string> given;  // inside {: the keys of all entries so far
 };
 
 struct Place {
   enum class Kind {
     nothing,  // a comment, a number
     word,     // a name
-    member,   // a name behind `path.` or `path:`
-    text,     // between quotes
+    member,   // a name after `path.` or `path:`
+    text,     // within quotes
   };
   Kind kind = Kind::nothing;
-  std::size_t from = 0;            // where the word begins, the quote not included
-  std::string word = {};           // typed so far
-  char quote = '\0';               // of a text
-  std::optional<Path> path = {};   // of a member; none: can't be known
-  bool method = false;             // behind a colon
-  bool behind_value = false;       // nothing typed, right behind a text or a closed bracket
-  bool first = false;              // a word that may be the key of a table's entry
+  std::size_t from = 0;            // position where the word begins, without the quote
+  std::string word = {};           // the part typed so far
+  char quote = '\0';               // for a string
+  std::optional<Path> path = {};   // for a member; empty: not known
+  bool method = false;             // after a colon
+  bool behind_value = false;       // nothing typed yet, directly after a string or a closed bracket
+  bool first = false;              // the word may be the key of an entry in a table
   std::vector<Frame> frames = {};  // outermost first
 };
 

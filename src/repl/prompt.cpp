@@ -21,7 +21,7 @@ void show(const Result& result, const Voice& voice) {
   if (!result.shown.empty()) voice.out << result.shown << std::endl;
 }
 
-// An input that was done is kept, whatever happens to the transcript's file.
+// Adds an executed input to the history and the transcript, even if the transcript's file fails.
 void keep(script::Session& session, const std::string& text, const Voice& voice) {
   try {
     script::transcript_of(session.lua()).add(text);
@@ -46,11 +46,11 @@ Outcome run(script::Session& session, const std::string& input, const Voice& voi
   return result.outcome;
 }
 
-// Names of the library's and of Lua's that stand for what they did when the session began.
+// The names of the library and of Lua that still have their original meaning in this session.
 class OwnNames {
  public:
   explicit OwnNames(script::Session& session) : L_(session.lua()), names_(script::names_as_made(L_)) {}
-  // Says once of each name that it has been assigned over.
+  // Reports each name that has been overwritten, once.
   void look(const Voice& voice) {
     const auto now = script::names_as_made(L_);
     for (const std::string& name : names_)
@@ -97,7 +97,7 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
       continue;
     }
     if (state ==
-        Lines::State::end) {  // Ctrl-D, or the text ends: what is not whole says so, the session goes on
+        Lines::State::end) {  // Ctrl-D or end of text: incomplete input is an error, the session continues
       evaluated(std::exchange(input, {}));
       continue;
     }

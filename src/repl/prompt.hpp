@@ -1,4 +1,4 @@
-// The interactive session: reads, evaluates, shows, until the lines end.
+// The interactive session: reads, evaluates and prints until the input ends.
 #pragma once
 #include <ostream>
 
@@ -8,16 +8,16 @@
 
 namespace fabricsh::repl {
 
-// What the session says on its two streams.
+// The two output streams of the session.
 struct Voice {
   std::ostream &out, &err;
   Style style = Style();  // of err
 };
 
-// Errors are shown on err and never end the session. Returns what the first input that was not done came to.
+// Errors are shown on err and do not end the session. Returns the outcome of the first input that failed.
 Outcome converse(script::Session& session, Lines& lines, const Voice& voice);
 
-// A word about input that does what few people mean; empty: nothing to say.
+// Advice on input with an effect that is rarely intended; empty: none.
 std::string advice(const std::string& input);
 
 }  // namespace fabricsh::repl

@@ -1,4 +1,4 @@
-// Colours of the prompt, of errors and of notices, where a terminal shows them and nobody asked for none.
+// Colours of the prompt, of errors and of notices, if the terminal has them and the user wants them.
 #pragma once
 #include <string>
 
@@ -6,15 +6,15 @@ namespace fabricsh::repl {
 
 enum class Tone { prompt, error, notice };
 
-// no_color, term: what $NO_COLOR and $TERM say, null when unset. See no-color.org.
+// no_color, term: the values of $NO_COLOR and $TERM, null if unset. See no-color.org.
 bool colours_wanted(bool terminal, const char* no_color, const char* term);
 
 class Style {
  public:
   explicit Style(bool colours = false) : colours_(colours) {}
-  // For what is written to a file descriptor.
+  // The style for output to a file descriptor.
   static Style of(int descriptor);
-  // The text between the escape sequences of its tone; `mark` before and behind each (libedit wants that).
+  // The text with the escape sequences of its tone; `mark` encloses each sequence (libedit needs that).
   std::string dress(Tone tone, const std::string& text, const std::string& mark = "") const;
 
  private:

@@ -18,7 +18,7 @@ Touching nearest_pair(const Run& run) {
   return {nearest.gap, nearest.point[0] < 0 ? std::string() : contact.words(nearest.point)};
 }
 
-// Planes are shown a little wider than the cloth.
+// Planes are drawn a little wider than the cloth.
 std::vector<BodyShown> shown_bodies(const Run& run) {
   std::vector<BodyShown> all;
   const mechanics::Contacts* contact = run.assembly().contact();

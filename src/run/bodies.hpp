@@ -1,4 +1,4 @@
-// The rigid bodies of a run, and what is nearest to touch: to be read and shown.
+// Reading the rigid bodies of a run, and the pair that is closest to contact.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,22 +10,22 @@ namespace fabricsh::run {
 
 struct BodyShown {
   std::string name;
-  std::vector<Vec3> vertices;                // m, where they are now
+  std::vector<Vec3> vertices;                // m, present positions
   std::vector<contact::Triangle> triangles;  // counter-clockwise from outside
 };
 struct BodyState {
   Vec3 place, velocity, spin;  // of its centre, m, m/s; rad/s
   Vec3 force;                  // N, of the body on the cloth
 };
-// Error: nothing touches in the model; the body is none of it.
+// Error: the model has no contact, or the body is not part of it.
 BodyState body_state(const Run& run, const model::Rigid& body);
 struct Touching {
-  double gap;         // m, above the floor: of the pair that is nearest to it, no more than contact reaches
-  std::string words;  // "node 3 and the sphere"; empty: none is so near
+  double gap;         // m, above the floor, for the pair closest to its floor; at most the range of contact
+  std::string words;  // "node 3 and the sphere"; empty: no pair within range
 };
-Touching nearest_pair(const Run& run);  // Error: nothing touches in the model
+Touching nearest_pair(const Run& run);  // Error: the model has no contact
 
-// Of every body, in the order in which contacts name them; none without contact.
+// All bodies, in the order in which the contacts name them; empty without contact.
 std::vector<BodyShown> shown_bodies(const Run& run);
 
 }  // namespace fabricsh::run

@@ -8,7 +8,7 @@
 namespace fabricsh::run {
 
 namespace {
-constexpr std::size_t kShare = 4096;  // unknowns from which threads share a loop
+constexpr std::size_t kShare = 4096;  // number of unknowns from which loops use several threads
 }
 
 CentralDifferences::CentralDifferences(std::vector<double> mass, double gamma,

@@ -1,9 +1,9 @@
-// Central differences on the unknowns: beta = 0, lumped mass; one evaluation of forces a step.
+// Central differences on the unknowns: beta = 0, lumped mass, one evaluation of forces per step.
 //
 //   v~ = v + (1 - gamma) dt a,   x+ = x + dt v + dt^2/2 a,   M a+ = f(x+) - C v+,   v+ = v~ + gamma dt a+
 //
-// Rotations of a director count along b1, b2, which travel with it on its great circle, so that velocities
-// keep their components: momentum and angular momentum are kept exactly.
+// Rotations of a director are components along b1, b2, which are transported with it along its great circle.
+// Velocities therefore keep their components, and momentum and angular momentum are conserved exactly.
 #pragma once
 #include <functional>
 #include <span>
@@ -16,24 +16,24 @@ namespace fabricsh::run {
 
 class CentralDifferences final : public mechanics::Motion {
  public:
-  // mass: per unknown, kg and kg m^2. driven: rates of the driven freedoms at the step's beginning.
+  // mass: per unknown, kg and kg m^2. driven: rates of the driven freedoms at the beginning of the step.
   CentralDifferences(std::vector<double> mass, double gamma, std::function<std::vector<double>()> driven);
 
-  // The increment of a step of dt(), and the velocity predicted in it. farthest: m or rad per unknown; false:
-  // one goes beyond.
+  // Computes the increment of a step of dt() and the predicted velocity. farthest: limit per unknown, m or
+  // rad; false: an increment exceeds it.
   bool predict(std::span<const double> farthest);
-  // The acceleration that the residual makes, the damping of the masses (1/s) taken into account, and the
-  // velocity with it.
+  // Computes the acceleration from the residual, including the damping of the masses (1/s), and the corrected
+  // velocity.
   void accelerate(std::span<const double> residual, double mass_damping);
-  void start(std::vector<double> velocities);  // of the committed and the trial motion
-  void begin() { committed_.a = trial_.a; }    // with the accelerations that the run starts with
+  void start(std::vector<double> velocities);  // sets the committed and the trial motion
+  void begin() { committed_.a = trial_.a; }    // to be called with the initial accelerations
   void commit() { std::swap(committed_, trial_); }
-  // Is the trial motion that of a whole step, to be read before it is committed?
+  // Whether rates() and velocities are those of a complete trial step, to be read before the commit.
   void show_trial(bool tried) { tried_ = tried; }
 
   const std::vector<double>& increment() const { return increment_; }
   const std::vector<double>& velocities() const { return (tried_ ? trial_ : committed_).v; }
-  // J, that the trapezoid's work of all forces has beyond the change of the kinetic energy in the step.
+  // J, work of all forces by the trapezoidal rule less the change of the kinetic energy in the step.
   double loss() const { return work_of_acceleration() - kinetic_of(trial_.v) + kinetic_of(committed_.v); }
   void keep(Archive& archive) { archive(committed_.v, committed_.a); }
 

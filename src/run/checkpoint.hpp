@@ -1,4 +1,4 @@
-// What a checkpoint holds of a run and of what it writes, and how a run begins from it.
+// The content of a checkpoint, the state of a run and of its outputs, and starting a run from it.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -13,24 +13,24 @@
 namespace fabricsh::run {
 
 struct Checkpoint {
-  std::string path;  // it was read from; not kept
+  std::string path;  // the file it was read from; not stored
 
-  std::string version, instructions;  // of the program; of the kernels, on which the bits hang
-  std::string deck;                   // or program, that drove the run
+  std::string version, instructions;  // of the program; of the kernels, on which the bits depend
+  std::string deck;                   // or program, that started the run
   std::uint64_t deck_hash = 0;
   std::int64_t number = 0;  // of the run among those of the deck, from 1
   model::Fingerprint problem;
   double time = 0;              // s
   std::string state, settings;  // Run::kept(), keep_settings()
-  double seconds = 0;           // spent
-  std::string caller;           // what who drives the run keeps besides, as bytes
-  struct Part {                 // an output ("record", "vtk"), or what a caller keeps by name
+  double seconds = 0;           // computing time of the run so far
+  std::string caller;           // additional data of the program that drives the run
+  struct Part {                 // an output ("record", "vtk"), or named data of a caller
     std::string kind, path, bytes;
     void keep(Archive& archive) { archive(kind, path, bytes); }
   };
   std::vector<Part> parts;
-  std::vector<std::string> finished;                      // checkpoints of the ends of other runs, as bytes
-  std::vector<std::shared_ptr<const Checkpoint>> others;  // the same, once read; not kept
+  std::vector<std::string> finished;                      // checkpoints at the ends of other runs, as bytes
+  std::vector<std::shared_ptr<const Checkpoint>> others;  // the same after reading; not stored
 
   void keep(Archive& archive) {
     archive.section("program", [&] { archive(version, instructions); });
@@ -39,41 +39,41 @@ struct Checkpoint {
     archive.section("state", [&] { archive(time, state, settings); });
     archive.section("outputs", [&] { archive(parts, finished); });
   }
-  std::string bytes() const;  // whole, as one of `finished`
+  std::string bytes() const;  // the whole checkpoint, for example as an entry of `finished`
 };
 
-// All that a run's state hangs on: method, duration, kernels, cards and model.
+// All that a run's state depends on: method, duration, kernels, cards and model.
 model::Fingerprint problem_of(const Run& run);
-// The run as it is, with nothing yet of what it writes.
+// The run's present state, without its outputs.
 Checkpoint checkpoint_of(Run& run);
 
-// Replaces the file, whole at any instant. Error: it can't be written.
+// Replaces the file, which is complete at any instant. Error: it cannot be written.
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
-// Errors: see format::read_checkpoint; a part with other members than here, by its name; a file that was
-// written with other vector instructions, whose bits would not be the same.
+// Errors: those of format::read_checkpoint; a part whose members differ from this build's (named); a file
+// written with other vector instructions, which would give other bits.
 std::shared_ptr<const Checkpoint> read_checkpoint(const std::string& path);
 
-// "" or what the run's problem differs in from the checkpoint's.
+// The differences between the run's problem and the checkpoint's; empty if there are none.
 std::string difference(const Checkpoint& checkpoint, const Run& run);
-// Settings and state. Error: names the file and why; the run is then as it was.
+// Restores settings and state. Error: names the file and the reason; the run is then unchanged.
 void take_up(Run& run, const Checkpoint& checkpoint);
 
-// What a restarted run's outputs have taken of its checkpoint.
+// Keeps track of the parts of a checkpoint that the outputs of a restarted run have continued.
 class Claims {
  public:
   Claims() = default;
   explicit Claims(std::shared_ptr<const Checkpoint> from) : from_(std::move(from)) {}
   const std::shared_ptr<const Checkpoint>& from() const { return from_; }
   bool open() const { return from_ && !went_on_; }
-  // The part of that kind and path or, where the run writes elsewhere now, the next of that kind in the order
-  // of the checkpoint. Null: the run begins from none or has gone on from it. Error: there is none left.
+  // Returns the part with that kind and path; without one, since the run may now write elsewhere, the next of
+  // that kind. Null: the run starts from no checkpoint or has made steps. Error: no part is left.
   const std::string* take(const std::string& kind, const std::string& path);
-  // Before the first step; outputs made later are new. Error: names a part that nothing goes on with.
+  // Called before the first step; outputs made later are new. Error: a part that no output continues (named).
   void check();
 
  private:
   std::shared_ptr<const Checkpoint> from_;
-  std::map<std::size_t, std::string> claimed_;  // parts, and the path that each goes on with
+  std::map<std::size_t, std::string> claimed_;  // parts, and the path of the output that continues each
   bool went_on_ = false;
 };
 

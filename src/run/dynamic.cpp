@@ -20,13 +20,13 @@ namespace fabricsh::run {
 
 namespace {
 
-constexpr int kChecks = 200;        // of the ledger, in a run
-constexpr int kApart = 10;          // explicit steps from one to the next, at least: a look costs half a step
-constexpr int kYoung = 50;          // explicit steps before which the trapezoid says little of the work
-constexpr double kYoungLimit = 10;  // times the limit, that holds for implicit steps until then
-constexpr double kWarning = 1e-3;   // energy made, over the external work
-constexpr double kHeavy = 0.05;     // of the kinetic energy: what scaled rotary inertia may have unsaid
-constexpr double kRateStep = 1e-6;  // s, over which prescribed motions are differenced
+constexpr int kChecks = 200;        // checks of the ledger in a run
+constexpr int kApart = 10;          // least number of explicit steps between checks: one costs half a step
+constexpr int kYoung = 50;          // explicit steps until the trapezoidal rule gives a reliable work
+constexpr double kYoungLimit = 10;  // factor on the limit for implicit steps until then
+constexpr double kWarning = 1e-3;   // created energy over the external work
+constexpr double kHeavy = 0.05;     // share of the kinetic energy in scaled rotary inertia that is tolerated
+constexpr double kRateStep = 1e-6;  // s, for differences of prescribed motions
 
 void refuse(const char* field, const char* expected, double got) {
   throw Error(std::string("dynamic: field '") + field + "': expected " + expected + ", got " + number(got));
@@ -135,7 +135,7 @@ mechanics::NodalRates Dynamic::initial_rates() const {
   return rates;
 }
 
-// Which of the nodes' velocities lie along a freedom that is held or driven; the axes of those are marked.
+// The nodes with an initial velocity along a held or driven degree of freedom; `axes` marks the directions.
 std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
                                          std::array<bool, 3>& axes) const {
   std::vector<bool> dropped(assembly_->reference().size(), false);
@@ -151,9 +151,9 @@ std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
   return dropped;
 }
 
-// Once, for all sets together.
+// Gives one notice for all sets together.
 void Dynamic::tell_dropped(const mechanics::NodalRates& rates) const {
-  constexpr std::size_t most = 3;  // names of sets
+  constexpr std::size_t most = 3;  // number of sets named
   std::array<bool, 3> axes{};
   const auto dropped = dropped_nodes(rates, axes);
   const auto nodes = std::count(dropped.begin(), dropped.end(), true);
@@ -190,7 +190,7 @@ void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<doub
 }
 
 std::vector<double> Dynamic::driven_rates() const {
-  // Not beyond the end, where a history of the deck's need not reach.
+  // Not beyond the end of the run, where a history of the deck may not be defined.
   const double width = std::min(kRateStep, 1e-3 * now_.step);
   const double from = std::max(0.0, time() - width), to = time() >= duration_ ? time() : time() + width;
   auto later = assembly_->targets(to);
@@ -228,10 +228,10 @@ Vec3 Dynamic::inertia(mesh::Index node) const {
   return force;
 }
 
-// A support that speeds its nodes up gives them their kinetic energy.
+// A support that accelerates its nodes supplies their kinetic energy.
 double Dynamic::driven_work() const { return driven_kinetic() - now_.driven_kinetic_at_0; }
 
-// Where a law made most energy; where none did, where the energy is densest.
+// The element in which a law created most energy; otherwise the one with the largest energy density.
 mesh::Index Dynamic::suspect() const {
   mesh::Index maker = 0, densest = 0;
   double most = 0, density = -1;
@@ -255,7 +255,7 @@ mesh::Index Dynamic::suspect() const {
   return most > 0 ? maker : densest;
 }
 
-// A run above the stable step grows whatever its limit is; another may be told to go on.
+// Above the stable step the energy grows without limit; other runs may go on with a larger limit.
 std::string Dynamic::remedy(const Energy& e) const {
   if (options_.scheme == Scheme::explicit_steps && now_.step > stable_)
     return "step=\"auto\" (the step of " + number(now_.step) + " s is above the stable one, " +
@@ -273,9 +273,9 @@ bool Dynamic::looks_after(std::int64_t steps, double time) const {
   return is_end(time) || (is_due(time) && steps >= now_.looked + kApart);
 }
 
-// J: an energy that nobody would call motion. Places are rounded to about 1e-16 of the cloth's size, a node
-// that is put right over one step gets a speed by it, and over many steps such speeds add up; here it is the
-// energy of all the mass at 1e5 times that speed, some um/s. A cloth that waits for a punch has no more.
+// J: the kinetic energy that rounding alone can cause. Positions are rounded to about 1e-16 of the cloth's
+// size; correcting such an error within one step gives a node a speed, and over many steps these speeds add
+// up. The bound is the energy of the whole mass at 1e5 times that speed, some um/s, as in cloth at rest.
 double energy_of_rounding(const mechanics::Assembly& assembly, double step) {
   const auto& masses = assembly.nodal_mass();
   const double mass = std::accumulate(masses.begin(), masses.end(), 0.0);
@@ -284,15 +284,15 @@ double energy_of_rounding(const mechanics::Assembly& assembly, double step) {
   return mass * speed * speed / 2;
 }
 
-// What energy() has of it, without the rest.
+// The kinetic energy as in energy(), without computing the other energies.
 double Dynamic::moving_kinetic() const {
   const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
   return motion().kinetic() + driven_kinetic() + (contact == nullptr ? 0 : contact->bodies().kinetic());
 }
 
 void Dynamic::check() {
-  // A step that iterates costs many times what a look does, and conserves the energy that loads give it from
-  // the first on.
+  // The cost of a check is small compared with an implicit step, and the energy balance of implicit steps is
+  // good from the first one on.
   const bool is_implicit = options_.scheme == Scheme::implicit_steps;
   const bool end = is_end(time());
   if (!is_implicit && !is_due(time())) return;
@@ -302,12 +302,12 @@ void Dynamic::check() {
   now_.looked = now_.steps;
   const Energy e = energy();
   weigh_inertia(e.kinetic, e.scaled);
-  // A run begins with next to no work: an error is one of the run's only where it is of its largest energies.
-  // So that rounding is no error before anything moves, the scale is at least what rounding may stir up.
+  // At the beginning the work is almost zero, so the error is compared with the largest energies of the run,
+  // and at least with what rounding can cause, so that rounding is no error before anything moves.
   const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal(),
                                  energy_of_rounding(*assembly_, now_.step) / kWarning});
   const double made = std::abs(e.surplus()) + e.created;
-  // Supports that begin to move with a jump of their velocity do work that the trapezoid knows badly at
+  // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
   // first.
   const bool is_young = now_.steps < kYoung && !(is_implicit && assembly_->freedoms().motions.empty());
   const double unsaid = !is_young     ? kWarning

@@ -14,12 +14,12 @@ namespace fabricsh::run {
 
 namespace {
 
-constexpr double kUsual = 0.7;     // of the stable step
-constexpr double kJump = 0.1;      // of the smallest element: a motion beyond in one step is a jump
-constexpr int kStretchEvery = 16;  // steps between two looks at the stretch
-constexpr int kBlock = 64;         // steps of one size, with contact
+constexpr double kUsual = 0.7;     // share of the stable step
+constexpr double kJump = 0.1;      // share of the smallest element: a larger motion in one step is a jump
+constexpr int kStretchEvery = 16;  // number of steps between two checks of the stretch
+constexpr int kBlock = 64;         // number of steps of equal size, with contact
 constexpr int kCalm = 4;           // blocks without need of it, after which a halved step is doubled
-constexpr int kHalvings = 12;      // of the step, for contact
+constexpr int kHalvings = 12;      // largest number of halvings of the step for contact
 
 }  // namespace
 
@@ -29,8 +29,8 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
       problem_(*assembly_, motion_, unpolled_),
       residual_(static_cast<std::size_t>(assembly_->unknowns())) {
-  // Damping of the masses takes nothing from the stable step; of the stiffness, whose velocity lags half a
-  // step, sqrt(1 + xi^2) - xi with xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
+  // Mass damping does not reduce the stable step. Stiffness damping, whose velocity is half a step old,
+  // multiplies it by sqrt(1 + xi^2) - xi, where xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
   const double xi = options_.stiffness_damping / stable_, undamped = stable_;
   stable_ *= std::sqrt(1 + xi * xi) - xi;
   if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
@@ -99,7 +99,7 @@ void Explicit::set_motion(const mechanics::NodalRates& rates) {
   motion_.start(assembly_->collect_rates(rates));
 }
 
-// With contact a step may have to be done again, with all of its block, at half the size.
+// With contact a step may have to be repeated with half the size, together with its whole block.
 double Explicit::try_step(double limit, StepReport& report) {
   const bool touches = assembly_->contact() != nullptr;
   if (touches) open_block();
@@ -112,8 +112,8 @@ double Explicit::try_step(double limit, StepReport& report) {
   }
 }
 
-// A step of that size, or of half of it as often as a term asks for a shorter one; the next step is as long
-// as ever. Nothing: contact is where it cannot be.
+// A step of the given size, halved as often as a term asks for a shorter one; the following steps are not
+// affected. Empty: contact is in an impossible state.
 std::optional<double> Explicit::try_shorter(double size, StepReport& report) {
   const double now = committed_time();
   while (!attempt(size, report)) {
@@ -141,8 +141,8 @@ void Explicit::open_block() {
   block_.start = mark();
 }
 
-// Can the step of that size, just tried, stand: its motion too small to pass anything, and the stiffness at
-// its end one that it carries.
+// Whether the step just tried is acceptable: its motion cannot have passed through a surface, and it is
+// stable for the stiffness of contact at its end.
 bool Explicit::carried(double dt) {
   mechanics::Contacts& contact = *assembly_->contact();
   if (contact.may_have_passed()) return false;
@@ -233,7 +233,7 @@ const mechanics::NodalRates& Explicit::rates() const {
   return rates_;
 }
 
-// What rates() makes of the directors, and no more of it.
+// The kinetic energy of the directors as in rates(), without computing the rest.
 double Explicit::scaled_kinetic() const {
   if (!scaled_ || assembly_->dofs().has_ties()) return Dynamic::scaled_kinetic();
   const auto &scaled = assembly_->rotary_inertia(true), &own = assembly_->rotary_inertia(false);

@@ -1,4 +1,4 @@
-// The run by central differences: one evaluation of forces a step.
+// The run by central differences, with one evaluation of forces per step.
 #pragma once
 #include <cmath>
 #include <optional>
@@ -30,34 +30,34 @@ class Explicit final : public Dynamic {
   void memory(Archive& archive) override;
 
   void check_stable_step(double undamped) const;  // s, without stiffness damping
-  double usual_step() const;                      // s: 0.7 of the stable one; with contact what that allows
+  double usual_step() const;                      // s: 0.7 of the stable step; at most that of contact
   void choose_step();
-  void split();  // where the sheet's stretch has brought the stable step below the one in use
-  // With contact steps come in blocks of one size. Where contact wants a smaller one, the run goes back to
-  // the block's start and goes on with half the step: none follows the gap.
+  void split();  // reduces the step where stretching of the sheet has made the stable step smaller
+  // With contact, steps are made in blocks of equal size. If contact needs a smaller step, the run returns to
+  // the start of the block and repeats it with half the step: the step does not follow the gap continuously.
   void open_block();
   bool carried(double dt);
   void redo(const StepReport& report);
   void tell_guard();
   std::optional<double> try_shorter(double size, StepReport& report);
   double block_step() const { return std::ldexp(now_.step, -block_.halved); }  // s
-  mesh::Index fastest_node() const;                                            // -1: none moves
-  std::string reason() const;                                                  // of what end_ says
+  mesh::Index fastest_node() const;                                            // -1: no node moves
+  std::string reason() const;                                                  // the meaning of end_ in words
 
   struct Block {
     std::string start;  // see Run::mark()
     std::int64_t steps = 0;
-    int halved = 0, calm = 0;  // times the step; blocks since the guard was needed
+    int halved = 0, calm = 0;  // number of halvings; number of blocks since the guard was last needed
     bool guarded = false, told = false;
     void keep(Archive& archive) { archive(start, steps, halved, calm, guarded, told); }
   } block_;
-  std::vector<double> farthest_;  // per unknown, m or rad: a step beyond is a runaway
+  std::vector<double> farthest_;  // per unknown, m or rad: a larger increment means that the run diverges
   CentralDifferences motion_;
-  const std::function<void()> unpolled_;  // a step is short: no one has to look in at it
+  const std::function<void()> unpolled_;  // no poll, since a step is short
   Problem problem_;
   std::vector<double> residual_;
-  bool dirty_ = false;  // does the trial state differ from the committed one
-  // Why the last attempt ended, where it did.
+  bool dirty_ = false;  // whether the trial state differs from the committed one
+  // The reason for which the last attempt ended early.
   enum class End { none, ran_away, limited, forces } end_ = End::none;
   mutable mechanics::NodalRates rates_;
   mutable std::uint64_t rates_version_ = 0;

@@ -12,11 +12,11 @@ namespace fabricsh::run {
 
 namespace {
 
-// What the law says at one point.
+// The state of the law at one point.
 struct PointLook {
   law::Internal internal;
   double E[5];
-  double ratio = 0;  // of the in-plane tangent's stiffest direction to its softest
+  double ratio = 0;  // the in-plane tangent's largest over its smallest eigenvalue
 };
 
 double stiffness_ratio(const law::Law& law, const double* E, const double* state) {
@@ -61,7 +61,7 @@ bool all_slack(const std::vector<PointLook>& points) {
   });
 }
 
-// Of all elements, in the failed iterate.
+// For all elements, in the failed iterate.
 using Looks = std::vector<std::vector<PointLook>>;
 
 std::vector<mesh::Index> elements_about(const mesh::Mesh& mesh, mesh::Index node) {
@@ -72,8 +72,8 @@ std::vector<mesh::Index> elements_about(const mesh::Mesh& mesh, mesh::Index node
   return about;
 }
 
-// Names the first of the elements that switches, and its point; else the point of the first that is strained
-// most.
+// Names the first element with a switching yarn, and the point; otherwise the point of the first element with
+// the largest strain.
 void name_element(const std::vector<mesh::Index>& about, const Looks& before, const Looks& now,
                   Blame& blame) {
   std::size_t point = 0;

@@ -1,4 +1,4 @@
-// Why a step could not be done: where, which yarn, how the iterations went, and what to try.
+// Why a step failed: where, which yarn, how the iterations went, and what to try.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,66 +10,66 @@
 
 namespace fabricsh::run {
 
-// A line on what touches, for why(); empty without contact.
+// A line about contact for why(); empty without contact.
 std::string touching_text(const mechanics::Assembly& assembly);
 
-// What carried the residual of a failed attempt; to be looked up before the state is rolled back.
+// The cause of the residual in a failed attempt; to be determined before the state is rolled back.
 struct Blame {
   mesh::Index node = -1, element = -1;
-  std::string yarn;       // "warp", "weft", "shear" where its branch changes within the step; or empty
+  std::string yarn;       // "warp", "weft" or "shear" if its branch changes within the step; or empty
   bool rotation = false;  // of the node's director, not a displacement
   Vec3 x = Vec3::Zero(), centre = Vec3::Zero();  // m, of the node and the element in the failed iterate
-  // Of the point of the element that switches, else the one that is strained most, in the failed iterate:
+  // At the switching point of the element, or else at the one with the largest strain, in the failed iterate:
   double E11 = 0, E22 = 0, E12 = 0;  // tensor
-  law::Internal before, after;       // at the step's beginning, in the iterate
-  double stiffness_ratio = 0;        // stiffest over softest direction of the in-plane tangent; 0: not known
+  law::Internal before, after;       // at the beginning of the step, in the iterate
+  double stiffness_ratio = 0;        // largest over smallest eigenvalue of the in-plane tangent; 0: not known
   std::int64_t switching = 0, slack = 0,
-               elements = 0;  // elements with a yarn that switches, with both slack; all
-  mesh::Index inverted = -1;  // an element turned inside out
-  std::string reason;         // what a term says that could not compute its forces; empty: none, or the law
+               elements = 0;  // elements with a switching yarn; with both yarns slack; all
+  mesh::Index inverted = -1;  // an inverted element
+  std::string reason;         // why a term could not compute its forces; empty: no failure, or that of a law
 };
 
-// Compares the failed iterate with the committed state, to which it then goes back. Of the elements about the
-// node with the largest residual, the first that switches is named.
+// Compares the failed iterate with the committed state, which is then restored. Among the elements at the
+// node with the largest residual the first one that switches is named.
 Blame find_blame(mechanics::Assembly& assembly, const mesh::Mesh& mesh, const solver::NewtonResult& last);
 
 // "; the residual 0.1 (tolerance 1e-10) sits at node 3, element 2, where the warp is switching"
 std::string describe(const Blame& blame, const solver::NewtonResult& last, double tolerance);
-// What ended the attempt: the term's reason, else the solver's.
+// The reason for the end of the attempt: the term's, or else the solver's.
 std::string cause(const Blame& blame, const solver::NewtonResult& last);
 
-// One attempt at a step that failed.
+// One failed attempt at a step.
 struct Try {
   double step = 0;  // s
   solver::NewtonStatus status = solver::NewtonStatus::diverged;
   std::vector<double> residuals;
-  std::string reason = {};  // of the term that could not compute its forces; empty: none
+  std::string reason = {};  // why a term could not compute its forces; empty: it could
 };
 
-// A step that could not be done, with all its attempts.
+// A step that failed, with all its attempts.
 struct Failure {
   double time = 0;  // s, the last committed time
   std::vector<Try> tries;
   Blame blame;
   std::int64_t negative_pivots = 0;  // of the last tangent
   double moved = 0,
-         size = 0;  // m: the farthest that a support moves in the first attempt; the smallest element
+         size = 0;  // m: largest motion of a support in the first attempt; smallest element
   card::Tested tested;
   Mechanism mechanism;  // of a static run
   bool broken = false;  // no step is possible, however short
   bool dynamic = false, arc = false, stabilised = false, turned_back = false;
 };
 
-// "no step beyond time 0.1 s: too many iterations in a step of 0.01 s"; where the forces are broken, whatever
-// the step, "stopped at time ...".
+// "no step beyond time 0.1 s: too many iterations in a step of 0.01 s"; or, if the forces cannot be computed
+// with any step, "stopped at time ...".
 std::string headline(const Failure& failure, const solver::NewtonResult& last, double step);
 
-// m, the farthest that a driven displacement goes from one time to another.
+// m, the largest change of a driven displacement between two times.
 double farthest_move(const mechanics::Assembly& assembly, double from, double to);
 
-// What to try, the likeliest first, each with what was measured: "stabilise=true (3 negative pivots)".
+// What to try, the most promising first, each with its evidence: "stabilise=true (3 negative pivots)".
 std::vector<std::string> advice(const Failure& failure);
-// All of it, in lines.
+// The whole report, in lines.
 std::string report(const Failure& failure);
 
 }  // namespace fabricsh::run

@@ -20,13 +20,13 @@ std::string beyond_text(const Beyond& b) {
   return who + component + " = " + number(b.strain) + ", the card was tested to " + number(b.tested);
 }
 
-// --- loads that jump
+// --- loads that begin with a jump
 
 namespace {
 
-constexpr double kEarly = 1e-9, kLater = 1e-3;  // of the duration
+constexpr double kEarly = 1e-9, kLater = 1e-3;  // times as shares of the duration
 
-// The load at once after time 0; 0 where it begins at zero and grows.
+// The load immediately after time 0; 0 if it begins at zero and grows.
 double jump_of(const model::History& h, double duration) {
   if (const double at_once = h.value(0); at_once != 0) return at_once;
   const double early = h.value(kEarly * duration), later = h.value(kLater * duration);
@@ -130,12 +130,12 @@ std::string bending_warning(const model::Model& model, const mechanics::Assembly
 
 namespace {
 
-constexpr double kNoStiffness = 1e-10;  // of the stiffest way: nothing holds it
-constexpr double kDriven = 1e-6;        // work of the loads on a mechanism over what it could be at most
+constexpr double kNoStiffness = 1e-10;  // share of the largest eigenvalue below which a motion is free
+constexpr double kDriven = 1e-6;        // work of the loads on a mechanism, relative to its upper bound
 
 using Mode = Eigen::Matrix<double, 6, 1>;  // displacement of the centre, m; rotation times the length, m
 
-// How supports and springs resist the six rigid motions of the sheet as it is.
+// The resistance of supports and springs to the six rigid motions of the sheet in its present configuration.
 class RigidMotions {
  public:
   explicit RigidMotions(const mechanics::Assembly& assembly) : assembly_(assembly) {
@@ -152,7 +152,7 @@ class RigidMotions {
         if (spring.stiffness[static_cast<std::size_t>(i)] > 0)
           add_direction(static_cast<std::size_t>(n), spring.frame.row(i).transpose());
   }
-  // Those that nothing resists.
+  // The motions without resistance.
   std::vector<Mode> free() const {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(resistance_);
     std::vector<Mode> all;
@@ -184,7 +184,7 @@ class RigidMotions {
     row << e, (at(assembly_.state().x(), n) - centre_).cross(e) / length_;
     add_row(row);
   }
-  // The director may not turn towards b.
+  // The director cannot rotate towards b.
   void add_rotation(const Vec3& d, const Vec3& b) {
     Mode row;
     row << Vec3::Zero(), d.cross(b);
@@ -208,7 +208,7 @@ class RigidMotions {
   Eigen::Matrix<double, 6, 6> resistance_ = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-// Do the loads of a time drive the mode, and by how much: sets what a small support has to hold.
+// Whether, and how much, the loads at a time drive the mode; sets what a small support must hold.
 void look_at_loads(const RigidMotions& motions, const mechanics::Assembly& assembly, const Mode& mode,
                    double time, Mechanism& found) {
   std::vector<double> dead, follower;

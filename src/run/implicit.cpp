@@ -46,7 +46,7 @@ void Implicit::begin() {
 }
 
 void Implicit::set_motion(const mechanics::NodalRates& rates) {
-  // Held and tied nodes have no velocity of their own.
+  // Held and tied nodes have no velocities of their own.
   mechanics::NodalRates possible;
   assembly_->spread_rates(assembly_->collect_rates(rates), driven_rates(), possible);
   problem_.start(possible);
@@ -59,7 +59,7 @@ double Implicit::try_step(double limit, StepReport& report) {
   while (!attempt(size, report)) {
     const bool broken = last_.status == solver::NewtonStatus::broken;
     if (broken || ++report.cuts > options_.max_cuts || !control_.cut(size - committed_time())) {
-      control_ = before;  // a step that fails leaves nothing behind
+      control_ = before;  // a failed step leaves no trace
       give_up(report);
     }
     size = control_.end(committed_time(), next_landing(limit));
@@ -90,7 +90,7 @@ void Implicit::commit(StepReport& report) {
   newmark_.show_trial(false);
   const std::vector<double> driven_before = problem_.driven();
   assembly_->finish_step();
-  // Under alpha the inertia is not the balance of the forces at the step's end: their work in its place.
+  // With alpha the inertia forces do not balance those at the step's end, so the balance's work is used.
   double kinetic = 0, work = 0;
   if (damps()) {
     kinetic = newmark_.kinetic();
@@ -99,7 +99,7 @@ void Implicit::commit(StepReport& report) {
   dead_ = problem_.external();
   work_.add(*assembly_, dead_);
   problem_.commit(report.time);
-  // Work of all forces, which the kinetic energy does not get.
+  // The work of all forces that does not become kinetic energy is the loss of the scheme.
   if (damps()) now_.loss += work - (newmark_.kinetic() - kinetic);
   watch_jump(driven_before, problem_.driven(), report.time, smallest_);
   control_.grow(last_.iterations, report.cuts > 0);

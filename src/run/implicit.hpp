@@ -1,4 +1,4 @@
-// The run by Newmark's implicit formulas and Newton's method.
+// The run by Newmark's implicit method and Newton's method.
 #pragma once
 #include "linear/libraries.hpp"
 #include "run/dynamic.hpp"
@@ -35,7 +35,7 @@ class Implicit final : public Dynamic {
   StepControl control_;
   solver::NewtonResult last_;
   Blame blame_;
-  std::vector<Try> tries_;  // of the step under way, that failed
+  std::vector<Try> tries_;  // failed attempts at the present step
 };
 
 }  // namespace fabricsh::run

@@ -56,7 +56,7 @@ std::string hash_text(const std::string& bytes) {
   return text;
 }
 
-// --- what it writes
+// --- outputs
 
 Job::Job(std::shared_ptr<Run> run, std::shared_ptr<Journal> journal, std::int64_t number)
     : run_(std::move(run)), journal_(std::move(journal)), number_(number) {}
@@ -67,8 +67,8 @@ std::string Job::free_path(const std::string& path) const {
   return file;
 }
 
-// Opens the output, new or, where the run begins from a checkpoint that has it, continued; has its frames
-// written as often as `every` says, and one more when the run ends.
+// Opens an output: new, or continued if the run starts from a checkpoint that has it. Its frames are written
+// every `every` seconds, and once more when the run ends.
 template <class Make, class Continue>
 void Job::add(Output output, double every, const std::string& written, const Make& make,
               const Continue& continued) {
@@ -124,7 +124,7 @@ std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<d
   return keeper;
 }
 
-// --- from a checkpoint
+// --- starting from a checkpoint
 
 void Job::restart(const std::string& path) { begin_from(read_checkpoint(path)); }
 
@@ -267,8 +267,8 @@ bool Keeper::due() const {
   return minutes_ && since.count() >= 60 * *minutes_;
 }
 
-// The times of `every` are counted from 0, whenever the run was taken up: what is written does not hang on
-// it.
+// The times of `every` are counted from 0 and not from a restart, so that the output does not depend on
+// restarts.
 void Keeper::look() {
   if (silent_) return;
   const Run& run = job_.run();

@@ -1,5 +1,5 @@
-// A run with all that it writes: tables, series for ParaView, checkpoints and a run.json that says what made
-// them. Decks drive their runs by this, and so can a program in C++:
+// A run with all its outputs: tables, series for ParaView, checkpoints, and a run.json that records their
+// origin. Decks drive their runs through this class, and so can a program in C++:
 //
 //   run::Job job(std::make_shared<run::Static>(model, options, notices));
 //   job.record("out/curve.csv", {{"force", [](const run::Run& r) { return r.reaction("top").y(); }, "N"}});
@@ -25,25 +25,25 @@ namespace fabricsh::run {
 
 class Job;
 
-// What the runs of one program or deck share.
+// Shared by the runs of one program or deck.
 struct Journal {
-  // What run.json says of the program besides its version, and what a checkpoint says of the deck; may be
+  // Adds information on the program to run.json besides its version, and on the deck to a checkpoint; may be
   // empty.
   std::function<void(format::Json&)> about = {};
   std::function<void(Checkpoint&)> sign = {};
-  // What the run.json of each folder says of the runs that write there, by their numbers.
+  // For each folder: the entries of its run.json, by the number of the run.
   std::map<std::string, std::map<std::int64_t, format::Json>> folders = {};
-  // Of runs that are finished and were kept: a checkpoint of their end, as bytes, which goes into those of
-  // the other runs.
+  // For finished runs that are to be kept: a checkpoint of the end, as bytes, which is included in the
+  // checkpoints of the other runs.
   std::map<std::int64_t, std::string> finished = {};
 };
 
-// A table or series of a run's.
+// A table or series of a run.
 struct Output {
   std::string kind, path;  // "record" or "vtk", as given
   std::string file;        // its full path
   std::shared_ptr<Series> series;
-  std::size_t hook = 0;  // that writes it
+  std::size_t hook = 0;  // the hook that writes it
 };
 
 class Clock {
@@ -56,21 +56,21 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Writes a checkpoint of a run as often as it is asked for.
+// Writes checkpoints of a run at the requested intervals.
 class Keeper {
  public:
-  // every: s of simulated time, 0: every step; minutes of time on the clock; at least one of them.
+  // every: s of simulated time, 0: every step; minutes: of real time; at least one is given.
   Keeper(Job& job, std::string path, std::optional<double> every, std::optional<double> minutes);
-  // What else goes into the checkpoint under this one's path, asked for each time.
+  // Adds parts to the checkpoint with this path; called for each checkpoint.
   void keep_also(std::function<void(std::vector<Checkpoint::Part>&)> parts) { also_ = std::move(parts); }
   void add_parts(std::vector<Checkpoint::Part>& parts) const {
     if (also_) also_(parts);
   }
   const std::string& path() const { return path_; }
-  void look();                      // after a step: writes where that is due
-  void write();                     // Error: names the file and why
-  void force() { forced_ = true; }  // at the next look
-  // The file is another run's by now: only what is kept besides goes into the checkpoints of the others.
+  void look();                      // after a step: writes a checkpoint if one is due
+  void write();                     // Error: names the file and the reason
+  void force() { forced_ = true; }  // makes the next look() write
+  // Another run now writes this file: only the additional parts are stored, in the checkpoints of other runs.
   void write_nothing() { silent_ = true; }
 
  private:
@@ -81,7 +81,7 @@ class Keeper {
   std::function<void(std::vector<Checkpoint::Part>&)> also_;
   double next_ = 0;  // s
   bool forced_ = false, silent_ = false;
-  std::size_t written_ = static_cast<std::size_t>(-1);  // at that step
+  std::size_t written_ = static_cast<std::size_t>(-1);  // the step of the last checkpoint
   std::chrono::steady_clock::time_point last_;
 };
 
@@ -96,47 +96,47 @@ class Job {
   const std::shared_ptr<Run>& run_pointer() const { return run_; }
   Journal& journal() const { return *journal_; }
   std::int64_t number() const { return number_; }
-  double seconds() const { return seconds_ + (driving_ ? clock_.seconds() : 0); }  // spent in runs
+  double seconds() const { return seconds_ + (driving_ ? clock_.seconds() : 0); }  // s, spent in runs
   bool driving() const { return driving_; }
 
-  // --- what it writes. Folders are made. Errors: a path that this run writes to already, a folder that can't
-  // be written, an unknown field; where the run goes on from a checkpoint, an output that it doesn't have.
-  // every: s between two rows or frames, on which the run then lands; 0: every step.
+  // --- outputs. Folders are created. Errors: a path to which this run already writes, a folder that cannot
+  // be written, an unknown field; when continuing from a checkpoint, an output that it does not have. every:
+  // s between two rows or frames, and the run makes steps end at these times; 0: every step.
   void record(const std::string& path, const std::vector<Column>& columns, double every = 0);
   void vtk(const std::string& stem, double every = 0, const std::vector<std::string>& fields = {});
-  // every: s, 0: every step; no step is made shorter for it. Without any: every ten minutes on the clock.
+  // every: s, 0: every step; does not shorten steps. By default every ten minutes of real time.
   std::shared_ptr<Keeper> checkpoint(const std::string& path, std::optional<double> every = {},
                                      std::optional<double> minutes = {});
   const std::vector<std::shared_ptr<Output>>& outputs() const { return outputs_; }
   const std::vector<std::shared_ptr<Keeper>>& keepers() const { return keepers_; }
-  // An output of that kind and file whose place another may take. Default: one that was an error.
+  // Whether a new output may replace this one of the same kind and file. Default: if it failed.
   std::function<bool(const Output&)> replaceable = [](const Output& o) { return o.series->in_trouble(); };
 
-  // --- going on from a checkpoint; before its outputs are told. Errors: of another problem, with what
-  // differs; outputs were told already.
+  // --- starting from a checkpoint, before outputs are declared. Errors: a checkpoint of another problem,
+  // with the differences; outputs already declared.
   void restart(const std::string& path);
-  void begin_from(std::shared_ptr<const Checkpoint> from);  // taken up with the first step
+  void begin_from(std::shared_ptr<const Checkpoint> from);  // restored at the first step
   const std::shared_ptr<const Checkpoint>& from() const { return claims_.from(); }
   bool taken_up() const { return taken_up_; }
-  void take_up();  // where it has not been yet
+  void take_up();  // restores it now, if that has not been done
   Claims& claims() { return claims_; }
 
-  // --- driving: to the duration, to a time. Where the run ends or fails, the outputs and checkpoints get its
-  // last state; run.json says how far it came. Errors are the run's own.
+  // --- driving to the duration, or to a time. When the run ends or fails, its last state goes to outputs and
+  // checkpoints, and run.json records how far it came. Errors are those of the run.
   void solve() { advance(run_->duration()); }
   void advance(double time);
-  // The parts of that: who drives the run in another way calls them around it.
+  // The parts of advance(), for programs that drive the run themselves.
   void begin();
-  // status: for run.json; ended: the outputs get the last state; broken: by an error, so that it goes away
-  // when the run goes on. Each piece of work goes through `guarded`, which may keep what it throws.
+  // status: for run.json. ended: outputs get the last state. broken: ended by an error; that frame is removed
+  // if the run goes on. Each piece of work is called through `guarded`, which may catch its exceptions.
   using Guarded = std::function<void(const std::function<void()>&)>;
   void leave(const std::string& status, bool ended, bool broken, const Guarded& guarded);
   void write_report(const std::string& status, double seconds);
-  void remember_end();  // where it is kept: in the checkpoints of the other runs
+  void remember_end();  // if the run is to be kept: in the checkpoints of other runs
 
-  // The run as it is with what it writes, as a checkpoint.
+  // A checkpoint of the present state, including the outputs.
   Checkpoint now();
-  // What who drives the run keeps in its checkpoints.
+  // Returns the data that the driving program stores in the checkpoints.
   std::function<std::string()> caller = {};
 
  private:
@@ -144,7 +144,7 @@ class Job {
   void add(Output output, double every, const std::string& written, const Make& make,
            const Continue& continued);
   std::string free_path(const std::string& path) const;
-  format::Json report(const std::string& status, double seconds) const;
+  format::Json report(const std::string& status, double seconds) const;  // the run's object in run.json
 
   std::shared_ptr<Run> run_;
   std::shared_ptr<Journal> journal_;
@@ -152,14 +152,14 @@ class Job {
   std::vector<std::shared_ptr<Output>> outputs_;
   std::vector<std::shared_ptr<Keeper>> keepers_;
   std::vector<std::string> written_;  // paths of the outputs, for run.json
-  std::set<std::string> paths_;       // full, of outputs and checkpoints
+  std::set<std::string> paths_;       // full paths of outputs and checkpoints
   Claims claims_;
   bool taken_up_ = false, driving_ = false;
-  double seconds_ = 0;  // before the call under way
-  Clock clock_;         // of that call
+  double seconds_ = 0;  // before the present call
+  Clock clock_;         // since the present call began
 };
 
-// The run in one object of run.json.
-std::string hash_text(const std::string& bytes);  // "fnv1a64:...", as run.json tells files apart
+// "fnv1a64:...", the hash by which run.json identifies files.
+std::string hash_text(const std::string& bytes);
 
 }  // namespace fabricsh::run

@@ -101,13 +101,13 @@ double Newmark::work(std::span<const double> before, std::span<const double> aft
   return sum;
 }
 
-// A driven displacement along its direction.
+// The component of a vector along a driven displacement.
 double Newmark::along(const mechanics::DrivenFreedom& m, std::span<const double> v) const {
   return assembly_.freedoms().nodes[m.node].frame.row(m.component).dot(at(v, m.node));
 }
 
-// What moves the driven displacements overcomes their inertia and damping: an account of its own (see
-// Dynamic::driven_work).
+// The force that moves the driven displacements also does work against their inertia and damping, which is
+// accounted separately (see Dynamic::driven_work).
 double Newmark::work_on_mass(double factor, const mechanics::NodalRates& before,
                              const mechanics::NodalRates& after) const {
   const auto& state = std::as_const(assembly_).state();

@@ -1,9 +1,9 @@
-// Newmark's formulas for nodes and directors, with Hilbert, Hughes and Taylor's alpha as an option:
+// Newmark's method for nodes and directors, with Hilbert, Hughes and Taylor's alpha as an option:
 //
 //   x+ = x + dt v + dt^2 ((1/2 - beta) a + beta a+),   v+ = v + dt ((1 - gamma) a + gamma a+)
 //   M a+ = (1 + alpha) f(x+) - alpha f(x),   f = f_ext - f_int - C v
 //
-// On the sphere of directors the increment is an arc from d to d+, and what belongs to d is carried along it.
+// On the sphere of directors the increment is an arc from d to d+, along which vectors at d are carried.
 #pragma once
 #include <span>
 #include <vector>
@@ -32,20 +32,20 @@ class Newmark final : public mechanics::Motion {
   const mechanics::Inertia& inertia() const { return inertia_; }
   const NodalMotion& committed() const { return before_; }
   const NodalMotion& trial() const { return trial_; }
-  // Is the trial motion that of a whole step, to be read before it is committed?
+  // Whether velocities are those of a complete trial step, to be read before the commit.
   void show_trial(bool tried) { tried_ = tried; }
   const mechanics::NodalRates& velocities() const { return (tried_ ? trial_ : before_).v; }
-  // A run starts with these velocities, its trial state being the committed one.
+  // Starts a run with these velocities; the trial state is the committed one.
   void start(const mechanics::NodalRates& velocities);
   void set_accelerations(mechanics::NodalRates a) { before_.a = std::move(a); }  // at the start
-  // What the increment from the committed to the trial configuration makes of the motion, after dt().
+  // Computes the trial motion after dt() from the increment between committed and trial configuration.
   void update();
-  // The trial motion becomes the committed one. targets: of the driven freedoms at `time`, whose
-  // displacements have the rate of their motion up to then: at a kink the formulas would ring.
+  // Commits the trial motion. targets: of the driven freedoms at `time`; their displacements get the rate of
+  // the step just made, because Newmark's formulas would oscillate after a kink.
   void commit(double time, std::span<const double> targets);
-  // Rates of the driven freedoms in the step under way.
+  // Sets the rates of the driven degrees of freedom in the present step.
   void drive(std::vector<double> rates) { driven_ = std::move(rates); }
-  // N: the largest inertia force on a node along an axis.
+  // N: the largest component of an inertia force on a node.
   double largest_inertia() const;
   void keep(Archive& archive) { archive(before_); }
 
@@ -58,7 +58,7 @@ class Newmark final : public mechanics::Motion {
   double kinetic() const override;
 
  private:
-  // J, of the forces that are the mass times `factor` times these, but on driven displacements.
+  // J, work of forces equal to mass times `factor` times these rates, without driven displacements.
   double work_on_mass(double factor, const mechanics::NodalRates& before,
                       const mechanics::NodalRates& after) const;
   double along(const mechanics::DrivenFreedom& m, std::span<const double> v) const;
@@ -72,7 +72,7 @@ class Newmark final : public mechanics::Motion {
   bool tried_ = false;
 };
 
-// The tangent vector u at d carried along the arc from d to e, unit vectors, e != -d.
+// Parallel transport of the tangent vector u from d to e along their arc; unit vectors, e != -d.
 Vec3 carry(const Vec3& u, const Vec3& d, const Vec3& e);
 // The arc from d to e as a tangent vector at d, rad.
 Vec3 arc(const Vec3& d, const Vec3& e);

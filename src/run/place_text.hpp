@@ -1,4 +1,4 @@
-// Places and directions in words.
+// Positions and directions as text.
 #pragma once
 #include <string>
 
@@ -6,8 +6,8 @@
 
 namespace fabricsh::run {
 
-// "(0, 0.1, 0) m": a place, m, or with another unit a direction; what is below 1e-9 is rounding and shown as
-// 0.
+// "(0, 0.1, 0) m": a position in m; with another unit a direction. Numbers below 1e-9 are rounding errors and
+// shown as 0.
 std::string place_text(const Vec3& v, const std::string& unit = " m");
 
 }  // namespace fabricsh::run

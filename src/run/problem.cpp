@@ -23,7 +23,7 @@ Problem::Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newma
 
 Problem::Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll)
     : Problem(assembly, nullptr, nullptr, small_time, poll) {
-  assembly.external(0, external_);  // a history that gives no number is refused before the run begins
+  assembly.external(0, external_);  // a history that is not finite is refused before the run begins
 }
 Problem::Problem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll)
     : Problem(assembly, &newmark, &newmark, 0, poll) {}
@@ -48,7 +48,7 @@ void Problem::start() {
 void Problem::start(const mechanics::NodalRates& velocities) {
   newmark_->start(velocities);
   balance(0, balance_);
-  // The mass on the unknowns, through ties: L^T M L.
+  // The mass matrix on the unknowns, with ties: L^T M L.
   linear::Matrix M(assembly_.pattern());
   assembly_.add_diagonal(newmark_->inertia().mass(), newmark_->inertia().rotary(), M);
   std::vector<double> a(balance_.size(), 0);
@@ -68,7 +68,7 @@ void Problem::commit(double time) {
   remember();
 }
 
-// What the next step looks back to; a reversal is seen from it.
+// Stores what the next step needs of this one, for example to recognise a reversal.
 void Problem::remember() {
   if (!iterates()) return;
   if (newmark_ != nullptr) {
@@ -126,7 +126,7 @@ void Problem::balance(double inertia, std::span<double> r) {
   assembly_.resist(r);
 }
 
-// The residual of the scheme: by Newmark (1 + alpha) f+ - alpha f - M a+.
+// The residual of the scheme; for Newmark (1 + alpha) f+ - alpha f - M a+.
 void Problem::weigh(std::span<double> r) {
   if (newmark_ == nullptr) return balance(0, r);
   newmark_->update();
@@ -135,7 +135,7 @@ void Problem::weigh(std::span<double> r) {
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = (1 + alpha) * r[i] - alpha * memory_.balance[i];
 }
 
-// What the scheme makes of the forces' tangent: weighed, with damping and inertia.
+// The tangent of the scheme from that of the forces: weighted, with damping and inertia.
 void Problem::close(linear::Matrix& K) {
   if (weight() != 1)
     for (double& k : K.value) k *= weight();
@@ -164,7 +164,7 @@ double Problem::force_scale() const {
 
 // --- Newton
 
-// What the driven freedoms do in the step.
+// Sets the increments of the driven degrees of freedom in the step.
 void Problem::lead_to_targets() {
   for (std::size_t i = 0; i < lead_.size(); ++i) lead_[i] = targets_[i] - memory_.driven[i];
   if (newmark_ == nullptr) return;
@@ -230,7 +230,7 @@ void Problem::set_push(const std::vector<double>& to, const std::vector<double>&
   for (std::size_t i = 0; i < to.size(); ++i) push_[i] = to[i] - from[i];
 }
 
-// What supports and dead loads do in a small time from the one aimed at.
+// The changes of supports and dead loads within a small time after the one aimed at.
 void Problem::look_ahead() {
   const double later = aimed_ + small_time_;
   const auto moved = assembly_.targets(later);
@@ -239,8 +239,8 @@ void Problem::look_ahead() {
   set_push(later_external_, external_);
 }
 
-// K and q = dr/dt at fixed unknowns; the coupling with the driven freedoms is the tangent's own, the rate of
-// follower loads a difference of forces. Leaves the forces of the time aimed at.
+// K and q = dr/dt at fixed unknowns. Coupling with the driven freedoms comes from the tangent, the rate of
+// follower loads from a difference of forces. Leaves the forces of the time aimed at.
 Answer Problem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q) {
   const bool follower = !assembly_.symmetric_loads();
   if (follower) {
@@ -257,7 +257,7 @@ Answer Problem::tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<
   return Answer::ok;
 }
 
-// Does this step move supports and loads against the way of the last one?
+// Whether this step moves supports and loads in the opposite direction to the last one.
 bool Problem::reverses() const {
   double along = 0;
   for (std::size_t i = 0; i < memory_.lead.size(); ++i) along += memory_.lead[i] * lead_[i];

@@ -1,8 +1,8 @@
-// What the solvers see of a run: the sum of the terms and a time scheme. Supports and loads stand at the time
-// aimed at; forces, tangent and motion are those of a step to it from the committed configuration.
+// The problem as the solvers see it: the sum of the terms with a time scheme. Supports and loads are those of
+// the time given to aim(); forces, tangent and motion are those of a step to it from the committed
+// configuration.
 //
-// The same for quasi-static steps, for Newmark's and for central differences, which take the residual alone
-// and have no matrix made.
+// It serves quasi-static steps, Newmark's method, and central differences, which need no matrix.
 #pragma once
 #include <functional>
 #include <span>
@@ -15,10 +15,10 @@ namespace fabricsh::run {
 
 class Problem final : public solver::PathProblem {
  public:
-  using Poll = std::function<void()>;  // called, where it is set, before each evaluation of forces; may throw
-  // Quasi-static. small_time: s, that rates along an arc are differences over.
+  using Poll = std::function<void()>;  // if set, called before each evaluation of forces; may throw
+  // Quasi-static. small_time: s, for rates by differences in path following.
   Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll);
-  // By Newmark; and by a scheme that solves for no unknowns. The motion is kept by reference.
+  // For Newmark's method; and for a scheme that does not solve for unknowns. Keeps a reference to the motion.
   Problem(mechanics::Assembly& assembly, Newmark& newmark, const Poll& poll);
   Problem(mechanics::Assembly& assembly, mechanics::Motion& motion, const Poll& poll);
   ~Problem() override { assembly_.set_motion(nullptr); }
@@ -28,25 +28,25 @@ class Problem final : public solver::PathProblem {
   const mechanics::Motion& motion() const { return motion_; }
   double time() const { return aimed_; }                                // s, aimed at
   const std::vector<double>& external() const { return external_; }     // dead loads then, N, 3 per node
-  const std::vector<double>& targets() const { return targets_; }       // of the driven freedoms then
+  const std::vector<double>& targets() const { return targets_; }       // of the driven freedoms at that time
   const std::vector<double>& driven() const { return memory_.driven; }  // at the last commit
-  // With velocities of the nodes, and with the accelerations that the forces make: M a = f, held and driven
-  // freedoms have none. NumericalFailure: the mass is singular.
+  // With initial velocities, and accelerations from M a = f; those of held and driven degrees of freedom are
+  // zero. NumericalFailure: the mass matrix is singular.
   void start(const mechanics::NodalRates& velocities);
-  void start();  // from rest, or with a motion that the scheme has already
-  // The step begins from the committed configuration. Its answer: whether the terms can.
+  void start();  // from rest, or with the motion that the scheme already has
+  // Starts a step from the committed configuration. Returns whether the terms can make it.
   Answer begin_step();
-  void commit(double time);  // the trial state, with what it did to the terms' accounts: see finish_step()
-  // J, of the forces without inertia in the step, by the trapezoid.
+  void commit(double time);  // the trial state; the terms then account for it in finish_step()
+  // J, work of the forces without inertia in the step, by the trapezoidal rule.
   double work_of_balance();
   void keep(Archive& archive);
-  // Has a path come to a kink of a history, where loads may turn round?
+  // Tells whether a path is at a kink of a history, where loads may reverse.
   void at_kink(bool kink) { memory_.kink = kink; }
-  // A configuration to come back to.
+  // Stores the present configuration, to be restored later.
   void keep_configuration();
   void recall();
 
-  // --- what a solver sees
+  // --- interface of the solvers
   void aim(double time) override;
   solver::Index size() const override { return assembly_.unknowns(); }
   Answer predict(linear::Matrix& K, std::span<double> r) override;
@@ -70,7 +70,7 @@ class Problem final : public solver::PathProblem {
  private:
   Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newmark* newmark, double small_time,
           const Poll& poll);  // motion: null: none
-  // The step under way, as the law sees it.
+  // The present step as passed to the law.
   law::Step step(law::AtSwitch at = law::AtSwitch::loading) const;
   Answer made(bool done) const { return done ? Answer::ok : assembly_.outcome().answer; }
   bool iterates() const { return newmark_ != nullptr || !motion_.moves(); }
@@ -88,15 +88,15 @@ class Problem final : public solver::PathProblem {
   mechanics::Assembly& assembly_;
   mechanics::Still still_;
   mechanics::Motion& motion_;
-  Newmark* newmark_;  // null in other schemes
+  Newmark* newmark_;  // null for other schemes
   const Poll& poll_;
   double small_time_, aimed_ = 0;
   std::vector<double> product_, ahead_, later_external_, push_, kept_, balance_, on_x_, on_d_;
   std::vector<double> lead_, targets_, external_;
-  struct Memory {                        // all that the next step remembers of the last ones
-    std::vector<double> driven, lead;    // at the last commit; what the last step did to them
+  struct Memory {                        // the data of earlier steps that the next one needs
+    std::vector<double> driven, lead;    // at the last commit; change in the last step
     std::vector<double> external, push;  // dead loads likewise
-    std::vector<double> balance;         // forces without inertia then, per unknown, N and N m
+    std::vector<double> balance;         // forces without inertia at that time, per unknown, N and N m
     double peak = 0;                     // N, the largest nodal force of the run's committed states
     bool kink = true;
     void keep(Archive& archive) { archive(driven, lead, external, push, balance, peak, kink); }

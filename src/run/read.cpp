@@ -46,7 +46,7 @@ void add_point(ElementValues& v, double w, const law::Law& law, const double* E,
 Vec3 Run::reaction(const std::string& set) const {
   Vec3 sum = Vec3::Zero();
   const auto& nodes = model_->mesh().set(set);
-  if (dead_.empty()) return sum;  // the run has not begun: no force has been computed
+  if (dead_.empty()) return sum;  // before the first step no forces have been computed
   for (const auto n : nodes) sum += assembly_->support_force(n, dead_) + inertia(n);
   return sum;
 }

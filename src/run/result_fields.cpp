@@ -67,7 +67,7 @@ struct Table {
     };
     rows.push_back({std::move(name), "", Shape::vector, Place::element, std::move(sentence), {}, values});
   }
-  // Of elements, and in files only where it was asked for.
+  // A scalar of elements, written to files only on request.
   void scalar(const std::string& name, std::string unit, std::string sentence,
               std::function<double(const Run&, mesh::Index)> value) {
     const auto values = [value = std::move(value)](const Run& run, mesh::Index e, double* out) {
@@ -81,8 +81,8 @@ struct Table {
 
 double stretch(double E) { return std::sqrt(std::max(0.0, 1 + 2 * E)); }
 
-// Cauchy stress 11, 22, 12, Pa, in the frame whose first axis lies along the warp now: F S F^T / J with F
-// upper triangular, F^T F = C = 1 + 2 E.
+// Cauchy stress 11, 22, 12 (Pa) in the frame whose first axis is the present warp direction: F S F^T / J with
+// F upper triangular and F^T F = C = 1 + 2 E.
 std::array<double, 3> cauchy(const V& v) {
   const double a = stretch(v.E11), b = a > 0 ? 2 * v.E12 / a : 0;
   const double d = std::sqrt(std::max(0.0, 1 + 2 * v.E22 - b * b)), J = a * d;
@@ -91,7 +91,7 @@ std::array<double, 3> cauchy(const V& v) {
           (a * d * v.S12 + b * d * v.S22) / J};
 }
 
-// N/m: S [Pa] pulls along the yarn as it lies now, on the area that it had in the reference.
+// Tension in N/m: S (Pa) acts along the present direction of the yarn, on its reference area.
 double tension(const Run& run, mesh::Index e, double S, double E) {
   return run.model().thickness_of(e) * S * stretch(E);
 }

@@ -1,5 +1,5 @@
-// The fields that a run shows, one row each. VTK files, tables, a:field, a:mean, a:node, a:element, pictures,
-// help and the reference take names, units and numbers from here and from nowhere else.
+// The fields of a run, one row each. VTK files, tables, a:field, a:mean, a:node, a:element, pictures, help
+// and the reference all take names, units and values from here.
 #pragma once
 #include <functional>
 #include <string>
@@ -13,28 +13,28 @@ class Run;
 struct ElementValues;
 
 enum class Place { node, point, element, facet };
-// How many numbers: 1; 2, mostly of the warp and of the weft; 3, global; 5, symmetric in material axes
-// without 33: 11 22 23 13 12.
+// Number of values: 1; 2, mostly for warp and weft; 3, global; 5, symmetric tensor in material axes without
+// 33, in the order 11 22 23 13 12.
 enum class Shape { scalar, pair, vector, tensor };
 const char* name(Place place);
 const char* name(Shape shape);
 
 struct ResultField {
-  std::string name;  // also of the array in a file
-  std::string unit;  // SI; empty: a plain number
+  std::string name;  // also the name of the array in a file
+  std::string unit;  // SI; empty: dimensionless
   Shape shape;
   Place place;
   std::string sentence;
-  // Its numbers by name, each of which can be asked for alone: "E11". A scalar has its own name; none: only
-  // whole.
+  // Names of its single values, each of which is available alone: "E11". A scalar has its own name; empty:
+  // only the whole field is available.
   std::vector<std::string> components;
-  // Of one node or element; out has room for all numbers.
+  // Computes the values for one node or element; out has room for all of them.
   std::function<void(const Run&, mesh::Index, double* out)> values;
-  std::vector<std::string> labels = {};  // of the components in a file; none: x y z, which need no words
-  std::string letter = {};               // of a vector's length in a picture: |u|
-  bool usual = true;                     // in a file for which no fields were chosen
-  bool moving = false;                   // only of runs in motion
-  bool touching = false;                 // only of runs with contact
+  std::vector<std::string> labels = {};  // of the components in a file; empty: x y z
+  std::string letter = {};               // for a vector's length in a picture: |u|
+  bool usual = true;                     // written to files for which no fields were chosen
+  bool moving = false;                   // only in dynamic runs
+  bool touching = false;                 // only in runs with contact
 
   std::size_t size() const;
 };
@@ -42,20 +42,20 @@ struct ResultField {
 const std::vector<ResultField>& result_fields();
 bool has(const Run& run, const ResultField& field);
 
-// A field, or one number of it.
+// A field, or one of its values.
 struct FieldPart {
   const ResultField* field;
-  int component;  // -1: all of it
+  int component;  // -1: the whole field
 };
-// Error: unknown name, with the nearest one.
+// Error: unknown name; the message has the nearest one.
 FieldPart find_field(const std::string& name);
 
-// Names of single numbers, then those of whole fields.
+// Names of single values, then those of whole fields.
 std::vector<std::string> scalar_names();
 std::vector<std::string> scalar_names(Place place);
 std::vector<std::string> field_names();
 
-// All numbers of a field, or one of them, item by item.
+// A field, or one of its values, for all nodes or elements.
 std::vector<double> values_of(const Run& run, const FieldPart& part);
 
 // The members of ElementValues that are fields.

@@ -175,8 +175,8 @@ void Run::advance_to(double limit) {
   if (monitor_) monitor_(*this);
 }
 
-// What a card was tested to is the mean strain of a strip between grips. A run of that test has elements that
-// are strained a per cent or two more: that is known, and not told.
+// The tested range of a card is the mean strain of a strip between grips. In a simulation of that test some
+// elements are strained one or two per cent more, which is not reported.
 void Run::watch_strain() {
   constexpr double reached = 1 + 1e-6, told = 1.02;
   const double share = assembly_->largest_share(), before = beyond_.share;
@@ -222,8 +222,8 @@ void Run::measure(Event& event) {
     throw Error("event: field 'value': expected a finite number, got " + number(event.now));
 }
 
-// Shortens the step until no event lies beyond zero and its tolerance; one whose value jumps over zero is
-// left at the far side of the jump.
+// Shortens the step until no event has crossed zero beyond its tolerance. If a value jumps across zero, the
+// step ends after the jump.
 double Run::land(double size, StepReport& report) {
   std::vector<const Event*> jumped;
   for (auto& event : events_) measure(event);
@@ -239,12 +239,12 @@ double Run::land(double size, StepReport& report) {
   return size;
 }
 
-// The Illinois variant of regula falsi on the step's size, each trial a full solve from the committed state.
-// Ends near zero, or on the far side of a jump.
+// The Illinois variant of regula falsi for the size of the step; each trial is a full solution from the
+// committed state. Ends near zero, or on the far side of a jump.
 double Run::search(Event& event, double size, StepReport& report) {
   double from = no_size(), to = tried_size(size), low = event.last, high = event.now, at = to;
-  const double least = 1e-9 * (to - from);  // of the step: a jump is no better known
-  int kept = 0;                             // which end was kept last time
+  const double least = 1e-9 * (to - from);  // of the step: a jump is located to this accuracy
+  int kept = 0;                             // the end that was kept in the last iteration
   const auto try_size = [&](double s) {
     at = s;
     if (!attempt(s, report)) give_up(report);
@@ -287,7 +287,7 @@ void Run::run_pending() {
     const bool repeat = timed_[i].after == AfterError::repeat;
     timed_[i].pending = repeat;
     hooked_ = true;
-    const Hook hook = timed_[i].hook;  // a hook may add hooks
+    const Hook hook = timed_[i].hook;  // a copy, because a hook may add hooks
     hook(*this);
     timed_[i].pending = false;
   }

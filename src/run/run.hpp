@@ -1,5 +1,5 @@
-// What a deck drives: a run in time over a compiled model. Steps, landings, hooks, events, readings and
-// snapshots are here; static.hpp and dynamic.hpp say how a step is made.
+// A run in time over a compiled model, as driven by a deck: steps, landings, hooks, events, readings and
+// snapshots. static.hpp and dynamic.hpp define how a step is made.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@
 
 namespace fabricsh::run {
 
-inline constexpr double same_time = 1e-12;  // of the duration: two times this close are one
-inline constexpr double most_steps = 1e10;  // a run of more would not end: it is refused before it begins
+inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal
+inline constexpr double most_steps = 1e10;  // a run with more steps is refused, because it would not end
 
 class Run {
  public:
@@ -27,62 +27,62 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  // Runs to the duration, or to where a hook stopped it.
+  // Runs to the duration, or until a hook stops it.
   void solve() { advance(std::max(duration_, time())); }
-  void advance(double time);             // to the absolute time, landing on it. NumericalFailure when stuck
-  void step();                           // one committed step (clipped at the duration)
+  void advance(double time);             // a step ends at this time. NumericalFailure when stuck
+  void step();                           // one committed step (not beyond the duration)
   void stop(const std::string& reason);  // from a hook or event: the run ends after the current step's hooks
-  bool stopped() const { return stopped_; }  // until solve, advance or step goes on
+  bool stopped() const { return stopped_; }  // until the next solve, advance or step
   const std::string& stop_reason() const { return stop_reason_; }
 
-  // Called after each committed step (along an arc, time may have gone down), or whenever `every` seconds
-  // have passed (the run lands on those times); also at the start (time 0), before the first step. Hooks run
-  // in the order in which they were added. Where one throws, the later ones of the step run first when the
-  // run goes on; the one that threw is called again only where it asks for that (an output does, so that no
-  // row is lost).
+  // Adds a function that is called after each committed step (along an arc time may have decreased), or at
+  // intervals of `every` seconds, where steps then end; and also at the start (time 0), before the first
+  // step. Hooks run in the order in which they were added. If one throws, the later ones of that step run
+  // when the run continues; the one that threw is called again only with AfterError::repeat (used by outputs,
+  // so that no row is lost).
   using Hook = std::function<void(Run&)>;
   enum class AfterError { skip, repeat };
   // Returns the hook's number.
   std::size_t every_step(Hook hook, AfterError after = AfterError::skip);
   std::size_t every(double interval, Hook hook, AfterError after = AfterError::skip);  // Error: not positive
-  void reschedule(std::size_t hook, double interval);  // from here on; 0: every step
-  // Finds, inside the step, where value(a) comes to zero after it was not: lands there within |value| <=
-  // tolerance * largest |value| so far, commits, and runs the hook. Of several, the earliest.
+  void reschedule(std::size_t hook, double interval);  // from now on; 0: every step
+  // Finds the time in a step at which value(a) becomes zero after it was not. The step ends there, with
+  // |value| <= tolerance * largest |value| so far, and the hook runs. The earliest event comes first.
   void event(std::function<double(Run&)> value, double tolerance, Hook hook);
-  // After each step, when all that belongs to it is done: the state is one to be kept. May throw.
+  // Called after each step when everything else is done, so that the state can be saved. May throw.
   void when_settled(Hook hook) { settled_.push_back(std::move(hook)); }
-  void monitor(Hook hook) { monitor_ = std::move(hook); }  // the last of these
-  // Looked in at while a step is solved; what it throws ends the step, the run stays where it was.
+  void monitor(Hook hook) { monitor_ = std::move(hook); }  // called after the former
+  // Called while a step is solved. If it throws, the step ends and the run stays at the committed state.
   void poll(std::function<void()> look) { poll_ = std::move(look); }
   void on_restore(Hook hook) { restored_.push_back(std::move(hook)); }
 
-  // A further term of the compiled model, before the run begins; it is kept with the run's state, so that a
-  // run that takes the state up must be given the same. Errors: the run has begun; a tangent that is not
+  // Adds a term to the compiled model, before the run begins. Its state is stored with that of the run, so a
+  // run that restores the state must have the same term. Errors: the run has begun; the tangent is not
   // symmetric.
   void add(std::unique_ptr<mechanics::Term> term);
 
   double time() const { return trial_time_; }
   double duration() const { return duration_; }
-  // N, global: the force the supports exert on the cloth; zero before the run has begun.
+  // N, global: force of the supports on the cloth; zero before the run has begun.
   Vec3 reaction(const std::string& set) const;
-  // What touches. Error: the model has no contact; the body is none of it.
+  // The contacts of the model, and the number of a body in it. Error: there is no contact, or no such body.
   const mechanics::Contacts& contact() const;
   std::size_t body_number(const model::Rigid& body) const;
   NodeValues node(mesh::Index i) const;        // from 0; Error outside
   ElementValues element(mesh::Index i) const;  // from 0; Error outside
   double mean(const std::string& name, const std::string& set = "all") const;
   std::vector<double> field(const std::string& name) const;  // see result_fields.hpp
-  const std::vector<ElementValues>& elements() const;        // of the current state, computed once per state
+  const std::vector<ElementValues>& elements() const;        // of the present state, computed once per state
   Energy energy() const;
-  // How far the run has gone beyond what its card was tested to; nothing: it has not, or the card does not
-  // say.
+  // How far the run has exceeded the tested range of its card; empty: it has not, or the card does not state
+  // it.
   std::optional<Beyond> beyond() const {
     return beyond_.share > 1 ? std::optional<Beyond>(beyond_) : std::nullopt;
   }
 
-  // The part of the elements that have gone beyond it, 0 to 1.
+  // The share of the elements that have exceeded it, 0 to 1.
   double elements_beyond() const;
-  // Stops the run at the step that takes it beyond for the first time.
+  // Stops the run at the first step that exceeds the tested range.
   void stop_beyond() { stops_beyond_ = true; }
 
   const model::Model& model() const { return *model_; }
@@ -91,31 +91,31 @@ class Run {
   const std::string& why() const { return why_; }  // the last failure, in lines; empty: none
   Notices& notices() { return *notices_; }
   virtual const char* kind() const = 0;    // "static", "dynamic"
-  virtual std::string method() const = 0;  // all options that a state hangs on, as text
-  // The linear algebra's kernels, on which the bits of a solve hang; empty: this kind of run solves nothing.
+  virtual std::string method() const = 0;  // all options on which the state depends, as text
+  // Kernels of the linear algebra, on which the bits of a solution depend; empty: nothing is solved.
   virtual std::string kernels() const { return {}; }
-  // What may change while a run is under way. Errors: out of range, or not of this kind of run.
+  // Settings that may change during a run. Errors: out of range, or not valid for this kind of run.
   struct Settings {
     std::optional<double> tolerance = {}, step = {};
     std::optional<int> max_iterations = {}, max_cuts = {};
   };
   virtual void set(const Settings& settings) = 0;
-  // The settings with those that the run was made with: read by a run that was made with others, those of
-  // its own stay.
+  // Stores the present settings and those at the creation of the run. When reading, a setting is restored
+  // only if this run was created with the same value.
   virtual void keep_settings(Archive& archive) = 0;
-  virtual bool moves() const { return false; }    // are there velocities
-  virtual double tolerance() const { return 0; }  // of a step's residual; 0: steps have none
-  // The largest share so far of the kinetic energy in rotary inertia that is scaled up.
+  virtual bool moves() const { return false; }    // whether there are velocities
+  virtual double tolerance() const { return 0; }  // of a step's residual; 0: not used
+  // The largest share so far of the kinetic energy that is in scaled rotary inertia.
   virtual double scaled_share() const { return 0; }
 
-  // A copy of the whole state; restore goes back to it and continues bit for bit. Errors: a snapshot of
-  // another analysis; restore from a hook.
+  // A copy of the whole state. restore() returns to it and continues with the same bits. Errors: a snapshot
+  // of another run; restore called by a hook.
   struct Snapshot;
   std::shared_ptr<const Snapshot> snapshot();
   void restore(const Snapshot& snapshot);
-  // The same as bytes, for a run of the same model and options in another process. resume() takes them up as
-  // restore() does, but for on_restore; hooks and events added later have their state in them too. Error:
-  // they are of another model or damaged; the run is then as it was.
+  // The same as bytes, for a run of the same model and options in another process. resume() restores them as
+  // restore() does, but does not call on_restore hooks; the state also contains that of hooks and events to
+  // be added later. Error: bytes of another model, or damaged; the run is then unchanged.
   std::string kept();
   void resume(const std::string& kept);
 
@@ -124,34 +124,34 @@ class Run {
   Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<Notices> notices,
       const char* kind);
 
-  // --- what a kind of run does. A step's size: the time at its end; along an arc its length.
+  // --- to be defined by a kind of run. A step's size is the time at its end; along an arc, its length.
   virtual void begin() = 0;  // the state at time 0, before its hooks; calls work_.start
-  // Solves a step towards the limit, cut where that is needed, and leaves it as trial state: its size.
-  // NumericalFailure when stuck.
+  // Solves a step towards the limit, cutting it where necessary, and leaves it as the trial state. Returns
+  // its size. NumericalFailure if no step is possible.
   virtual double try_step(double limit, StepReport& report) = 0;
-  virtual bool attempt(double size, StepReport& report) = 0;  // one try of that size from the committed state
-  virtual double largest_step() const = 0;                    // s
-  virtual double no_size() const = 0;                         // of a step that goes nowhere
-  virtual double tried_size(double size) const { return size; }  // what the last attempt made of it
-  virtual void commit(StepReport& report) = 0;                   // the trial state; adds the external work
+  virtual bool attempt(double size, StepReport& report) = 0;     // one attempt from the committed state
+  virtual double largest_step() const = 0;                       // s
+  virtual double no_size() const = 0;                            // size of a step of zero length
+  virtual double tried_size(double size) const { return size; }  // the size of the last attempt
+  virtual void commit(StepReport& report) = 0;                   // commits the trial state; adds the work
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
-  // Throws it, with the report for why().
+  // Throws the failure and stores the report for why().
   [[noreturn]] void fail(NumericalFailure failure, const std::string& why);
-  virtual double scaled_kinetic() const {
-    return 0;
-  }  // J, of the kinetic energy, in rotary inertia that is scaled up
-  virtual double driven_kinetic() const { return 0; }  // J, of displacements that are driven
-  virtual double scheme_loss() const { return 0; }     // J, lost to a time scheme that damps
-  virtual double driven_work() const { return 0; }     // J, external work beyond work_
+  // J, the part of the kinetic energy in rotary inertia beyond that of the thickness; 0 if rotary inertia is
+  // not scaled.
+  virtual double scaled_kinetic() const { return 0; }
+  virtual double driven_kinetic() const { return 0; }  // J, of driven displacements
+  virtual double scheme_loss() const { return 0; }     // J, dissipated by the time scheme
+  virtual double driven_work() const { return 0; }     // J, external work not contained in work_
   virtual void check() {}                              // after a step and its hooks; may throw
   virtual Vec3 inertia(mesh::Index) const {
     return Vec3::Zero();
-  }  // N, that a driven node's support overcomes
+  }  // N, to be overcome by the support of a driven node
   virtual Vec3 velocity(mesh::Index) const { return Vec3::Zero(); }  // m/s
-  // All that changes as the run goes, but what Run has; what hangs on it is worked out after reading.
+  // Archives all state except that of Run itself; quantities derived from it are computed after reading.
   virtual void memory(Archive& archive) = 0;
 
-  // The state between two hooks, to go back to within the same run: steps since are taken back.
+  // The state between two hooks, for returning to it within the same run and discarding later steps.
   std::string mark();
   void go_back(const std::string& mark);
 
@@ -170,7 +170,7 @@ class Run {
   std::string why_;
   ExternalWork work_;
   double trial_time_ = 0, initial_energy_ = 0;
-  bool hooked_ = false;  // has a hook or event seen a state since a kind of run took that back
+  bool hooked_ = false;  // whether a hook or event has seen a state since this was last reset
 
  private:
   struct Timed {
@@ -181,7 +181,7 @@ class Run {
     bool pending = false;
     bool repeats() const { return after == AfterError::repeat && pending; }
   };
-  struct TimedState {  // of a Timed
+  struct TimedState {  // state of a Timed
     std::int64_t count = 0;
     bool repeats = false;
     void keep(Archive& archive) { archive(count, repeats); }
@@ -190,22 +190,22 @@ class Run {
     std::function<double(Run&)> value;
     double tolerance = 0;
     Hook hook;
-    double last = 0, now = 0, largest = 0;  // at the committed and at the trial state; of committed ones
-    int side = 0;  // sign of the value when it was last outside its tolerance of zero; 0: not since it fired
+    double last = 0, now = 0, largest = 0;  // at the committed state, the trial state; of committed states
+    int side = 0;  // sign of the value when last outside its tolerance of zero; 0: not since the event
     bool pending = false;
     bool near() const { return std::abs(now) <= tolerance * largest; }
-    bool crossed() const;  // beyond zero and its tolerance
-    void settle();         // the trial state is committed
+    bool crossed() const;  // across zero and outside the tolerance
+    void settle();         // to be called at a commit
   };
   struct EventState {
     double last = 0, largest = 0;
     int side = 0;
     void keep(Archive& archive) { archive(last, largest, side); }
   };
-  // While a run is under way, its hooks may read it and stop it, not drive it.
+  // While a run is being driven, its hooks may read and stop it, but not drive it.
   class Busy {
    public:
-    Busy(Run& run, const char* call);  // Error: a hook of this run makes the call
+    Busy(Run& run, const char* call);  // Error: `call` was made by a hook of this run
     ~Busy() { run_.busy_ = false; }
     Busy(const Busy&) = delete;
     Busy& operator=(const Busy&) = delete;
@@ -216,21 +216,21 @@ class Run {
   void check_interval(double interval) const;
   void start();
   void advance_to(double limit);  // one committed step towards the limit
-  void watch_strain();            // of the committed state: the farthest beyond what was tested, said once
+  void watch_strain();            // of the committed state: reports once a strain beyond the tested range
   void measure(Event& event);
-  double land(double size, StepReport& report);  // shortens the attempt to the first event inside it
+  double land(double size, StepReport& report);  // shortens the step to the first event in it
   double search(Event& event, double size, StepReport& report);
   void mark_due();
   void keep(Archive& archive);
   void keep_motion(Archive& archive);
   void keep_hooks(Archive& archive);
-  void take_up(Timed& timed, std::size_t i);  // the state that was kept of the i-th, or as from here
+  void take_up(Timed& timed, std::size_t i);  // restores the stored state of the i-th, or starts it now
   void take_up(Event& event, std::size_t i);
   void run_pending();
 
   std::vector<Timed> timed_;
   std::vector<Event> events_;
-  std::vector<TimedState> kept_timed_;  // as last restored: hooks may be added only after that
+  std::vector<TimedState> kept_timed_;  // as last restored, for hooks that are added later
   std::vector<EventState> kept_events_;
   std::vector<Hook> settled_;
   Hook monitor_;

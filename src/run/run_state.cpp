@@ -1,4 +1,4 @@
-// What a snapshot and a checkpoint hold of a run, and going back to it.
+// The content of snapshots and checkpoints of a run, and returning to them.
 #include <cmath>
 
 #include "base/error.hpp"
@@ -63,7 +63,7 @@ void Run::keep_hooks(Archive& archive) {
   for (std::size_t i = 0; i < events_.size(); ++i) take_up(events_[i], i);
 }
 
-// What is younger than the state counts from here.
+// A hook added after the state was stored counts from now.
 void Run::take_up(Timed& timed, std::size_t i) {
   timed.pending = false;
   timed.count = 1;

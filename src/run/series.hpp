@@ -1,4 +1,4 @@
-// Rows or frames that a run writes as it goes, one a step at most, each whole when it is there.
+// Rows or frames written during a run, at most one per step, each complete when it exists.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -15,16 +15,16 @@ class Series {
   Series(const Series&) = delete;
   Series& operator=(const Series&) = delete;
 
-  // Of the state that the analysis holds now, unless its step has one.
+  // Writes a frame of the present state, unless its step already has one.
   void frame(const run::Run& run);
-  // The same where a run is broken off: it shows where that was, and goes away when the run goes on.
+  // Writes a frame where a run has ended by an error; it is removed when the run continues.
   void extra_frame(const run::Run& run);
   void go_on();
-  virtual std::vector<std::string> lost() const { return {}; }  // files that were gone when it went on
-  bool in_trouble() const { return in_trouble_; }               // its last frame was an error
-  void rewind(std::size_t step);                                // takes off what is later than a step
-  virtual void sync() = 0;                                      // to the disk
-  // How far it is, for a program that continues it.
+  virtual std::vector<std::string> lost() const { return {}; }  // files missing when the series was continued
+  bool in_trouble() const { return in_trouble_; }               // writing the last frame failed
+  void rewind(std::size_t step);                                // removes frames after a step
+  virtual void sync() = 0;                                      // forces the files to the disk
+  // Archives the state of the series, for a program that continues it.
   void keep(Archive& archive);
 
  protected:
@@ -32,12 +32,12 @@ class Series {
   explicit Series(Archive& from) { from(steps_, extra_); }
   std::size_t frames() const { return steps_.size(); }
   virtual void write(const run::Run& run) = 0;
-  virtual void cut(std::size_t frames) = 0;  // keeps the first ones
+  virtual void cut(std::size_t frames) = 0;  // keeps only the first ones
   virtual void keep_place(Archive& archive) = 0;
 
  private:
-  std::vector<std::size_t> steps_;  // of the frames
-  bool extra_ = false;              // is the last one
+  std::vector<std::size_t> steps_;  // the steps of the frames
+  bool extra_ = false;              // whether the last frame is an extra one
   bool in_trouble_ = false;
 };
 

@@ -1,4 +1,4 @@
-// The settings that may change while a run is under way: those that static runs and runs in motion share.
+// The settings that may change during a run and that static and dynamic runs have in common.
 #pragma once
 #include "base/archive.hpp"
 #include "base/error.hpp"
@@ -7,7 +7,7 @@
 
 namespace fabricsh::run {
 
-// now: as it stands; given: as the run was made.
+// now: the present value; given: that at creation. Reading keeps the present value if `given` differs.
 template <class T>
 void keep_setting(Archive& archive, const T& given, T& now) {
   T given_then = given, then = now;
@@ -20,7 +20,7 @@ void take_setting(const std::optional<T>& wanted, T& now) {
   if (wanted) now = *wanted;
 }
 
-// Options of either kind; the order is that of the checkpoint.
+// Stores the common options; their order is that of the checkpoint.
 template <class Options>
 void keep_settings(Archive& archive, const Options& given, Options& now) {
   keep_setting(archive, given.tolerance, now.tolerance);
@@ -29,7 +29,7 @@ void keep_settings(Archive& archive, const Options& given, Options& now) {
   keep_setting(archive, given.step, now.step);
 }
 
-// Error: a step with which the run would not end.
+// Error: with this step the run would not end.
 inline void check_step(const char* call, double step, double duration) {
   if (!(duration / step <= most_steps))
     throw Error(std::string(call) + ": field 'step': expected at least " + number(duration / most_steps) +
@@ -37,7 +37,7 @@ inline void check_step(const char* call, double step, double duration) {
                 number(step) + " s");
 }
 
-// The options with what is wanted otherwise.
+// The options with the given changes.
 template <class Options, class Settings>
 Options with_settings(Options options, const Settings& wanted) {
   take_setting(wanted.tolerance, options.tolerance);

@@ -1,4 +1,4 @@
-// The quasi-static run: steps, cuts, what is said.
+// The quasi-static run: steps, cuts and notices.
 #include "run/static.hpp"
 
 #include <algorithm>
@@ -41,9 +41,9 @@ StepControl control_of(const StaticOptions& o) {
   return {o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
 }
 
-constexpr double kLedger = 0.05;  // of the external work: an error of the ledger that is worth a word
+constexpr double kLedger = 0.05;  // share of the external work: a larger error of the ledger is reported
 
-// Cuts after which relaxation is tried, where it is allowed.
+// Number of cuts after which relaxation is tried, if it is permitted.
 constexpr int kPatience = 3;
 
 }  // namespace
@@ -124,7 +124,7 @@ void Static::begin() {
   now_.jumps = some(targets) || some(loads.on_x) || some(loads.on_d);
   if (some(targets))
     notices_->say("static: a motion is not zero at time 0; all of it is applied in the first step");
-  // Where one step is the whole run, a ramp would be applied whole as well.
+  // If one step is the whole run, a ramp would also be applied at once.
   if (now_.step.largest() >= options_.duration) return;
   if (const std::string words = jump_warning(*model_, options_.duration); !words.empty())
     notices_->say("warning: static: " + words);
@@ -139,7 +139,7 @@ double Static::plan(double limit) {
   return now_.step.end(committed_time(), now_.landing);
 }
 
-// A step that fails or is broken off leaves nothing behind: a run goes on as if it had not been tried.
+// Restores the settings of the step control after a step that fails, as if it had not been tried.
 class Static::Trace {
  public:
   explicit Trace(Static& run) : run_(run), now_(run.now_), factor_(run.damping_factor()) {}
@@ -177,7 +177,7 @@ double Static::try_step(double limit, StepReport& report) {
   return size;
 }
 
-// The first step is done again until its damping loses no more than it may, or can't be done with less.
+// Repeats the first step until its damping dissipates at most the permitted energy, or less damping fails.
 void Static::calibrate(double size, StepReport& report) {
   auto& damping = *stabilisation_;
   for (int i = 0; i < 8; ++i) {
@@ -192,8 +192,8 @@ void Static::calibrate(double size, StepReport& report) {
   }
 }
 
-// Half the size. False: that is below the smallest step, and the cuts of one step after the other have added
-// up to more than one step may take.
+// Halves the size. False: it is then below the smallest size, which is the largest one halved max_cuts times
+// (or min_step), however many steps the cuts have been spread over.
 bool Static::cut(double size) {
   if (arc_) {
     now_.arc_length = now_.tried_length / 2;
@@ -222,8 +222,8 @@ bool Static::rescue(double size, StepReport& report) {
   return finish(relax(), size, report);
 }
 
-// Relaxation goes far at little accuracy, Newton the rest of the way; where it fails, relaxation goes on from
-// where it stood.
+// Relaxation gets near at low accuracy, then Newton's method solves accurately; if that fails, relaxation
+// continues from where it was.
 solver::NewtonResult Static::relax() {
   solver::RelaxationOptions coarse;
   coarse.tolerance = std::max(options_.tolerance, 1e-3);
@@ -269,18 +269,18 @@ void Static::commit(StepReport& report) {
   tell(report);
 }
 
-// From the iterations that the step took: a step that took many makes the next one smaller, one that took few
-// lets it grow back to the largest.
+// Adapts the step to the iterations of the last one: after many iterations it becomes smaller, after few it
+// grows back to the largest.
 void Static::grow(const StepReport& report) {
   if (arc_) return grow_arc(report);
   if (relaxation_ && last_.iterations > options_.max_iterations)
-    return;  // relaxed: that says nothing of steps
+    return;  // by relaxation: its iterations say nothing about the step
   now_.step.grow(last_.iterations, report.cuts > 0);
 }
 
 void Static::grow_arc(const StepReport& report) {
   const bool kink = is_kink(report.time);
-  // A run may begin with a jump of its loads, whose direction says nothing about the path.
+  // A run may begin with a jump of its loads, whose direction has no meaning for the path.
   if (kink || reports_.empty())
     arc_->forget();
   else
@@ -289,7 +289,7 @@ void Static::grow_arc(const StepReport& report) {
   const double factor =
       std::clamp(std::sqrt(wanted_iterations / std::max(1.0, 1.0 * last_.iterations)), 0.5, 1.5);
   now_.longest_length = std::max(now_.longest_length, now_.tried_length);
-  // A landing shortens a step for reasons of its own.
+  // A step shortened to a landing says nothing about the right length.
   const bool landed = std::abs(report.time - now_.landing) <= same_time * options_.duration;
   now_.arc_length = factor * (landed && report.cuts == 0 ? std::max(now_.tried_length, now_.arc_length)
                                                          : now_.tried_length);
@@ -316,15 +316,15 @@ void Static::tell(const StepReport& report) {
   }
 }
 
-// The answer hangs on the balance of forces alone, but a law with hysteresis is followed along the same steps
-// over which the trapezoid sums the work: where that is far off, they are large. Said at the end, as the
-// first steps of a run that begins with nothing say little.
+// Equilibrium does not depend on the ledger, but a law with hysteresis follows the same steps over which the
+// work is summed by the trapezoidal rule. A large error therefore shows that the steps are large. Reported at
+// the end, because the first steps of a run that starts unloaded say little.
 void Static::check() {
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
   const bool first = now_.jumps && reports_.size() == 1;
   if (now_.told_error || !(end || first)) return;
   const Energy e = energy();
-  // A load that is there at once does more work than the springs take up; the rest is no error of the steps.
+  // A load applied at once does more work than the cloth stores; that surplus is no error of the steps.
   if (first) now_.jumped = e.surplus();
   const double made = std::abs(e.surplus() - now_.jumped), scale = work_.largest();
   if (!end || !(scale > 0) || made <= kLedger * scale) return;

@@ -1,4 +1,4 @@
-// The quasi-static run: Newton, path following or relaxation, with steps cut where they fail.
+// The quasi-static run: Newton's method, path following or relaxation, with steps that are cut if they fail.
 #pragma once
 #include <optional>
 
@@ -13,29 +13,29 @@
 
 namespace fabricsh::run {
 
-enum class Linear { automatic, symmetric, unsymmetric };  // automatic: symmetric where law and loads are
-// load: each step has its end time. arc: each step has its length along the path, and time, which loads and
-// supports hang on, follows; it may go down, past a limit point. The run ends where it first reaches the
-// duration.
+enum class Linear { automatic, symmetric, unsymmetric };  // automatic: symmetric if law and loads are
+// load: a step has a given end time. arc: a step has a given length along the path, and time, on which loads
+// and supports depend, is computed; it decreases after a limit point. The run ends when time first reaches
+// the duration.
 enum class Control { load, arc };
-// relaxation: every step by dynamic relaxation, polished by Newton. either: Newton, and relaxation for a step
-// that it can't do in a few cuts.
+// relaxation: every step by dynamic relaxation, completed by Newton's method. either: Newton's method, and
+// relaxation for a step that fails after a few cuts.
 enum class Method { newton, relaxation, either };
 
 struct StaticOptions {
   double duration = 0;              // s, required, positive
   std::optional<double> step = {};  // largest step, s; default duration / 20
   double tolerance = 1e-10;         // residual over the largest nodal force so far
-  int max_iterations =
-      50;             // slack cloth at its first strains switches many yarns: an active set takes its time
-  int max_cuts = 12;  // halvings of one step before the run gives up
+  // Slack cloth at small strains switches many yarns, which takes many iterations.
+  int max_iterations = 50;
+  int max_cuts = 12;  // halvings of one step before the run fails
   bool line_search = true;
-  double min_step = 0;  // s: no cut goes below
+  double min_step = 0;  // s: smallest size of a step
   Linear linear = Linear::automatic;
   Control control = Control::load;
   Method method = Method::newton;
-  // Viscous forces c m dx/dt on the nodes, c chosen such that a step loses this fraction of its work; 0:
-  // none.
+  // Viscous forces c m dx/dt on the nodes; c is chosen so that a step dissipates this fraction of its work.
+  // 0: none.
   double stabilise = 0;
 };
 inline constexpr double usual_stabilisation = 2e-4;
@@ -67,34 +67,34 @@ class Static final : public Run {
   void memory(Archive& archive) override;
   void check() override;
 
-  void check_bodies() const;  // Error: one that this kind of run cannot move
+  void check_bodies() const;  // Error: a body that this kind of run cannot move
   double plan(double limit);  // size of the next step
   double damping_factor() const { return stabilisation_ == nullptr ? 0 : stabilisation_->factor(); }
-  void calibrate(double size, StepReport& report);  // the damping of the first step
-  bool rescue(double size, StepReport& report);     // by relaxation, where that is allowed
-  bool cut(double size);                            // half of it; false: too small
-  void grow(const StepReport& report);              // what the next step may be
+  void calibrate(double size, StepReport& report);  // adapts the damping of the first step
+  bool rescue(double size, StepReport& report);     // by relaxation, if it is permitted
+  bool cut(double size);                            // halves the size; false: too small
+  void grow(const StepReport& report);              // sets the size of the next step
   void grow_arc(const StepReport& report);
   solver::NewtonResult relax();
   bool finish(const solver::NewtonResult& result, double end, StepReport& report);
-  void tell(const StepReport& report);  // notices
+  void tell(const StepReport& report);  // gives notices
 
   StaticOptions options_;
   const StaticOptions given_;
   std::unique_ptr<Problem> problem_;
   mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none
-  std::unique_ptr<solver::Newton> newton_;             // each of the three where it is used
+  std::unique_ptr<solver::Newton> newton_;             // each is created if it is used
   std::unique_ptr<solver::ArcLength> arc_;
   std::unique_ptr<solver::Relaxation> relaxation_;
   solver::NewtonResult last_;
   Blame blame_;
-  std::vector<Try> tries_;  // of the step under way, that failed
-  struct Now {              // what changes as the run goes
+  std::vector<Try> tries_;  // failed attempts at the present step
+  struct Now {              // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     bool told_pivots = false, told_damping = false, told_inverted = false, told_error = false;
-    bool jumps = false;  // are there loads, or motions, at time 0 already
-    double jumped = 0;   // J, that loads which begin with a jump gave in the first step, and no state holds
+    bool jumps = false;  // whether loads or motions begin with a jump at time 0
+    double jumped = 0;   // J, surplus work in the first step of loads that begin with a jump; no state has it
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, told_pivots, told_damping,
               told_inverted, told_error, jumps, jumped);

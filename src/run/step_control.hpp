@@ -1,4 +1,4 @@
-// The size of an implicit step in time: cut where it fails, from the iterations that it took otherwise.
+// The size of an implicit step in time: cut after a failure, otherwise adapted to the number of iterations.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 namespace fabricsh::run {
 
-// Iterations that a step of the right size takes, and those from which the next one had better be smaller.
+// Iterations of a step of the right size, and the number from which the next step is made smaller.
 inline constexpr int wanted_iterations = 6, many_iterations = 12;
 
-// End of the next of equal steps, none longer than `step`, from now to a landing.
+// The end of the next step, when the way to a landing is divided into equal steps of at most `step`.
 inline double end_of_step(double now, double landing, double step) {
   const double steps = std::ceil((landing - now) / step - 1e-9);
   return steps <= 1 ? landing : now + (landing - now) / steps;
@@ -18,7 +18,7 @@ inline double end_of_step(double now, double landing, double step) {
 
 class StepControl {
  public:
-  // s: the largest step, and the smallest that cuts go to (at most max_cuts halvings of the largest).
+  // s: the largest step, and the smallest size for cuts (at most max_cuts halvings of the largest).
   StepControl(double largest, double smallest, int max_cuts)
       : largest_(largest),
         smallest_(std::max(smallest, std::ldexp(largest, -max_cuts))),
@@ -30,12 +30,12 @@ class StepControl {
   double largest() const { return largest_; }
   void set(double step) { current_ = step; }
   double end(double now, double landing) const { return end_of_step(now, landing, current_); }
-  // A step of that size failed. False: half of it is too small.
+  // To be called when a step of that size has failed. False: half of it would be too small.
   bool cut(double failed) {
     current_ = failed / 2;
     return current_ >= smallest_;
   }
-  // A step took many iterations: the next is smaller. It took few: it grows back to the largest.
+  // After a step with many iterations the next one is smaller; after few it grows back to the largest.
   void grow(int iterations, bool was_cut) {
     const double n = std::max(1, iterations);
     if (iterations > many_iterations)

@@ -1,4 +1,4 @@
-// A run as a table: one row a frame, the time and what the columns say, as CSV.
+// A run as a table in CSV: one row per frame, with the time and the values of the columns.
 #pragma once
 #include <functional>
 #include <string>
@@ -12,14 +12,14 @@ namespace fabricsh::run {
 struct Column {
   std::string name;
   std::function<double(const Run&)> value;
-  std::string unit = {};  // in the heading, behind the name; empty: none
+  std::string unit = {};  // in the heading, after the name; empty: none
 };
 
 class TableSeries final : public Series {
  public:
-  // Errors: a folder that can't be written; a column that comes twice.
+  // Errors: a folder that cannot be written; two columns with the same name.
   TableSeries(const std::string& path, std::vector<Column> columns);
-  // Goes on with a table that another program has left. Error: it is not as it was kept.
+  // Continues the table of an earlier program. Error: it has been changed.
   TableSeries(const std::string& path, std::vector<Column> columns, Archive& from);
   void sync() override { writer_.sync(); }
 

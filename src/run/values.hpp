@@ -1,4 +1,4 @@
-// What can be read from a run.
+// The values that can be read from a run.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace fabricsh::run {
 
-// Read-only averages over an element's reference volume, material axes, tensor components. result_fields.cpp
-// gives them their names.
+// Averages over the reference volume of an element; material axes, tensor components. Their names are defined
+// in result_fields.cpp.
 struct ElementValues {
   double E11 = 0, E22 = 0, E23 = 0, E13 = 0, E12 = 0;
   double S11 = 0, S22 = 0, S23 = 0, S13 = 0, S12 = 0;
@@ -24,37 +24,37 @@ struct NodeValues {
 
 struct Energy {  // J
   double kinetic = 0, stored = 0, dissipated = 0, external = 0;
-  double damping = 0;  // lost to viscous forces, and to the integrator where it damps (gamma > 1/2, hht < 0)
-  double scaled = 0;   // of the kinetic, in rotary inertia beyond what the thickness has
-  double contact = 0, guard = 0;  // of the stored: of contact, and of what holds it off its floor
-  double friction = 0;            // of the dissipated: what friction of contact took
-  double rigid = 0;               // of the kinetic: of free rigid bodies
+  double damping = 0;  // to viscous forces, and to the integrator if it damps (gamma > 1/2, hht < 0)
+  double scaled = 0;   // part of kinetic: in rotary inertia beyond that of the thickness
+  double contact = 0, guard = 0;  // part of stored: contact, and the guard above its floor
+  double friction = 0;            // part of dissipated: friction of contact
+  double rigid = 0;               // part of kinetic: free rigid bodies
   double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
   double internal() const { return stored + dissipated; }
-  double initial = 0;  // kinetic, stored and dissipated when the run began
-  // kinetic + stored + dissipated + damping - external - initial, which is zero where no energy is made.
+  double initial = 0;  // kinetic, stored and dissipated energy at the beginning
+  // kinetic + stored + dissipated + damping - external - initial; zero if no energy is created.
   double surplus() const { return kinetic + stored + dissipated + damping - external - initial; }
   double error = 0;  // |surplus| / largest |external| so far (a free flight: / initial)
 };
 
-// Where a run went farthest beyond what its card was tested to.
+// Where a run exceeded the tested range of its card most.
 struct Beyond {
-  double share = 0;               // of the tested strain: 1.2 is 20 % beyond it; 0: nowhere beyond 1
+  double share = 0;               // strain over tested strain: 1.2 is 20 % beyond; 0: never above 1
   std::string yarn;               // "warp", "weft", "shear"
-  std::int64_t element = -1;      // from 0
+  std::int64_t element = -1;      // numbered from 0
   double time = 0;                // s, of the share above
-  double first = 0;               // s, when the run first went beyond 1 anywhere
-  double strain = 0, tested = 0;  // E11, E22 or |E12| (tensor) there, and up to which the card was tested
+  double first = 0;               // s, when the share first exceeded 1 anywhere
+  double strain = 0, tested = 0;  // E11, E22 or |E12| (tensor) there, and the tested strain of the card
   void keep(Archive& archive) { archive(share, yarn, element, time, first, strain, tested); }
 };
 
-// One line per committed step.
+// Report of a committed step.
 struct StepReport {
   double time = 0, step = 0;
   int iterations = 0;
-  int cuts = 0;                      // halvings that this step took
-  std::vector<double> residuals;     // relative residual of each iteration, the first one is the predictor's
-  std::int64_t negative_pivots = 0;  // of the last tangent: none on a stable path
+  int cuts = 0;                      // halvings of this step
+  std::vector<double> residuals;     // relative residual of each iteration; the first is the predictor's
+  std::int64_t negative_pivots = 0;  // of the last tangent; 0 on a stable path
   void keep(Archive& archive) { archive(time, step, iterations, cuts, residuals, negative_pivots); }
 };
 

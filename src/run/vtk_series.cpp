@@ -52,7 +52,7 @@ void VtkSeries::check_fields() const {
   }
 }
 
-// The field with those of its numbers that are wanted; none: no components.
+// The field with only the requested values; without a request the whole field.
 format::Array VtkSeries::chosen(const run::Run& run, const ResultField& field) const {
   std::vector<int> numbers;
   bool whole = fields_.empty() && field.usual;
@@ -73,7 +73,7 @@ format::Array VtkSeries::chosen(const run::Run& run, const ResultField& field) c
   return array;
 }
 
-// The rigid bodies as they are, a grid each.
+// The rigid bodies in their present positions, one grid each.
 std::vector<format::PvdPart> VtkSeries::bodies_of(const run::Run& run) {
   std::vector<format::PvdPart> parts;
   for (const BodyShown& body : shown_bodies(run)) {

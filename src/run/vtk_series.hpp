@@ -1,4 +1,4 @@
-// A run as a VTK series for ParaView: one .vtu a frame, and the .pvd that names them.
+// A run as a VTK series for ParaView: one .vtu per frame, and the .pvd that lists them.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,12 +12,12 @@ namespace fabricsh::run {
 
 class VtkSeries final : public Series {
  public:
-  // fields: names of run::find_field(), empty for the usual ones. A name of one number of a tensor or
-  // pair
-  // ("E12") writes that number alone into the array of its field. Errors: unknown field (with the list); a
-  // folder that can't be written.
+  // fields: names for run::find_field(); empty: the usual ones. The name of one
+  // value of a tensor or pair ("E12") writes only that value, in the array of its
+  // field. Errors: unknown field (with the list); a folder that cannot be
+  // written.
   VtkSeries(const std::string& stem, std::vector<std::string> fields);
-  // Goes on with the series that another program has left, from where it was kept.
+  // Continues the series of an earlier program from its stored state.
   VtkSeries(const std::string& stem, std::vector<std::string> fields, Archive& from);
   void sync() override { series_.sync(); }
   std::vector<std::string> lost() const override { return series_.lost(); }
@@ -33,7 +33,7 @@ class VtkSeries final : public Series {
   std::vector<std::string> fields_;
 };
 
-// A field of a run as an array of a file.
+// A field of a run as an array for a file.
 format::Array array_of(const run::Run& run, const run::ResultField& field);
 
 }  // namespace fabricsh::run

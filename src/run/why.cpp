@@ -1,4 +1,4 @@
-// The report of a step that could not be done: chosen from what was measured in it.
+// The report of a failed step, composed from the measurements made in it.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -12,9 +12,9 @@ namespace fabricsh::run {
 
 namespace {
 
-constexpr double kWideRatio = 1e6;  // of stiffnesses, from which Newton's steps lose half their digits
-constexpr double kBeyond = 1.5;     // times the tested strain
-constexpr std::size_t kShown = 8;   // residuals and tries
+constexpr double kWideRatio = 1e6;  // of stiffnesses: above it Newton's steps lose half their digits
+constexpr double kBeyond = 1.5;     // factor on the tested strain
+constexpr std::size_t kShown = 8;   // number of residuals and attempts shown
 
 const char* branch_word(law::Branch branch) {
   switch (branch) {
@@ -27,7 +27,7 @@ const char* branch_word(law::Branch branch) {
   }
 }
 
-// How the residuals of an attempt went on.
+// The course of the residuals in an attempt.
 enum class Course { none, falls, stands, swings, grows };
 
 Course course_of(const std::vector<double>& r) {
@@ -69,7 +69,7 @@ std::string try_text(const Try& t) {
   return text;
 }
 
-// "" or ", tested to 0.26"
+// Empty, or ", tested to 0.26".
 std::string tested_text(double strain, double tested) {
   return tested > 0 && std::abs(strain) > tested ? " (tested to " + number(tested) + ")" : "";
 }
@@ -94,7 +94,7 @@ std::string switch_text(const Failure& f) {
 
 void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
   const auto& m = f.mechanism;
-  if (m.ways > 1) {  // no single support takes them away
+  if (m.ways > 1) {  // no single support can prevent them all
     all.push_back("supports that leave no part free (they leave the sheet free to " + m.words +
                   "), or fabric.dynamic with damping");
     return;
@@ -117,7 +117,7 @@ bool ends_singular(const Failure& f) {
 }
 
 void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
-  const bool named = f.mechanism.ways == 1 && !f.mechanism.driven;  // else it has an advice of its own
+  const bool named = f.mechanism.ways == 1 && !f.mechanism.driven;  // otherwise it has advice of its own
   const std::string pivots = std::to_string(f.negative_pivots) + " negative pivots";
   if (f.blame.inverted >= 0)
     all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +

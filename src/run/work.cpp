@@ -10,7 +10,7 @@ namespace fabricsh::run {
 
 namespace {
 
-// By the trapezoidal rule from the committed configuration to the trial one.
+// Work by the trapezoidal rule from the committed to the trial configuration.
 double trapezoid(std::span<const double> before, std::span<const double> now, std::span<const double> from,
                  std::span<const double> to) {
   return ordered_sum(now.size(), [&](std::size_t i) { return (before[i] + now[i]) / 2 * (to[i] - from[i]); });
@@ -26,7 +26,7 @@ void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> de
   const mechanics::Configuration& now = assembly.state();
   const std::size_t n = 3 * now.nodes();
   const auto from = now.committed_kinematics();
-  if (assembly.constant_work()) {  // dead loads that stay the same, and nothing else
+  if (assembly.constant_work()) {  // only dead loads that are constant
     add(trapezoid(dead, dead, from.first(n), now.x()) + assembly.step_work());
     return;
   }

@@ -9,11 +9,11 @@ namespace fabricsh::run {
 
 class ExternalWork {
  public:
-  // The assembly's trial configuration with its forces, aimed at its time and not yet committed; dead: dead
-  // loads then, N, 3 per node. The first state of a run does no work.
+  // Called with the trial configuration, its forces computed for its time, before the commit. dead: dead
+  // loads at that time, N, 3 per node. The first state of a run does no work.
   void start(mechanics::Assembly& assembly, std::span<const double> dead);
   void add(mechanics::Assembly& assembly, std::span<const double> dead);
-  // J, of what is known otherwise.
+  // J, adds work known from elsewhere.
   void add(double work);
   void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d); }
   double total() const { return total_; }      // J

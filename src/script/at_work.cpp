@@ -6,7 +6,7 @@ namespace fabricsh::script {
 
 namespace {
 
-// Signals are the process', and so is this: one session runs at a time.
+// Global, because signals concern the whole process; one session runs at a time.
 std::atomic<bool> run{false};
 
 class DeckAtWork {

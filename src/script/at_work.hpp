@@ -1,11 +1,11 @@
-// What is at work: a run's own code, or a function of the deck's that it asked. A signal handler wants to
-// know.
+// Whether the program's own code of a run is executing, or a Lua function of the deck that the run has
+// called. The signal handlers need to know.
 #pragma once
 #include <lua.hpp>
 
 namespace fabricsh::script {
 
-// As long as it lives, a run's own code is at work.
+// While an object of this class exists, a run's own code is executing.
 class RunAtWork {
  public:
   RunAtWork();
@@ -17,10 +17,10 @@ class RunAtWork {
   bool before_;
 };
 
-// Is a run's own code at work, which answers a signal after its step or sooner? Safe in a signal handler.
+// Whether a run's own code is executing; it answers a signal after its step or sooner. Signal-safe.
 bool run_is_at_work();
 
-// lua_call() for a function of the deck's that a run may ask: it is at work meanwhile.
+// Like lua_call(), for a function of the deck that a run calls; meanwhile the deck's code is executing.
 void call_deck(lua_State* L, int arguments, int results);
 
 }  // namespace fabricsh::script

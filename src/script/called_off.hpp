@@ -1,10 +1,10 @@
-// Ctrl-C stops all that one input or deck does: where a pcall has caught it, no further run goes on.
+// After Ctrl-C no further run of the same input or deck starts, even if a pcall has caught the first error.
 #pragma once
 #include "script/session.hpp"
 
 namespace fabricsh::script {
 
-// Said where Ctrl-C has ended something; lasts until the next input.
+// To be called when Ctrl-C has ended something; effective until the next input.
 void call_off(Session& session);
 void begin_input(Session& session);
 bool is_called_off(Session& session);

@@ -13,19 +13,19 @@ namespace {
 std::string file_bytes(const std::string& path) {
   try {
     return path.empty() ? "" : format::read_file(path);
-  } catch (const Error&) {  // a deck that is gone by now has no hash
+  } catch (const Error&) {  // a deck that no longer exists has no hash
     return {};
   }
 }
 
-// Of the deck's text and arguments.
+// The hash of the deck's text and arguments.
 std::uint64_t deck_hash(const Options& options) {
   std::string all = file_bytes(options.deck);
   for (const std::string& argument : options.arguments) all += '\0' + argument;
   return hash(all);
 }
 
-// The calls that were made before it was written. Error: damaged.
+// The calls that were made before the checkpoint was written. Error: damaged.
 Calls calls_of(const run::Checkpoint& checkpoint) {
   Calls calls;
   try {

@@ -1,4 +1,4 @@
-// A run of a deck and the checkpoint that it begins from: what of the deck's calls lies before it.
+// Runs of a restarted deck: which of the deck's calls were made before the checkpoint.
 #pragma once
 #include <memory>
 #include <string>
@@ -7,26 +7,26 @@
 
 namespace fabricsh::script {
 
-// Error: see run::read_checkpoint; under --safe none is read.
+// Error: as run::read_checkpoint; not permitted under --safe.
 std::shared_ptr<const run::Checkpoint> load_checkpoint(const std::string& path);
 
-// What the checkpoint has of an analysis: its own, or one that was finished by then. Null: nothing.
+// The checkpoint of one analysis within `checkpoint`: its own, or one finished earlier. Null: none.
 std::shared_ptr<const run::Checkpoint> part_of(const std::shared_ptr<const run::Checkpoint>& checkpoint,
                                                std::int64_t analysis);
 
-// The run, made by a restarted deck, is finished in the checkpoint of another one, and is taken as that. One
-// that has become another problem since is done anew; a notice says so.
+// For a run of a restarted deck that had finished before the checkpoint was written: takes its final state.
+// If its problem has changed, it is computed again, with a notice.
 void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint);
 
-// The run begins from the checkpoint, at its first solve(), advance() or step(). Error: of another problem,
-// with what differs. A notice: the deck has changed.
+// The run starts from the checkpoint at its first solve(), advance() or step(). Error: another problem, with
+// the differences. Notice: the deck has changed.
 void begin_from(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint);
-// Now, for a run at the prompt.
+// Restores it at once, for a run at the prompt.
 void restart(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint);
-// State and settings of the checkpoint that the run begins from, if it hasn't taken them yet.
+// Restores state and settings of the checkpoint from which the run starts, if that has not been done.
 void take_up(Run& run);
 
-// What run.json and checkpoints say of the deck and its arguments.
+// The information on the deck and its arguments for run.json and checkpoints.
 run::Journal journal_of(const Options& options);
 
 }  // namespace fabricsh::script

@@ -18,7 +18,7 @@ std::string ended_by(const Session& session) {
   return session.terminated() == SIGHUP ? "ended by SIGHUP" : "ended by SIGTERM";
 }
 
-// Progress, and Ctrl-C.
+// Reports progress and reacts to Ctrl-C.
 class Watch {
  public:
   explicit Watch(Run& run) : run_(run), from_(run.analysis->time()) { run_.session.count_drive(1); }
@@ -40,7 +40,7 @@ class Watch {
         " s; the run is alive, solve() goes on");
   }
 
-  // After a step; several times a second at most.
+  // After a step, but only several times a second.
   void report() {
     const auto& options = run_.session.options();
     const double now = clock_.seconds();
@@ -67,7 +67,7 @@ class Watch {
   RunAtWork at_work_;
 };
 
-// Runs all of them, whatever the others do; the first trouble is thrown at the end.
+// Runs several functions even if some throw, and throws the first exception at the end.
 class All {
  public:
   explicit All(Session& session) : session_(session) {}
@@ -100,7 +100,7 @@ void leave(Run& run, const std::string& status, bool ended, bool broken) {
                                 output->kind + " of the same path puts a new one in its place");
 }
 
-// What a hook raised, on top of the stack, where it is plain; else empty.
+// The value raised by a hook, on top of the stack, packed if it is plain; else empty.
 std::string plain_error(lua_State* L) {
   const int top = lua_gettop(L);
   if (top == 0 || lua_checkstack(L, 10) == 0) return {};
@@ -110,7 +110,7 @@ std::string plain_error(lua_State* L) {
     lua_pushvalue(L, top);
     lua_rawseti(L, -2, 1);
     bytes = pack_table(L, -1, "error");
-  } catch (...) {  // it can't be kept: the message stands for it
+  } catch (...) {  // it cannot be stored: only the message is kept
   }
   lua_settop(L, top);
   return bytes;
@@ -138,7 +138,7 @@ void note_failure(Run& run, const std::exception& trouble) {
   run.calls.failed.push_back(failed);
 }
 
-// Is the call one that the run, restarted, has behind it?
+// Whether the call was made before the checkpoint of a restarted run.
 bool passes_over(Run& run) {
   if (run.calls.count >= run.passing) return false;
   for (const FailedCall& failed : run.calls.failed) {
@@ -152,12 +152,12 @@ bool passes_over(Run& run) {
   return true;
 }
 
-// A hook of the run may read it and stop it, not drive it.
+// A hook of the run may read and stop it, but not drive it.
 void refuse_in_hook(const Run& run) {
   if (run.job.driving()) throw Error("not from a hook of the same run");
 }
 
-// Begins from the checkpoint, where there is one; counts the call.
+// Starts from the checkpoint if there is one; counts the call.
 void begin_call(Run& run) {
   if (run.job.from() && !run.job.taken_up()) {
     take_up(run);
@@ -166,7 +166,7 @@ void begin_call(Run& run) {
   ++run.calls.count;
 }
 
-// Has the call that the checkpoint was written in nothing left to do? A hook stopped it, or its step is done.
+// Whether the call in which the checkpoint was written is complete: a hook stopped it, or its step is done.
 bool is_over(const Run& run) {
   const Drive& call = run.before.under_way;
   return run.analysis->stopped() || (call.single && run.analysis->steps().size() > call.from);
@@ -215,7 +215,7 @@ void drive(Run& run, Drive call) {
     leave(run, trouble.what(), true, true);
     if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) run.job.remember_end();
     throw;
-  } catch (...) {  // an error of Lua's in a hook: what it says stays where Lua has it
+  } catch (...) {  // a Lua error in a hook; its message remains where Lua has it
     note_failure(run, Error("an error in a hook"));
     run.calls.failed.back().value = plain_error(run.session.active());
     leave(run, "an error in a hook", false, true);

@@ -1,4 +1,4 @@
-// Driving a run from Lua: what belongs to a call of solve(), advance() or step() besides the steps.
+// Driving a run from Lua: what a call of solve(), advance() or step() does besides the steps.
 #pragma once
 #include "script/bind/run.hpp"
 
@@ -10,13 +10,13 @@ class Interrupted : public Error {
   using Error::Error;
 };
 
-// Does what the call asks for; keeps the time, reports progress, hears Ctrl-C. Where the run ends or fails,
-// the outputs and checkpoints get its last state; run.json says how far it came. In a restarted deck the
-// calls that lie before the checkpoint do nothing (one that failed fails again), and the one that was under
-// way goes on.
+// Executes the call, measures its time, reports progress and reacts to Ctrl-C. When the run ends or fails,
+// outputs and checkpoints get its last state, and run.json records how far it came. In a restarted deck the
+// calls made before the checkpoint do nothing (one that failed fails again), and the interrupted call
+// continues.
 void drive(Run& run, Drive call);
 
-// restore(), which a restarted deck passes over likewise.
+// The call restore(), which a restarted deck also skips if it was made before the checkpoint.
 void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot);
 
 }  // namespace fabricsh::script

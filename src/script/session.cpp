@@ -45,7 +45,7 @@ Session& Session::of(lua_State* L) { return **static_cast<Session**>(lua_getextr
 
 namespace {
 
-// Finds lua/?.lua of every data root before what LUA_PATH says.
+// Puts lua/?.lua of all data roots before the entries of LUA_PATH.
 void set_module_path(lua_State* L) {
   std::string path;
   for (const std::string& root : data_roots()) path += root + "/lua/?.lua;" + root + "/lua/?/init.lua;";
@@ -60,7 +60,7 @@ void set_module_path(lua_State* L) {
 
 constexpr const char* library_file = "lua/fabric/library.lua";
 
-// What a program says that was copied away from its files.
+// The message of a program that was copied without its files.
 std::string no_data_text() {
   const char* home = std::getenv("FABRICSH_HOME");
   const bool set = home != nullptr && *home != '\0';
@@ -71,7 +71,7 @@ std::string no_data_text() {
          "that holds lua/ and share/cards/ (PREFIX/share/fabricsh of an installation, or the source tree)";
 }
 
-// require "fabric": the bindings, and what lua/fabric/library.lua adds to them (which may itself require
+// require "fabric": the bindings, and the additions of lua/fabric/library.lua (which may itself require
 // "fabric").
 int open_fabric(lua_State* L) {
   if (data_file(library_file).empty()) {
@@ -108,8 +108,8 @@ void Session::open_libraries() {
 
 namespace {
 
-// Keeps the value on top of the stack, which is popped. Lives no longer than the state: every holder is an
-// object of that state.
+// Keeps a reference to the value on top of the stack and pops it. All holders are objects of the same state,
+// so the reference does not outlive it.
 std::shared_ptr<const int> reference_to_top(Session& session, lua_State* L) {
   const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
   return {new int(reference), [owner = &session](const int* r) {
@@ -127,7 +127,7 @@ int run_work(lua_State* L) {
   auto& work = *static_cast<Work*>(lua_touserdata(L, 1));
   try {
     work.run();
-  } catch (const std::exception&) {  // not Lua's own, which is no std::exception
+  } catch (const std::exception&) {  // not Lua's own exception, which is not a std::exception
     work.trouble = std::current_exception();
   }
   return 0;

@@ -1,5 +1,5 @@
-// One Lua state with the fabric module, and what its bindings share. No globals: several may live side by
-// side.
+// A Lua state with the fabric module, and the data shared by its bindings. There are no globals, so several
+// sessions may exist at the same time.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -22,19 +22,19 @@ struct Journal;
 
 namespace fabricsh::script {
 
-// How far a run is.
+// The progress of a run.
 struct Progress {
   std::int64_t run = 0;           // its number in the session
   double time = 0, duration = 0;  // s, simulated
   std::size_t steps = 0;
-  int iterations = 0;                    // of the last step; 0: it had none
-  double elapsed = 0, remaining = -1;    // s, on the clock; negative: not known
-  std::function<double()> ledger_error;  // takes a pass over the elements
+  int iterations = 0;                    // of the last step; 0: none
+  double elapsed = 0, remaining = -1;    // s, real time; negative: not known
+  std::function<double()> ledger_error;  // costs a pass over the elements
 };
 
 struct Options {
   std::optional<SafeOptions> safe;  // --safe, with its limits
-  bool check = false;               // validate everything, run nothing, write nothing
+  bool check = false;               // validate everything, but run and write nothing
   bool quiet = false;               // no progress
   int threads = 0;                  // 0: OMP_NUM_THREADS, else all cores
   std::vector<std::string> command_line;
@@ -42,7 +42,7 @@ struct Options {
   std::string deck;                                // path of the deck; empty: none
   std::function<void(const std::string&)> notice;  // a warning or notice, one line
   std::function<void(const Progress&)> progress;   // after steps, at most every 0.1 s
-  std::function<void()> clear_progress;            // the deck may print now: a bar goes away
+  std::function<void()> clear_progress;            // called before the deck prints: removes a progress bar
 };
 
 class Session {
@@ -54,44 +54,44 @@ class Session {
 
   static Session& of(lua_State* L);
   lua_State* lua() const { return main_; }
-  // The state (main or coroutine) whose binding runs now: where callbacks are called.
+  // The state (main or coroutine) whose binding is executing; callbacks are called on it.
   lua_State* active() const { return active_; }
   const Options& options() const { return options_; }
   Notices& notices() { return notices_; }
   Registry& registry() { return registry_; }
   // Null unless --safe.
   Limits* limits() { return limits_.get(); }
-  // Is this a copy of the process that made the session?
+  // Whether this process is a copy of the one that created the session.
   bool forked() const;
-  // The hook of L as it stands while no interrupt asks for another: none, or the one that counts.
+  // Restores the hook of L when no interrupt is pending: none, or the counting one.
   void rest_hook(lua_State* L);
 
-  // Asked for by Ctrl-C; a running analysis stops at its next committed step. Safe in a signal handler.
+  // Called for Ctrl-C; a running analysis stops at its next committed step. Safe in signal handlers.
   void interrupt() { interrupted_ = true; }
-  // SIGTERM or SIGHUP: the program is to end; no run goes on after it. Safe in a signal handler too.
+  // Called for SIGTERM or SIGHUP: the program ends and no further run starts. Safe in signal handlers.
   void terminate(int signal) {
     terminated_ = signal;
     interrupt();
   }
-  // The signal's number; 0: none came.
+  // The number of the signal; 0: none.
   int terminated() const { return terminated_; }
   bool take_interrupt() { return interrupted_.exchange(false); }
   bool interrupted() const { return interrupted_; }
-  // While a run is driven, Ctrl-C is for the run, which answers after its step; not for its hooks.
+  // While a run is driven, Ctrl-C stops the run after its step, and not its hooks.
   bool drives() const { return drives_ > 0; }
   void count_drive(int by) { drives_ += by; }
-  // Has Ctrl-C ended something in this session?
+  // Whether Ctrl-C has ended something in this session.
   void set_stopped_by_interrupt() { stopped_by_interrupt_ = true; }
   bool stopped_by_interrupt() const { return stopped_by_interrupt_; }
 
-  // Analyses are numbered from 1; one of them may begin from a checkpoint.
+  // Analyses are numbered from 1; one of them may start from a checkpoint.
   std::int64_t count_analysis() { return ++analyses_; }
   void restart_from(std::shared_ptr<const run::Checkpoint> checkpoint) { restart_ = std::move(checkpoint); }
   const std::shared_ptr<const run::Checkpoint>& restart() const { return restart_; }
   std::int64_t analyses() const { return analyses_; }
-  // What its runs share.
+  // Shared by the runs of the session.
   const std::shared_ptr<run::Journal>& journal() const { return journal_; }
-  // May the object (a mesh, model or run of the core) not change now? See Still.
+  // Whether the object (a mesh, model or run of the core) must not be changed at present. See Still.
   bool is_still(const void* object) const {
     const auto found = still_.find(object);
     return found != still_.end() && found->second > 0;
@@ -106,7 +106,7 @@ class Session {
   Options options_;
   Notices notices_;
   Registry registry_;
-  std::unique_ptr<Limits> limits_;  // outlives the state, whose allocator it is
+  std::unique_ptr<Limits> limits_;  // outlives the state, because it provides the allocator
   lua_State* main_ = nullptr;
   lua_State* active_ = nullptr;
   std::atomic<bool> interrupted_{false};
@@ -119,8 +119,8 @@ class Session {
   std::map<const void*, int> still_;
 };
 
-// As long as it lives, calls that change the object are refused: it is being walked through, and functions of
-// the deck's are asked for values meanwhile.
+// While an object of this class exists, calls that change the given object are refused, because it is being
+// traversed while functions of the deck are called.
 class Still {
  public:
   Still(Session& session, const void* object) : session_(session), object_(object) {
@@ -137,7 +137,7 @@ class Still {
   const void* object_;
 };
 
-// As long as it lives, the object may change again: a hook of its runs, at a moment that is fit for it.
+// While an object of this class exists, the given object may be changed again: by a hook of its runs.
 class Free {
  public:
   Free(Session& session, const void* object) : session_(session), object_(object) {
@@ -153,7 +153,7 @@ class Free {
   int before_ = 0;
 };
 
-// Marks L as the state whose binding runs, as long as it lives.
+// Marks L as the state whose binding is executing, for as long as it exists.
 class ActiveState {
  public:
   ActiveState(Session& session, lua_State* L) : session_(session), before_(session.active_) {
@@ -168,24 +168,24 @@ class ActiveState {
   lua_State* before_;
 };
 
-// "deck.lua:12: " of the innermost Lua line that the user wrote (not one of lua/fabric), or empty.
+// "deck.lua:12: " for the innermost Lua line of the user (not in lua/fabric), or empty.
 std::string position(lua_State* L);
 
-// Registry key of the report of the last numerical failure.
+// Registry key of the report on the last numerical failure.
 inline constexpr const char* why_key = "fabricsh.why";
 
-// Pushes the function of a row that the registry keeps.
+// Pushes the function of a row in the registry.
 void push_function(lua_State* L, const Entry& entry);
-// The row of the function at index; null when it is none of the registry's.
+// The row of the function at index; null if it is not in the registry.
 const Entry* entry_of(lua_State* L, int index);
-// Does the work in a protected call of the active state. An error of Lua's becomes a Raised, which enter()
-// raises again; caught without that, it would leave Lua's stack where it was raised.
+// Does the work in a protected call of the active state. A Lua error becomes a Raised, which enter() raises
+// again; caught without a protected call it would leave Lua's stack as it was at the error.
 void in_protected_call(Session& session, const std::function<void()>& work);
 
-// An error of Lua's on its way through C++.
+// A Lua error on its way through C++.
 class Raised : public std::exception {
  public:
-  // Of the value on top of the stack, which is popped.
+  // Made from the value on top of the stack, which is popped.
   Raised(Session& session, lua_State* L);
   void push(lua_State* L) const;
   const char* what() const noexcept override { return "an error in a hook"; }
@@ -194,17 +194,17 @@ class Raised : public std::exception {
   std::shared_ptr<const int> reference_;
 };
 
-// Puts the function of such a row where its name says.
+// Stores the function of a row in the table that its name states.
 void place(lua_State* L, const Entry& entry);
 
-// Makes an unknown field of the table on top of the stack an error that names the nearest known one.
+// Makes reading an unknown field of the table on top of the stack an error with the nearest known name.
 void watch_module(lua_State* L, const std::string& name);
 
-// Puts every row where its name says: functions into the table `fabric` (below the registry key "fabric"),
-// methods and properties into their class.
+// Stores every row at the place that its name states: functions in the table `fabric` (registry key
+// "fabric"), methods and properties in their class.
 void install(Session& session, std::vector<Entry> entries);
 
-// A reference to a Lua function that C++ keeps; copies share it. Called on the state that is active then.
+// A reference to a Lua function, shared by copies. The function is called on the state active then.
 class Function {
  public:
   Function() = default;

@@ -50,7 +50,7 @@ void check(double thickness, double offset) {
     throw Error("offset: expected a number from -1 to 1, got " + std::to_string(offset));
 }
 
-// Adds the points of a ply that lies between zeta = low and zeta = high.
+// Adds the points of a ply between zeta = low and zeta = high.
 void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle) {
   const auto law = law::compile(card);
   s.symmetric = s.symmetric && law::symmetric(*law);

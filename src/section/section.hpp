@@ -1,5 +1,5 @@
-// Through the thickness: integration points with their laws and weights, or a membrane with its own bending
-// rigidity.
+// The structure through the thickness: integration points with laws
+// and weights, or a membrane with separate bending rigidities.
 #pragma once
 #include <array>
 #include <memory>
@@ -15,14 +15,14 @@ struct PlainWoven;
 
 namespace fabricsh::section {
 
-// One integration point: zeta in [-1, 1] and weight (the weights sum to 2) over the whole thickness, its law,
-// the angle from the section's warp to its own, its density.
+// One integration point: zeta in [-1, 1] and weight (the weights sum to 2) over the whole
+// thickness, its law, the angle from the section's warp to its own, and its density.
 struct Point {
   double zeta = 0, weight = 2;
   double angle = 0;    // rad, counter-clockwise about the normal
   double density = 0;  // kg/m^3
   std::shared_ptr<const law::Law> law;
-  int state = 0;  // where its state begins within the section's state
+  int state = 0;  // index in the section's state at which its own begins
 };
 
 struct Section {
@@ -32,30 +32,30 @@ struct Section {
   double density = 0;     // kg/m^3
   std::vector<Point> points;
   int state_size = 0;  // numbers per in-plane integration point, all thickness points together
-  const law::PlainWoven* plain = nullptr;  // of the law that all points have, if it is one and that plain
-  bool symmetric = true;                   // is every tangent symmetric
-  // Separate bending: one thickness point in the middle, and beside it three springs on the material
-  // curvatures k11, k22, 2 k12. With friction two states each (slip, lost) for warp and weft, three (and the
-  // last curvature) where one of the frictions fades, from bending_state on.
+  const law::PlainWoven* plain = nullptr;  // set if all points have one and the same plain law
+  bool symmetric = true;                   // whether every tangent is symmetric
+  // Separate bending: one thickness point in the middle, and three springs on the material
+  // curvatures k11, k22, 2 k12. With friction, warp and weft have two states each (slip, lost), or
+  // three (also the last curvature) if one of the frictions fades; they begin at bending_state.
   bool bends_apart = false;
   std::array<law::BendingSpring, 3> bending;
   int bending_state = -1;  // -1: no friction
-  int bending_states = 2;  // numbers for each of warp and weft
+  int bending_states = 2;  // numbers of each of warp and weft
 };
 
-// One ply of a stack, from the side that the normal leaves to the side that it points to.
+// One ply of a stack; the first ply is on the side away from the normal.
 struct Ply {
   card::Card card;
   double thickness = 0;  // m
   double angle = 0;      // degrees from the model's warp direction
 };
 
-// Gauss-Legendre points in every ply. Errors: no ply; a ply of zero thickness (named by its number); a ply
-// whose card carries its own bending; the law's refusals.
+// A section with Gauss-Legendre points in every ply. Errors: no ply; a ply of zero thickness
+// (with its number); a ply whose card has bending of its own; a card refused by its law.
 Section stacked(const std::vector<Ply>& plies, int points, double offset);
 
-// Gauss-Legendre points through the thickness (share/doc/theory.md, 3). Errors: the law's refusals; points
-// outside 1..9.
+// A section with Gauss-Legendre points through the thickness (share/doc/theory.md,
+// 3). Errors: a card refused by its law; points outside 1..9.
 Section integrated(const card::Card& card, double thickness, int points, double offset);
 
 // Nodes and weights of the n-point Gauss-Legendre rule on [-1, 1], 1 <= n <= 9.

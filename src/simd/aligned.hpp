@@ -1,4 +1,4 @@
-// Arrays that packs are read from: each begins on a cache line, so that no pack straddles two.
+// Arrays from which packs are loaded: each begins on a cache line, so that no pack spans two lines.
 #pragma once
 #include <cstddef>
 #include <new>

@@ -1,5 +1,5 @@
-// Instruction sets of the batch kernels. Every header with code that a *_isa.cpp file compiles puts it into
-// namespace FABRICSH_ISA, so that the copies made with different compiler flags never meet at link time.
+// Instruction sets of the batch kernels. Every header with code that is compiled in a *_isa.cpp file puts it
+// into the namespace FABRICSH_ISA, so that the linker never merges copies made with different compiler flags.
 #pragma once
 
 #ifndef FABRICSH_ISA
@@ -10,12 +10,12 @@ namespace fabricsh {
 
 enum class Isa { baseline, avx2, avx512 };
 
-// The widest set that this machine and build can run; FABRICSH_ISA=baseline|avx2|avx512 in the environment
-// lowers it (never raises it).
+// The widest instruction set that this machine and this build support. The environment
+// variable FABRICSH_ISA=baseline|avx2|avx512 can lower it, never raise it.
 Isa best_isa();
 const char* name(Isa isa);
 
-// Lanes of one batch: elements or material points that are evaluated side by side, on every machine alike.
+// Size of one batch: the elements or material points evaluated side by side, the same on every machine.
 inline constexpr int lanes = 8;
 
 }  // namespace fabricsh

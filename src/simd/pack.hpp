@@ -1,7 +1,7 @@
-// Pack: the doubles of one vector register side by side, one element or material point per lane. Kernels are
-// written once over a number type T, and compiled for T = double (one point) and T = Pack (a batch); select()
-// is the branch that both understand. A batch of `lanes` takes pack_parts packs, one after the other: its
-// kernels work on a part, and at_parts() runs them on all.
+// Pack: the doubles of one vector register, one element or material point per lane. Kernels are
+// written once over a number type T and compiled for T = double (one point) and T = Pack (a
+// batch); branches are written as select(), which both types support. A batch of `lanes` consists
+// of pack_parts packs; a kernel works on one such part, and at_parts() runs it on all of them.
 #pragma once
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -21,8 +21,8 @@ inline constexpr int pack_width = 2;
 #endif
 inline constexpr int pack_parts = lanes / pack_width;
 
-// For each part of a batch: kernel(first lane of the part), which returns the mask of the part's lanes that
-// failed. Returns the mask of the whole batch.
+// Calls kernel(first lane) for each part of a batch. The kernel returns the mask
+// of the lanes in its part that failed; the result is the mask of the whole batch.
 template <class Kernel>
 unsigned at_parts(Kernel kernel) {
   unsigned failed = 0;
@@ -42,7 +42,7 @@ struct PackMask {
 };
 #else
 struct PackMask {
-  PackInts m;  // all bits of a lane, or none
+  PackInts m;  // all bits of a lane set, or none
   friend PackMask operator&(PackMask a, PackMask b) { return {a.m & b.m}; }
   friend PackMask operator|(PackMask a, PackMask b) { return {a.m | b.m}; }
   friend PackMask operator!(PackMask a) { return {~a.m}; }
@@ -78,7 +78,7 @@ struct Pack {
   friend PackMask operator>=(Pack a, Pack b) { return b <= a; }
 };
 
-// max and min as the machine has them, a > b ? a : b and a < b ? a : b. bits: bit i set, lane i is true.
+// max and min are a > b ? a : b and a < b ? a : b, as the machine does. bits: bit i is set for a true lane i.
 #if defined(__AVX512F__)
 inline Pack select(PackMask c, Pack a, Pack b) { return Pack(_mm512_mask_blend_pd(c.m, b.v, a.v)); }
 inline Pack max(Pack a, Pack b) { return Pack(_mm512_mask_max_pd(a.v, 0xff, a.v, b.v)); }
@@ -113,7 +113,7 @@ inline Pack sqrt(Pack a) {
   return a;
 }
 inline double sqrt(double a) { return __builtin_sqrt(a); }
-// Lane by lane by the C library's: for what is switched on seldom.
+// Applies the C library's function to each lane: slow, for features that are rarely used.
 inline Pack exp(Pack a) {
   for (int i = 0; i < pack_width; ++i) a.set(i, __builtin_exp(a[i]));
   return a;
@@ -128,7 +128,7 @@ inline bool any(PackMask c) { return bits(c) != 0; }
 inline bool any(bool c) { return c; }
 inline unsigned bits(bool c) { return c ? 1u : 0u; }
 
-// A column of numbers in a structure-of-arrays batch: entry i of a part at p[i * lanes], p its first lane.
+// A column of numbers in a structure-of-arrays batch: p is at the part's first lane, entry i at p[i * lanes].
 inline Pack load(const double* p) {
   Pack a;
   __builtin_memcpy(&a.v, p, sizeof(a.v));

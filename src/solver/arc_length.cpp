@@ -15,7 +15,7 @@ bool ArcLength::factorise() {
          all_finite(delta_r_) && all_finite(delta_t_);
 }
 
-// Along delta_t for the length, on the side of the last step; never more than the largest time step.
+// Along delta_t by the given length, in the last step's direction; limited by the largest time step.
 ArcLength::Step ArcLength::predictor(const PathProblem& problem, const ArcOptions& arc, ArcResult& result) {
   const double speed = std::sqrt(problem.product(delta_t_, delta_t_));
   result.length = arc.length;
@@ -36,13 +36,13 @@ ArcLength::Step ArcLength::correction(const PathProblem& problem, const ArcOptio
   return {dt, std::isfinite(dt)};
 }
 
-// delta = delta_r + step delta_t, taken as far as the residual falls: until |g(a)| <= |g(0)| / 2 with g(a) =
-// delta_r . r(a), as Newton's method does; K being the tangent, g(a) = (1 - a) g(0) but for what is not
-// linear, whatever the time's step. The predictor starts in equilibrium and is taken as far as the problem's
-// limit.
+// Moves along delta = delta_r + step delta_t until |g(a)| <= |g(0)| / 2 with g(a) =
+// delta_r . r(a), as in Newton's method. Since K is the tangent, g(a) = (1 - a) g(0) up
+// to nonlinear terms, whatever the step in time. The predictor starts in equilibrium, so
+// that there is no residual to reduce; it is taken as far as the problem's limit allows.
 Searched ArcLength::move(PathProblem& problem, double from, double step, bool search) {
   for (std::size_t i = 0; i < delta_.size(); ++i) delta_[i] = delta_r_[i] + step * delta_t_[i];
-  problem.aim(from + step);  // the limit is that of the whole step
+  problem.aim(from + step);  // the limit refers to the whole step
   const auto move_by = [&](double a) -> Tried {
     if (a != 1) problem.aim(from + a * step);
     problem.retract(delta_, a);
@@ -58,7 +58,7 @@ Searched ArcLength::move(PathProblem& problem, double from, double step, bool se
   return found;
 }
 
-// Is the solution on the path, and not round the back of the sphere or on another branch far off?
+// Whether the solution lies on the path, and not on the opposite side of the sphere or on a distant branch.
 bool ArcLength::followed(const PathProblem& problem) const {
   const double predicted = problem.product(predicted_, predicted_);
   return problem.product(predicted_, increment_) >= 0 &&
@@ -84,7 +84,7 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
     result.negative_pivots = linear_->report().negative_pivots;
     Step step = i == 0 ? predictor(problem, arc, result) : correction(problem, arc, result);
     if (!step.possible) return stop(NewtonStatus::diverged);
-    // Histories may have a kink at the landing: no iterate looks beyond, and no sliver is left.
+    // Histories may have a kink at the landing: no iterate goes beyond it, and no tiny remainder is left.
     const double left = 1e-6 * (arc.landing - arc.time);
     if (result.landed || result.time + step.time >= arc.landing - left) {
       result.landed = true;

@@ -1,11 +1,11 @@
-// Path following: time, which loads and supports hang on, is an unknown beside the others, and a step has a
-// given length along the path. It passes limit points, where time turns back, and snaps.
+// Path following: time, on which loads and supports depend, is an additional unknown, and a step has a
+// given length along the path. The method passes limit points, where time turns back, and snap-through.
 //
-// Constraint: the spherical one of [crisfield1981] with time left out of the length, linearised and solved by
-// Newton together with equilibrium, so that no root has to be chosen:
+// Constraint: the spherical one of [crisfield1981] without time in the length, linearised and solved by
+// Newton's method together with equilibrium, so that there is no choice of roots:
 //   K delta_r = r,  K delta_t = q = dr/dt,  delta = delta_r + dt delta_t,
 //   dt = -((|D|^2 - L^2) / 2 + D . delta_r) / (D . delta_t)      D: the step's increment so far
-// and at the end of a stretch of time the constraint is t = landing.
+// and where a stretch of time ends the constraint is t = landing.
 #pragma once
 #include "solver/line_search.hpp"
 #include "solver/newton.hpp"
@@ -14,24 +14,24 @@ namespace fabricsh::solver {
 
 class PathProblem : public Problem {
  public:
-  virtual void aim(double time) = 0;  // supports and loads of the next start() or retract()
-  // At the committed configuration and the time aimed at (the committed one): K, r and q = dr/dt.
+  virtual void aim(double time) = 0;  // time of the supports and loads for the next start() or retract()
+  // At the committed configuration and the time last given to aim(): K, r and q = dr/dt.
   virtual Answer start(Matrix& K, std::span<double> r, std::span<double> q) = 0;
   virtual Answer tangent_and_rate(Matrix& K, std::span<double> q) = 0;  // at the trial configuration
-  // Scalar product that lengths are measured with: displacements only.
+  // Scalar product by which lengths are measured: displacements only, no rotations.
   virtual double product(std::span<const double> a, std::span<const double> b) const = 0;
 };
 
 struct ArcOptions {
   double time = 0;          // s, of the committed configuration
-  double landing = 0;       // s, > time: the step ends there where it would pass it
-  double length = 0;        // 0: the length of a first step of `largest_step`
-  double largest_step = 0;  // s, of the predictor
+  double landing = 0;       // s, > time: a step that would pass this time ends there
+  double length = 0;        // of the step; 0: the length of a first step of `largest_step`
+  double largest_step = 0;  // s, limit of the predictor
 };
 
 struct ArcResult : NewtonResult {
   double time = 0;    // s, reached
-  double length = 0;  // tried
+  double length = 0;  // that was tried
   bool landed = false;
 };
 
@@ -39,8 +39,8 @@ class ArcLength {
  public:
   explicit ArcLength(std::unique_ptr<LinearSolver> linear) : linear_(std::move(linear)) {}
   ArcResult solve(PathProblem& problem, const NewtonOptions& options, const ArcOptions& arc);
-  // After a commit: the step just solved is the direction that the next one goes on in. Forgotten (at a kink
-  // of a history), the next one starts forwards in time.
+  // To be called after a commit: the next step continues in the direction of the step just
+  // solved. After forget() (at a kink of a history) the next step starts forwards in time.
   void committed() { direction_ = increment_; }
   void forget() { direction_.clear(); }
   void keep(Archive& archive) {

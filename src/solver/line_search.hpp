@@ -1,5 +1,5 @@
-// The line search of every solver that goes along a direction delta: on the energy, whose derivative along it
-// is g(a) = delta . r(a), until |g(a)| <= |g(0)| / 2 [williams2010, Box 5-1].
+// The line search of all solvers that move along a direction delta. It works on the energy, whose derivative
+// along delta is g(a) = delta . r(a), and ends when |g(a)| <= |g(0)| / 2 [williams2010, Box 5-1].
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,26 +9,26 @@
 namespace fabricsh::solver {
 
 struct LineSearch {
-  bool on = true;       // off: the first share that can be evaluated is taken
-  bool shorten = true;  // where the forces cannot be evaluated: a quarter of the share, and again
-  double largest = 1;   // share to begin with; 0: none is possible
+  bool on = true;       // off: the first share at which the forces can be evaluated is taken
+  bool shorten = true;  // where the forces cannot be evaluated, try a quarter of the share, repeatedly
+  double largest = 1;   // share to begin with; 0: no share is possible
 };
 
-// One share tried: g there, if the forces could be evaluated.
+// The result at one share: g, if the forces could be evaluated.
 struct Tried {
   Answer answer = Answer::ok;
   double g = 0;
 };
 
-// How far the search went: the last share tried, and what came of it.
+// The last share tried, and its result.
 struct Searched {
   double share = 0;
   Answer answer = Answer::ok;
 };
 
-// try_share(a): moves by a * delta and tells g(a). While g has not changed its sign the whole share is taken:
-// the next iteration goes on from there. After ten tries the last one is taken. Where it ends with another
-// answer than ok there is no share to go on from.
+// try_share(a) moves by a * delta and returns g(a). While g has the sign of g(0), the whole
+// share is taken, since the next iteration continues from there. After ten attempts the
+// last one is taken. If the search ends with an answer other than ok, no share can be used.
 template <class TryShare>
 Searched line_search(double g0, const LineSearch& how, TryShare try_share) {
   constexpr int tries = 10;

@@ -45,7 +45,7 @@ bool Newton::direction(std::span<const double> r) {
   return linear_->factorise(K_) && linear_->solve(K_, r, delta_) && all_finite(delta_);
 }
 
-// Leaves r_ at the trial configuration.
+// On return r_ is the residual at the trial configuration.
 Answer Newton::search(Problem& problem, bool search) {
   const auto try_share = [&](double a) -> Tried {
     problem.retract(delta_, a);
@@ -79,8 +79,8 @@ NewtonResult Newton::correct(Problem& problem, const NewtonOptions& options) {
   return answer == Answer::ok ? iterate(problem, options, false) : failed(answer);
 }
 
-// predicted: the residual in hand carries the supports' move linearised, so the first step is taken whole
-// where it can be.
+// predicted: the residual includes the linearised motion of the
+// supports, so the first step is taken in full if possible.
 NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, bool predicted) {
   NewtonResult result;
   const auto stop = [&](NewtonStatus status) {

@@ -1,4 +1,4 @@
-// Newton's method with a line search [williams2010, Box 5-1]. Knows vectors, not meshes.
+// Newton's method with a line search [williams2010, Box 5-1]. It works on vectors and does not know meshes.
 #pragma once
 #include <memory>
 #include <span>
@@ -18,33 +18,33 @@ using linear::LinearReport;
 using linear::LinearSolver;
 using linear::Matrix;
 
-// What a solver sees of a problem: unknowns, forces, tangent, and a way to step on the configuration
-// (directors live on a sphere, so a step is a retraction, not a sum). Three configurations: committed,
-// iterate, trial.
+// A problem as the solver sees it: unknowns, forces, tangent, and a way to update
+// the configuration (directors live on a sphere, so the update is a retraction,
+// not a sum). There are three configurations: committed, iterate and trial.
 class Problem {
  public:
   virtual ~Problem() = default;
   virtual Index size() const = 0;
-  // At the committed configuration: the tangent K (which takes the problem's pattern), and the residual r in
-  // which the supports' move to their targets is linearised, r = f_ext - f_int - K_fp du_p. Sets iterate =
-  // trial = committed.
+  // At the committed configuration: the tangent K, which takes over the problem's
+  // pattern, and the residual r, in which the motion of the supports to their targets
+  // is linearised: r = f_ext - f_int - K_fp du_p. Sets iterate = trial = committed.
   virtual Answer predict(Matrix& K, std::span<double> r) = 0;
-  // trial = iterate moved by scale * delta, supports at their targets.
+  // trial = iterate moved by scale * delta, with the supports at their targets.
   virtual void retract(std::span<const double> delta, double scale) = 0;
-  // The share of a step from the iterate along delta that is safe to take, at most 1. 0: none is, and
-  // the step has to be cut. (The supports go to their targets whatever the share.)
+  // The share of a step from the iterate along delta that is safe, at most 1. At 0
+  // the step must be cut. (The supports go to their targets whatever the share.)
   virtual double limit(std::span<const double> /*delta*/) { return 1; }
   virtual void accept() = 0;  // iterate = trial
-  // Has all that moves by shares of the steps come to where it is prescribed: none converges before.
+  // Whether all that moves by shares has reached its prescribed position; none converges before.
   virtual bool arrived() const { return true; }
   virtual Answer residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
   virtual Answer tangent(Matrix& K) = 0;             // at the trial configuration
-  // The largest entry of a residual, N (moments over the problem's length), and which unknown carries it (-1:
-  // none).
+  // The largest entry of a residual in N (moments are divided by
+  // the problem's length), and the unknown that has it (-1: none).
   virtual std::pair<double, Index> largest(std::span<const double> r) const = 0;
-  virtual double force_scale() const = 0;  // N: what that is measured against
-  // N: the residual that rounding of the coordinates alone makes at this stiffness; none smaller can be asked
-  // for.
+  virtual double force_scale() const = 0;  // N: the force that residuals are compared with
+  // N: the residual caused by rounding of the coordinates
+  // at this stiffness; a smaller tolerance cannot be met.
   virtual double rounding_floor(const Matrix& K) const = 0;
 };
 
@@ -54,7 +54,7 @@ struct NewtonOptions {
   bool line_search = true;
 };
 
-// law_failed: the forces could not be evaluated with this step; broken: with no step at all.
+// law_failed: the forces could not be evaluated with this step; broken: with no step, however small.
 enum class NewtonStatus {
   converged,
   law_failed,
@@ -65,8 +65,8 @@ enum class NewtonStatus {
   broken
 };
 const char* describe(NewtonStatus status);
-NewtonStatus status_of(Answer answer);  // of an answer that is not ok
-// A residual that is not finite is no answer to go on with.
+NewtonStatus status_of(Answer answer);  // for an answer that is not ok
+// Turns ok into a failure if the residual is not finite.
 Answer checked(Answer answer, std::span<const double> r);
 
 struct NewtonResult {

@@ -7,16 +7,16 @@
 namespace fabricsh::solver {
 
 namespace {
-constexpr int kRefresh = 200;  // iterations after which the masses are renewed without a peak
-constexpr double kGrown = 2;   // times the residual of the last renewal
+constexpr int kRefresh = 200;  // iterations after which the masses are renewed even without a peak
+constexpr double kGrown = 2;   // growth of the residual since the last renewal that causes another one
 }  // namespace
 
 void Relaxation::resize(Index size) {
   for (auto* v : {&r_, &mass_, &velocity_}) v->resize(static_cast<std::size_t>(size));
 }
 
-// With a time step of 1, stable below omega_max = 2; Gershgorin: omega^2 <= max_i sum_j |K_ij| / m_i. A tenth
-// is kept in hand for the stiffening between two renewals.
+// With a time step of 1 the motion is stable below omega_max = 2; Gershgorin: omega^2 <=
+// max_i sum_j |K_ij| / m_i. A margin of a tenth allows for stiffening between two renewals.
 Answer Relaxation::masses(Problem& problem) {
   if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return answer;
   double largest = 0;
@@ -55,7 +55,7 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
   if (problem.size() > 0)
     if (const Answer answer = masses(problem); answer != Answer::ok) return stop(status_of(answer));
   double before = 0, renewed = std::numeric_limits<double>::infinity();  // residual when the masses were
-  bool starts = true;  // at rest: the first step of the leapfrog is half a one
+  bool starts = true;  // from rest, the first step of the leapfrog scheme is half a step
   for (int since = 0; result.iterations < options.max_iterations; ++result.iterations, ++since) {
     if (const Answer answer = problem.residual(r_); answer != Answer::ok) return stop(status_of(answer));
     const auto [size, where] = problem.largest(r_);
@@ -71,7 +71,7 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
       velocity_[i] += (starts ? 0.5 : 1.0) * r_[i] / mass_[i];
       energy += mass_[i] * velocity_[i] * velocity_[i];
     }
-    // Past the peak; or cloth has stiffened on the way so much that the masses no longer do.
+    // After a peak, or when the cloth has stiffened so much that the masses are too small for stability.
     const bool stiffer = size > kGrown * renewed;
     starts = energy < before || stiffer;
     if (starts) {
@@ -90,7 +90,7 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     if (!(share > 0)) return stop(NewtonStatus::law_failed);
     problem.retract(velocity_, share);
     problem.accept();
-    if (share < 1) {  // as far as is safe, and from rest again: to go on would meet the same limit
+    if (share < 1) {  // as far as is safe, then from rest: to continue would meet the same limit
       std::fill(velocity_.begin(), velocity_.end(), 0.0);
       before = 0;
       starts = true;

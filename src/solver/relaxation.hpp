@@ -1,7 +1,7 @@
-// Dynamic relaxation [day1965; papadrakakis1981] with kinetic damping: a fictitious motion with lumped masses
-// under the residual forces, stopped dead at every peak of its kinetic energy, until the residual is gone. No
-// matrix is factorised, so that it goes on where the tangent is singular or indefinite; many cheap
-// iterations.
+// Dynamic relaxation [day1965; papadrakakis1981] with kinetic damping: a fictitious motion
+// with lumped masses under the residual forces is stopped at every peak of its kinetic
+// energy until the residual vanishes. No matrix is factorised, so the method works where
+// the tangent is singular or indefinite; in return it needs many cheap iterations.
 #pragma once
 #include "solver/newton.hpp"
 
@@ -14,8 +14,8 @@ struct RelaxationOptions {
 
 class Relaxation {
  public:
-  // From the committed configuration (supports moved to their targets first), or on from the trial one.
-  // iterations: of the fictitious motion; residuals: at the peaks and at the end.
+  // solve() starts from the committed configuration, with the supports moved to their targets first; go_on()
+  // from the trial one. iterations: of the fictitious motion; residuals: at its peaks and at the end.
   NewtonResult solve(Problem& problem, const RelaxationOptions& options);
   NewtonResult go_on(Problem& problem, const RelaxationOptions& options);
 

@@ -22,7 +22,7 @@ namespace {
 
 std::string reason_text(int reason) { return std::generic_category().message(reason); }
 
-// The file that path means: what a link points to. Anything but a regular file is not for replacing.
+// The file that path refers to after following links. Only a regular file may be replaced.
 fs::path target_of(const std::string& path) {
   std::error_code trouble;
   const fs::file_status status = fs::status(path, trouble);
@@ -33,7 +33,7 @@ fs::path target_of(const std::string& path) {
   return fs::exists(status) ? fs::canonical(path) : fs::path(path).parent_path() / fs::read_symlink(path);
 }
 
-// Behind the closed gate a link is refused, not followed.
+// While the gate is closed a link is refused instead of followed.
 void check_plain(const Place& place, const std::string& path) {
   struct stat about {};
   if (place.open_gate || fstatat(place.at(), place.name.c_str(), &about, AT_SYMLINK_NOFOLLOW) != 0) return;
@@ -42,7 +42,7 @@ void check_plain(const Place& place, const std::string& path) {
   if (!S_ISREG(about.st_mode)) throw Error("cannot write '" + path + "': it is not a regular file");
 }
 
-// A new empty file beside the target, its name taken by nobody else; what its place calls it.
+// Creates an empty file beside the target under a new name; returns its name in that place.
 std::string make_temporary(const Place& place, const std::string& path) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
   for (int attempt = 0;; ++attempt) {
@@ -60,7 +60,7 @@ int sync_to_disk(const Place& place, const std::string& file) {
   return 0;
 }
 
-// The names in the folder of the place, which some file systems can't.
+// Synchronises the directory entries to the disk; some file systems do not support that.
 void sync_folder(const Place& place, const std::string& path) {
   const std::string folder = fs::path(place.name).parent_path().string();
   const int reason = sync_to_disk(place, folder.empty() ? "." : folder);
@@ -72,7 +72,7 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
-// The process number in ".name.PROCESS-NUMBER.part", 0: it is none of ours.
+// The process number in ".name.PROCESS-NUMBER.part"; 0 for any file that is not one of ours.
 pid_t writer_of(const std::string& name) {
   const std::string tail = ".part";
   if (!name.ends_with(tail)) return 0;

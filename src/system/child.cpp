@@ -20,7 +20,7 @@ namespace fabricsh::system {
 
 namespace {
 
-// A file in memory: input, output and complaints go through files, so nobody waits on a pipe.
+// A file in memory. The child's streams are files, so that neither process blocks on a pipe.
 using Scratch = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 [[noreturn]] void no_scratch(const std::string& who) {
@@ -48,8 +48,8 @@ std::string words(std::FILE* file) {
   return text;
 }
 
-// 0 or the system's reason; the child's number. It leads a group of its own, so that Ctrl-C at the terminal
-// comes to us alone and who runs under it goes when it is told to.
+// Returns 0 or the system's reason, and sets the child's number. The child leads its own process
+// group, so that Ctrl-C at the terminal reaches this program only, which then ends the child.
 int spawn(const std::vector<std::string>& arguments, std::FILE* input, std::FILE* out, std::FILE* said,
           pid_t& child) {
   posix_spawn_file_actions_t actions;
@@ -87,7 +87,7 @@ ChildResult run_child(const std::vector<std::string>& arguments, const std::stri
       if (errno != EINTR)
         reason = errno;
       else
-        kill(-child, SIGTERM);  // a signal that is for us: whoever sent it waits for no picture
+        kill(-child, SIGTERM);  // a signal has interrupted this program: do not wait for the child's result
     }
   }
   if (reason != 0)

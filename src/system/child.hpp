@@ -12,9 +12,9 @@ struct ChildResult {
   std::string said;   // the beginning of what it wrote to stderr
 };
 
-// Runs arguments[0] (looked up in PATH unless it holds a slash) with the text as its input. Error, led by
-// `who`: no memory for what it reads and writes, or the program does not start for another reason than that
-// it is not there.
+// Runs arguments[0] (looked up in PATH unless it contains a slash) with `input` as its
+// standard input. A missing program is reported by found = false. Error, beginning with
+// `who`: no memory for input and output, or the program cannot be started for another reason.
 ChildResult run_child(const std::vector<std::string>& arguments, const std::string& input,
                       const std::string& who);
 

@@ -18,7 +18,7 @@ namespace fabricsh {
 namespace {
 
 constexpr std::size_t no_place = 4096;
-std::array<std::atomic<pid_t>, no_place> children{};  // 0: free
+std::array<std::atomic<pid_t>, no_place> children{};  // 0: free slot
 std::atomic<double> most{std::numeric_limits<double>::infinity()};
 void (*at_the_end)() = nullptr;
 
@@ -27,7 +27,7 @@ double seconds_of(const rusage& used) {
          1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
-// 0: it has been waited for, and counts among those that have ended.
+// 0 if the child has been waited for: its time is then included in that of the ended children.
 double seconds_of(pid_t child) {
   clockid_t clock{};
   timespec time{};
@@ -35,7 +35,7 @@ double seconds_of(pid_t child) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// No signal is for this thread: Ctrl-C has to wake the one that waits.
+// Signals are blocked in this thread, so that Ctrl-C interrupts the thread that waits for input.
 void start_watch() {
   sigset_t all, before;
   sigfillset(&all);

@@ -1,4 +1,4 @@
-// Computing time of this process and of the children it waits for, and an end when a limit is reached.
+// CPU time of this process and of its children, and a limit at which the process is ended.
 #pragma once
 #include <sys/types.h>
 
@@ -6,11 +6,11 @@
 
 namespace fabricsh {
 
-// s: of all threads of this process, of its children that have ended, and of those that are counted now.
+// s: all threads of this process, the children that have ended, and the running children counted now.
 double computing_time();
 
-// A child that runs: its time counts as this process' own. At most 4096 at once, further ones count when they
-// have ended.
+// A running child whose time counts as time of this process. At most
+// 4096 at once; further ones are counted only after they have ended.
 class CountedChild {
  public:
   explicit CountedChild(pid_t child);
@@ -22,16 +22,16 @@ class CountedChild {
   std::size_t place_;
 };
 
-// From now on a thread looks 20 times a second and calls `over`, which has to end the process, once
-// computing_time() has reached this many seconds. As the system's own limits it is the process' and no
-// object's.
+// Starts a thread that checks 20 times a second and calls `over`, which must end the
+// process, when computing_time() has reached this many seconds. The limit belongs to
+// the process and not to an object, like the limits of the operating system.
 void limit_computing_time(double seconds, void (*over)());
 
 // s; infinite without a limit.
 double computing_time_left();
 
-// In a copy made by fork(), which has none of the other threads and whose time starts at zero: `left` seconds
-// and a second more, so that its parent is the first to say it. Nothing without a limit.
+// For a copy made by fork(), whose time starts at zero: limits it to `left` seconds and one
+// more, so that its parent reaches the limit and reports it first. Does nothing without a limit.
 void limit_computing_time_of_copy(double left);
 
 }  // namespace fabricsh

@@ -16,7 +16,7 @@ class Descriptor {
   ~Descriptor();
   int number() const { return number_; }
   bool open() const { return number_ >= 0; }
-  // 0, or the system's reason; all of the bytes or an error.
+  // Writes all bytes. Returns 0 or the system's reason.
   int write(std::string_view bytes) const;
 
  private:

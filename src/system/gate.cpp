@@ -34,7 +34,7 @@ bool is_link(int folder, const std::string& name) {
   return fstatat(folder, name.c_str(), &about, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(about.st_mode);
 }
 
-// What path names below folder, both absolute and normal; false: it lies elsewhere.
+// The part of path below folder (both absolute and normalised); false if it lies elsewhere.
 bool below(const std::string& path, const std::string& folder, std::string& rest) {
   if (path.compare(0, folder.size(), folder) != 0) return false;
   const bool whole = path.size() == folder.size(), at_root = folder == "/";
@@ -87,9 +87,9 @@ Gate::Gate(const std::vector<std::string>& readable, const std::string& writable
   if (!writable.empty()) writable_ = root_of(writable);
 }
 
-// Folder by folder from the root, each opened by its bare name inside the one before: there is no ".." left
-// in `rest`, and a link is not a folder for O_NOFOLLOW. Nobody can turn this walk aside by swapping a part of
-// it.
+// Walks from the root folder by folder, opening each by its bare name inside the
+// previous one. `rest` contains no ".." any more, and O_NOFOLLOW refuses a link in place
+// of a folder, so replacing a folder during the walk cannot lead outside the root.
 Place Gate::enter(const Root& root, const std::string& path, const std::string& rest, bool make,
                   const char* what) const {
   Place place{Descriptor(fcntl(root.folder.number(), F_DUPFD_CLOEXEC, 0)), "", false};
@@ -115,7 +115,7 @@ Place Gate::enter(const Root& root, const std::string& path, const std::string& 
 
 namespace {
 
-// A zero byte would end the name for the system where it goes on for us.
+// The system reads a name only up to a zero byte, while the checks here would see the whole text.
 void check_name(const std::string& path, const char* what) {
   if (path.find('\0') != std::string::npos) cannot(what, path, "its name has a zero byte");
 }
@@ -168,7 +168,7 @@ Descriptor Gate::open_to_write(const std::string& path, int flags) const {
     if (!file.open()) cannot("write", path, reason_text(errno));
     return file;
   }
-  // Cut only after what it is has been seen.
+  // The file is truncated only after its kind has been checked.
   const int careful = (flags & ~O_TRUNC) | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   Descriptor file(openat(place.at(), place.name.c_str(), careful, 0666));
   if (!file.open() && errno == ELOOP) cannot("write", path, "--safe follows no symbolic link");

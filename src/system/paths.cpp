@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Resolved, or as given when it cannot be.
+// With links resolved, or as given if that fails.
 fs::path resolved(const fs::path& path) {
   std::error_code trouble;
   const fs::path real = fs::weakly_canonical(path, trouble);
@@ -32,7 +32,7 @@ std::string program_path() {
   std::error_code trouble;
   const fs::path program = fs::read_symlink("/proc/self/exe", trouble);
   if (!trouble) return program.string();
-  // No /proc, as in a bare root: as the system was told to start it.
+  // Without /proc (for example in a bare chroot): the path with which the program was started.
   const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
   return started == nullptr ? std::string() : resolved(fs::absolute(started, trouble)).string();
 }

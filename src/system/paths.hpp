@@ -1,13 +1,13 @@
-// Where the program's own files are: Lua modules, cards, pages, sample meshes and decks.
+// The program's own files: Lua modules, cards, documents, sample meshes and decks.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace fabricsh {
 
-// Folders that hold lua/, share/cards/, share/doc/, scripts/ and meshes/, the first one wins: $FABRICSH_HOME,
-// the installed share/fabricsh beside the program, the source tree (for a program inside its build tree).
-// Only folders that exist; no trailing slash.
+// Folders that hold lua/, share/cards/, share/doc/, scripts/ and meshes/, in order of
+// preference: $FABRICSH_HOME, the installed share/fabricsh beside the program, the source
+// tree (for a program in its build tree). Only existing folders, without a trailing slash.
 std::vector<std::string> data_roots();
 
 // The first existing <root>/<relative>, or empty: data_file("share/cards/denim.lua").

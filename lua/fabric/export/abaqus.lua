@@ -1,4 +1,4 @@
--- Text of Abaqus decks (CalculiX reads the elastic one): *FABRIC with test data, *ELASTIC.
+-- Text of Abaqus decks: *FABRIC with test data, and *ELASTIC, which CalculiX reads too.
 local abaqus = {}
 
 abaqus.comment = require "fabric.export.comment" "**"
@@ -23,7 +23,7 @@ function abaqus.fabric(card, name, p, u)
   return table.concat(out, "\n")
 end
 
--- Orthotropic elasticity of a St. Venant-Kirchhoff card. Nothing couples the thickness to the plane.
+-- Orthotropic elasticity for a St. Venant-Kirchhoff card, without coupling between thickness and plane.
 function abaqus.elastic(card, name, p, u)
   local s = u.stress
   return table.concat({

@@ -1,4 +1,4 @@
--- fabric.export.card: a card in another solver's words, and what is lost on the way.
+-- fabric.export.card: a card as the material of another solver, with a report of what is lost.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local units = require "fabric.export.units"
@@ -9,10 +9,10 @@ local fail = define.fail
 
 local export = {}
 
--- One line of text from outside, fit for a comment or a title.
+-- Removes from a line of foreign text what is not allowed in a comment or a title.
 local function tame(text) return (tostring(text):gsub("[%c]+", " "):gsub("[^\32-\126]", "?")) end
 
--- A name that all decks take: letters, digits, _ and -, a letter first.
+-- A name that all solvers accept: letters, digits, _ and -, beginning with a letter.
 function export.name(card)
   local name = tame(card.name or ""):gsub("[^%w_-]", "_"):sub(1, 40)
   return name:find "^%a" and name or "fabric_" .. name
@@ -46,7 +46,7 @@ local function target_of(t)
     target and target.name or t.to, kind, #fits > 0 and table.concat(fits, ", ") or "none of the materials known here"))
 end
 
--- {target, parameters, rows, sentences, header} of a card; `t`: the fields of fabric.export.card.
+-- Returns {target, parameters, rows, sentences, header} for a card; `t`: the fields of fabric.export.card.
 function export.prepare(t)
   local target = target_of(t)
   local p = target.parameters(t.card)

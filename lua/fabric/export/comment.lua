@@ -1,4 +1,4 @@
--- Lines of text as comments of a deck, each behind the solver's mark.
+-- Writes lines of text as comments of a deck, each after the solver's comment mark.
 return function(mark)
   return function(lines)
     local out = {}

@@ -1,18 +1,18 @@
--- A woven card's loading and unloading curves in a target's own measures of strain and stress.
+-- The loading and unloading curves of a woven card in the measures of strain and stress that a target uses.
 local ours = require "fabric.export.ours"
 local curves = {}
 
 local n = 64
 
--- Measures: of uniaxial tension (E, S) -> x, y and of shear (E12, S12) at lambda1 = lambda2 = 1 -> x, y. Stresses stay in Pa.
+-- Measures: convert points of uniaxial tension (E, S) -> x, y and of shear (E12, S12) at lambda1 = lambda2 = 1 -> x, y. Stresses stay in Pa.
 curves.measures = {
-  -- Green's strain and second Piola-Kirchhoff stress; 2 E12 and S12
+  -- Green-Lagrange strain and second Piola-Kirchhoff stress; 2 E12 and S12
   green = {
     words = "second Piola-Kirchhoff stress over Green-Lagrange strain; shear: S12 over 2 E12",
     axis = function(E, S) return E, S end, shear = function(E12, S12) return 2 * E12, S12 end,
     axis_back = function(x, y) return x, y end, shear_back = function(x, y) return x / 2, y end,
   },
-  -- force over unstrained section, elongation over unstrained length; S12 over the shear angle in degrees, sin = 2 E12
+  -- force over initial section, elongation over initial length; S12 over the shear angle in degrees, sin = 2 E12
   nominal_degrees = {
     words = "nominal stress over engineering strain; shear: stress over the shear angle in degrees",
     axis = function(E, S) local l = math.sqrt(1 + 2 * E) return l - 1, l * S end,
@@ -20,7 +20,7 @@ curves.measures = {
     axis_back = function(x, y) return x + x * x / 2, y / (1 + x) end,
     shear_back = function(x, y) return math.sin(math.rad(x)) / 2, y end,
   },
-  -- nominal as well; shear conjugate to the angle between the yarns in radians: T12 = cos(angle) S12
+  -- the same; shear stress conjugate to the change of the yarns' angle in radians: T12 = cos(angle) S12
   nominal_radians = {
     words = "nominal stress over nominal strain; shear: nominal stress over the change of the yarns' angle in radians",
     axis = function(E, S) local l = math.sqrt(1 + 2 * E) return l - 1, l * S end,
@@ -36,14 +36,14 @@ local function mapped(measure, E, S)
   return out
 end
 
--- Beyond the last point, as far again in strain as the last segment's slope says.
+-- Continues a curve beyond its last point with the slope of the last segment, over the same range of strain again.
 local function beyond(curve, x)
   local k = #curve.x
   local slope = (curve.y[k] - curve.y[k - 1]) / (curve.x[k] - curve.x[k - 1])
   curve.x[k + 1], curve.y[k + 1] = x, curve.y[k] + slope * (x - curve.x[k])
 end
 
--- What lies beyond the tested strain is the card's guess: from where a curve no longer rises there, its last slope goes on.
+-- Beyond the tested strain the card is an extrapolation: if the curve stops rising there, its last slope is continued.
 local function trim(curve, tested)
   for i = 3, #curve.x do
     if curve.x[i] > tested and curve.y[i] <= curve.y[i - 1] then
@@ -55,8 +55,8 @@ local function trim(curve, tested)
 end
 
 -- One part of a card: {loading={x, y}, unloading={x, y}, meet={x, y}, residual=}.
---   style "scaled": unloading rises from {0, 0}, hardly before the residual strain, meets the loading curve at the tested strain, and goes on
---   style "shifted": unloading as seen from the residual strain
+--   style "scaled": unloading rises from {0, 0}, hardly below the residual strain, meets the loading curve at the tested strain, and continues
+--   style "shifted": unloading with the residual strain as its origin
 local function part_of(card, name, measure, style)
   local tested = ours.tested(card)[name]
   local shear = name == "shear"
@@ -82,7 +82,7 @@ local function part_of(card, name, measure, style)
   return { loading = loading, unloading = unloading, meet = meet, residual = residual, slope = loading.y[2] / loading.x[2] }
 end
 
--- Name of the part whose loading or unloading curve does not rise everywhere, which the targets refuse; nil.
+-- Name of the first part whose loading or unloading curve decreases somewhere, which the targets refuse; or nil.
 function curves.falling(parts)
   for _, name in ipairs { "warp", "weft", "shear" } do
     for _, what in ipairs { "loading", "unloading" } do

@@ -1,4 +1,4 @@
--- A whole model as an Abaqus deck; with an *ELASTIC material CalculiX runs it too.
+-- A whole model as an Abaqus deck; with an *ELASTIC material it also runs in CalculiX.
 local function names(numbers, out)
   for i = 1, #numbers, 12 do out[#out + 1] = table.concat(numbers, ", ", i, math.min(i + 11, #numbers)) end
 end

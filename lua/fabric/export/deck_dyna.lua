@@ -24,7 +24,7 @@ return function(m, material, target, u)
     end
   end
   local t = m.thickness * u.length
-  -- ELFORM 5, Belytschko-Tsay membrane, is what *MAT_034 asks for; 2 with three points else
+  -- *MAT_034 requires ELFORM 5, the Belytschko-Tsay membrane; otherwise 2 with three points
   add("*SECTION_SHELL", units.line(10, { 1, target.name == "MAT_034" and 5 or 2, 0.833333, target.name == "MAT_034" and 1 or 3, 1.0 }),
     units.line(10, { t, t, t, t }))
   add("*PART", m.name, units.line(10, { 1, 1, 1 }))
@@ -52,7 +52,7 @@ return function(m, material, target, u)
     add "*LOAD_NODE_POINT"
     for _, n in ipairs(m.mesh:set(one.set)) do out[#out + 1] = units.line(10, { n, one.axis, id, one.share[n] }) end
   end
-  for axis, letter in ipairs { "X", "Y", "Z" } do -- a base that accelerates up pulls the cloth down
+  for axis, letter in ipairs { "X", "Y", "Z" } do -- gravity as an upward acceleration of the base
     if m.gravity[axis] ~= 0 then
       local id = history(-m.gravity[axis], u.acceleration)
       add("*LOAD_BODY_" .. letter, units.line(10, { id, 1.0 }))

@@ -1,4 +1,4 @@
--- A whole model as an OpenRadioss starter deck (NAME_0000.rad); the engine's file, with the run's end and outputs, is the user's.
+-- A whole model as an OpenRadioss starter deck (NAME_0000.rad). The engine file, with end time and outputs, is left to the user.
 local units = require "fabric.export.units"
 
 local names = { ["SI"] = { "kg", "m", "s" }, ["mm-t-s"] = { "Mg", "mm", "s" }, ["mm-kg-ms"] = { "kg", "mm", "ms" } }
@@ -22,7 +22,7 @@ return function(m, material, target, u)
   local fabric = target.name == "LAW58"
   add(fabric and "/PROP/TYPE16/1" or "/PROP/TYPE9/1", m.name, "#   ISHELL    ISMSTR     ISH3N", ints(12, fabric and 4 or 11, 2), "#  HM HF HR DM DN", reals(0.0, 0.0, 0.0, 0.0, 0.0),
     "#        N   ISTRAIN               THICK              ASHEAR", ints(1, 1) .. reals(t, 0.0) .. ints("", 0, 0))
-  if fabric then -- the yarns: warp along V, weft 90 degrees from it
+  if fabric then -- directions of the yarns: warp along V, weft at 90 degrees
     add("#                 VX                  VY                  VZ   SKEW_ID", reals(w[1], w[2], w[3]) .. ints(0, "", 0),
       "#                PHI               ALPHA                  TI                  ZI    MAT_ID", reals(0.0, 90.0, t, 0.0) .. ints(1))
   else

@@ -1,11 +1,11 @@
--- A model taken apart for another solver's deck: nodes, elements, sets, supports, motions and loads, all in SI.
+-- Collects the data of a model for another solver's deck: nodes, elements, sets, supports, motions and loads, all in SI units.
 local define = require "fabric.define"
 local fail = define.fail
 local gather = {}
 
 local axes = { x = 1, y = 2, z = 3 }
 
--- Numbers of translations (1 to 3) and rotations (4 to 6) that words like "x y z rotation" hold.
+-- The numbers of the translations (1 to 3) and rotations (4 to 6) in words like "x y z rotation".
 local function freedoms(words)
   local held = {}
   for word in words:gmatch "%S+" do
@@ -20,7 +20,7 @@ local function freedoms(words)
   return out
 end
 
--- Corners {t, v} of each axis in words like "x 0 to 0.1 m at 1 s, y 0.2 m" (numbers, or a ramp as m:list() tells it).
+-- The corners {t, v} for each axis in words like "x 0 to 0.1 m at 1 s, y 0.2 m" (numbers, or a ramp as shown by m:list()).
 local function components(row, unit, histories, notes)
   local out = {}
   local words = row.what
@@ -44,7 +44,7 @@ local function components(row, unit, histories, notes)
   return out
 end
 
--- Shares of a total force by tributary length, of nodes that are no row of edges by number.
+-- Shares of a total force by tributary length, for nodes that do not form a row of edges.
 local function shares(mesh, nodes)
   local inside, length, total = {}, {}, 0
   for _, n in ipairs(nodes) do inside[n], length[n] = true, 0 end
@@ -67,7 +67,7 @@ local function shares(mesh, nodes)
   return out
 end
 
--- Direction of the warp from a number of degrees from x, or {x, y, z}.
+-- Direction of the warp, from an angle in degrees to x or from {x, y, z}.
 local function direction(warp)
   if type(warp) == "number" then
     local angle = math.rad(warp)

@@ -1,4 +1,4 @@
--- fabric.import.card: a card out of another solver's material, with the same report of what is lost.
+-- fabric.import.card: a card from another solver's material, with the same report of what is lost.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local units = require "fabric.export.units"
@@ -13,7 +13,7 @@ local kinds = {
   abaqus = { read = read.fabric, measure = "nominal_radians", law = laws.fabric, name = "*FABRIC", ending = "inp", shifted = true },
 }
 
--- Points {E, S} of the loading curve in the card's measures, up to `tested` and beyond as far as the file goes.
+-- Points {E, S} of the loading curve in the card's measures, up to `tested`, and beyond as far as the file has data.
 local function points(back, part)
   local out = {}
   for i = 1, #part.loading.x do
@@ -31,7 +31,7 @@ local function steepest(list, upto)
   return most
 end
 
--- The unloading modulus between the point of turning and a fifth of its stress below; nil for an elastic curve.
+-- The unloading modulus between the reversal and a fifth of its stress below; nil for an elastic curve.
 local function modulus(back, part, shifted)
   if part.elastic then return end
   local c, top = part.unloading, part.meet
@@ -43,7 +43,7 @@ local function modulus(back, part, shifted)
   return (S1 - S0) / (E1 - E0)
 end
 
--- The card's curve goes smoothly through the points and is a little steeper between them.
+-- The card's curve passes smoothly through the points and is a little steeper between them, so the modulus has a margin.
 local margin = 1.05
 
 local function part_of(name, from, kind, notes)
@@ -63,7 +63,7 @@ local function part_of(name, from, kind, notes)
   return { loading = list, unloading = unloading }, tested
 end
 
--- The strain (Green-Lagrange's, E12 in shear) up to which the curve counts as measured, and from where the unloading is taken.
+-- The strain (Green-Lagrange, E12 in shear) up to which the curve counts as measured, and at which unloading begins.
 local function turn_at(part, name, E, kind)
   local measure = curves.measures[kind.measure]
   local x = (name == "shear" and measure.shear or measure.axis)(E, 0)

@@ -1,4 +1,4 @@
--- fabric.export: cards, meshes and whole models for other programs; fabric.import: what comes back.
+-- fabric.export: cards, meshes and whole models for other programs; fabric.import: the reverse.
 require "fabric.export.card"
 require "fabric.export.model"
 require "fabric.export.import"

@@ -1,10 +1,10 @@
--- Small models of the laws that cards are exported to, written from their manuals' (OpenRadioss: its source's) equations, to be laid
--- beside the card's own law. All take Green-Lagrange strain (tensor components, material axes) and give Piola-Kirchhoff's second
--- stress, Pa: law:stress(E11, E22, E12) -> S11, S22, S12 for a trial state, law:commit() keeps the last one. The sheet's thickness
--- is held, as by all of these laws' elements in their usual setting, so that J = lambda1 lambda2 cos(shear angle).
+-- Small models of the laws to which cards are exported, written from the equations in their manuals (for OpenRadioss: its source), for
+-- comparison with the card's own law. All take Green-Lagrange strain (tensor components, material axes) and return second Piola-Kirchhoff
+-- stress, Pa: law:stress(E11, E22, E12) -> S11, S22, S12 for a trial state; law:commit() keeps the last one. The thickness is constant, as
+-- for the elements of all these laws in their usual setting, so that J = lambda1 lambda2 cos(shear angle).
 local laws = {}
 
--- The value of a piecewise linear curve {x, y}, its end segments continued as the solvers do.
+-- The value of a piecewise linear curve {x, y}; the end segments are continued, as the solvers do.
 local function value(curve, x)
   local xs, ys = curve.x, curve.y
   local low, high = 1, #xs
@@ -18,9 +18,9 @@ laws.value = value
 
 -- --- one yarn direction, or shear, with a curve for loading and one for unloading ---
 
--- The unloading curve, which meets the loading curve at {x, y} = `meet`, is scaled along both axes to the point of turning.
---   reload = "curve": back up on the unloading curve           (*MAT_034 with RL = 0)
---   reload = "scaled": on the loading curve, scaled in between (LAW58: sigeps58c, branches LOAD, RELOAD, UNLOAD)
+-- The unloading curve, which meets the loading curve at {x, y} = `meet`, is scaled along both axes to the point of reversal.
+--   reload = "curve": reloads along the unloading curve          (*MAT_034 with RL = 0)
+--   reload = "scaled": reloads along the loading curve, scaled in between (LAW58: sigeps58c, branches LOAD, RELOAD, UNLOAD)
 local function scaled(loading, unloading, meet, reload, odd)
   local s = { x = 0, most = 0, most_y = 0, turn = 0, turn_y = 0, low = 0, low_y = 0, virgin = true, sign = 1 }
   local trial
@@ -30,7 +30,7 @@ local function scaled(loading, unloading, meet, reload, odd)
     local sign = 1
     if odd then
       sign = x < 0 and -1 or 1
-      if sign ~= s.sign and x ~= 0 then -- the other sense of shear begins anew
+      if sign ~= s.sign and x ~= 0 then -- shear in the other direction starts anew
         t = { x = 0, most = 0, most_y = 0, turn = 0, turn_y = 0, low = 0, low_y = 0, virgin = true, sign = sign }
       end
       x = math.abs(x)
@@ -60,7 +60,7 @@ local function scaled(loading, unloading, meet, reload, odd)
   return { at = evaluate, commit = function() s = trial or s end }
 end
 
--- The unloading curve {x, y}, which rises from {0, 0}, is shifted to the point of turning; where it comes to zero the yarn is slack.
+-- The unloading curve {x, y}, which rises from {0, 0}, is shifted to the point of reversal; below its zero the yarn is slack.
 -- (*FABRIC: TYPE=PERMANENT DEFORMATION, DEFINITION=SHIFTED CURVE)
 local function shifted(loading, unloading, odd)
   local s, trial = { most = 0, sign = 1 }, nil
@@ -92,8 +92,8 @@ local function kinematics(E11, E22, E12)
   return l1, l2, sine, math.sqrt(1 - sine * sine)
 end
 
--- *MAT_FABRIC (*MAT_034), FORM = 14: second Piola-Kirchhoff stress over Green's strain along each yarn, and over the engineering
--- shear 2 E12; nothing couples them; CSE = 1 takes compressive stress away.
+-- *MAT_FABRIC (*MAT_034), FORM = 14: second Piola-Kirchhoff stress over Green-Lagrange strain along each yarn, and over the engineering
+-- shear 2 E12, without coupling; CSE = 1 removes compressive stress.
 function laws.mat_034(p)
   local a = scaled(p.warp.loading, p.warp.unloading, p.warp.meet, "curve")
   local b = scaled(p.weft.loading, p.weft.unloading, p.weft.meet, "curve")
@@ -124,9 +124,9 @@ function laws.mat_235(p)
   return law
 end
 
--- LAW58 with loading and unloading functions (OpenRadioss, engine/source/materials/mat/mat058/sigeps58c.F, branch UNLOAD = 1): yarns of
--- elongation d - d0 over a crimp height h that the two directions exchange; their force per width of the unstrained sheet is the
--- function of that elongation; the shear stress is a function of the shear angle in degrees, decoupled. Without damping and friction.
+-- LAW58 with loading and unloading functions (OpenRadioss, engine/source/materials/mat/mat058/sigeps58c.F, branch UNLOAD = 1): yarns with
+-- the elongation d - d0 over a crimp height h that the two directions exchange; the force per initial width of the sheet is a function of
+-- that elongation; the shear stress is a function of the shear angle in degrees, without coupling. No damping and no friction.
 function laws.law58(p)
   local warp = scaled(p.warp.loading, p.warp.unloading, p.warp.meet, "scaled")
   local weft = scaled(p.weft.loading, p.weft.unloading, p.weft.meet, "scaled")
@@ -141,7 +141,7 @@ function laws.law58(p)
   end
   function law:stress(E11, E22, E12)
     local l1, l2, sine = kinematics(E11, E22, E12)
-    local low, high = -h1, h2 -- what the warp's height has gained and the weft's has lost
+    local low, high = -h1, h2 -- changes of crimp height: gain of the warp, loss of the weft
     for _ = 1, 50 do
       local y = (low + high) / 2
       local F1, sine1 = yarn(warp, l1, h1 + y, d1)
@@ -186,8 +186,8 @@ function laws.law19(p)
 end
 
 -- *FABRIC with test data (Abaqus/Explicit): nominal stress over nominal strain lambda - 1 along each yarn, and over the change of the angle
--- between them, independent of each other. The three stresses are conjugate to the three strains, from which S follows:
--- T11 = lambda1 S11 + lambda2 sin(g) S12, T12 = lambda1 lambda2 cos(g) S12.
+-- between the yarns, independent of each other. The three stresses are conjugate to the three strains, which gives S: T11 = lambda1 S11 +
+-- lambda2 sin(g) S12, T12 = lambda1 lambda2 cos(g) S12.
 function laws.fabric(p)
   local warp = shifted(p.warp.loading, p.warp.unloading)
   local weft = shifted(p.weft.loading, p.weft.unloading)
@@ -202,7 +202,7 @@ function laws.fabric(p)
   return law
 end
 
--- St. Venant-Kirchhoff: *ELASTIC, TYPE=ENGINEERING CONSTANTS in CalculiX with NLGEOM (Green's strain, second Piola-Kirchhoff stress).
+-- St. Venant-Kirchhoff: *ELASTIC, TYPE=ENGINEERING CONSTANTS in CalculiX with NLGEOM (S is second Piola-Kirchhoff over Green-Lagrange).
 function laws.svk(p)
   local q = 1 - p.NU12 * p.NU21
   local c = p.NU21 * p.E11 / q
@@ -215,17 +215,17 @@ end
 
 -- --- the paths ---
 
--- Uniaxial tension at an angle from the warp: E along the pull is given, the stresses across and in shear of the pull's axes vanish.
+-- Uniaxial tension at an angle to the warp: E along the pull is given; lateral stress and shear stress in the axes of the pull vanish.
 local function turned(law, angle, Ex, Ey, Exy)
   local c, s = math.cos(math.rad(angle)), math.sin(math.rad(angle))
   local S11, S22, S12 = law:stress(Ex * c * c + Ey * s * s - 2 * Exy * s * c, Ex * s * s + Ey * c * c + 2 * Exy * s * c,
-    -- the pull's axes are turned by +angle from the warp
+    -- the axes of the pull are rotated by +angle from the warp
     (Ex - Ey) * s * c + Exy * (c * c - s * s))
   return S11 * c * c + S22 * s * s + 2 * S12 * s * c, S11 * s * s + S22 * c * c - 2 * S12 * s * c,
     (S22 - S11) * s * c + S12 * (c * c - s * s)
 end
 
--- Newton's method with differences on (Ey, Exy), steps halved until the residual falls. guess: changed in place.
+-- Newton's method with a difference quotient for (Ey, Exy); steps are halved until the residual decreases. guess: modified in place.
 local function solve_uniaxial(law, angle, Ex, guess)
   local function at(y, z)
     local S, Sy, Sz = turned(law, angle, Ex, y, z)
@@ -239,7 +239,7 @@ local function solve_uniaxial(law, angle, Ex, guess)
     local _, ay, by = at(y + h, z)
     local _, az, bz = at(y, z + h)
     local m11, m21, m12, m22 = (ay - a) / h, (by - b) / h, (az - a) / h, (bz - b) / h
-    m11, m22 = m11 + 1, m22 + 1 -- a slack yarn has no stiffness: one pascal keeps the system regular
+    m11, m22 = m11 + 1, m22 + 1 -- a slack yarn has no stiffness: one pascal keeps the matrix regular
     local det = m11 * m22 - m12 * m21
     if det == 0 then break end
     local dy, dz = -(a * m22 - b * m12) / det, -(b * m11 - a * m21) / det
@@ -260,7 +260,7 @@ local function solve_uniaxial(law, angle, Ex, guess)
   return S
 end
 
--- The stresses of a law along a path (see ours.paths): a list, for the biaxial path two.
+-- The stresses of a law along a path (see ours.paths): one list, or two for the biaxial path.
 function laws.along(law, path)
   local first, second, guess = {}, path.drive == "biaxial" and {} or nil, { 0, 0 }
   for i, x in ipairs(path.values) do

@@ -1,4 +1,4 @@
--- What an export loses: the target's law beside the card's own, path by path.
+-- The loss of an export: the target's law compared with the card's own, path by path.
 local ours = require "fabric.export.ours"
 local laws = require "fabric.export.laws"
 local loss = {}
@@ -9,7 +9,7 @@ local function largest(list)
   return m
 end
 
--- Work per volume along a path, J/m3 (trapezoids); conjugate strain of shear is 2 E12.
+-- Work per volume along a path, J/m3 (trapezoidal rule); the strain conjugate to the shear stress is 2 E12.
 local function work(path, first, second)
   local w, x0, s0, r0 = 0, 0, 0, 0
   for i, x in ipairs(path.values) do
@@ -36,7 +36,7 @@ local function compare(path, a1, a2, b1, b2)
     work = 100 * (v - w) / math.abs(w), peak = peak, strain = path.values, ours = { a1, a2 }, theirs = { b1, b2 } }
 end
 
--- Rows {path, words, worst, rms, work (per cent), where (strain), peak (Pa), strain, ours, theirs} for the law that make() gives.
+-- Rows {path, words, worst, rms, work (per cent), where (strain), peak (Pa), strain, ours, theirs} for the law of make().
 function loss.rows(card, make)
   local rows = {}
   for i, path in ipairs(ours.paths(card)) do
@@ -56,7 +56,7 @@ function loss.lines(rows)
   return out
 end
 
--- What no row can show, as sentences.
+-- Losses that the paths do not show, as sentences.
 function loss.sentences(card, target)
   local out = {}
   local function add(text) out[#out + 1] = text end

@@ -1,4 +1,4 @@
--- fabric.export.mesh: the facets of a mesh, or of a run as deformed, as .obj, .ply or .stl.
+-- fabric.export.mesh: the facets of a mesh, or of a deformed run, as .obj, .ply or .stl.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local fail = define.fail

@@ -1,10 +1,10 @@
--- What a card's law answers, sampled with fabric.point: the curves that a target is given, and the paths it is judged by.
+-- Samples of a card's law by fabric.point: the curves for a target, and the paths by which it is judged.
 local fabric = require "fabric"
 local ours = {}
 
 ours.axes = { "warp", "weft" }
 
--- Largest tested strain of an axis or of shear (E12); what is taken where the card says none.
+-- Largest tested strain of an axis or of shear (E12); these values are used if the card states none.
 local untested = { warp = 0.10, weft = 0.10, shear = 0.20 }
 function ours.tested(card)
   local out = {}
@@ -15,7 +15,8 @@ function ours.tested(card)
   return out
 end
 
--- {E, S} of virgin uniaxial loading along an axis, the other stresses zero, from zero to `reach`; S is Piola-Kirchhoff's second, Pa.
+-- {E, S} of virgin uniaxial loading along an axis with zero lateral and shear stress, from zero to `reach`; S: second
+-- Piola-Kirchhoff stress, Pa.
 function ours.uniaxial(card, axis, reach, n)
   local p, E, S = fabric.point(card), { 0 }, { 0 }
   for i = 1, n do
@@ -35,7 +36,7 @@ function ours.shear(card, reach, n)
   return E, S
 end
 
--- {E, S} of unloading from a virgin strain `from` to no stress, downwards in strain: ends at the residual strain.
+-- {E, S} of unloading from the virgin strain `from` to zero stress, in descending strain, down to the residual strain.
 function ours.unloading(card, part, from, n)
   local modulus, value
   local function drive(p, E) return part == "shear" and p:strain({ E12 = E }).S12 or p:uniaxial(part, E).S end
@@ -54,7 +55,7 @@ function ours.unloading(card, part, from, n)
   return E, S, residual
 end
 
--- Paths: name, words, what is driven, list of values visited. Strains are Green-Lagrange's, tensor components.
+-- Paths: name, words, driven component, list of values. Strains are Green-Lagrange, tensor components.
 local steps = 60
 local function visit(corners)
   local out, last = {}, 0
@@ -84,7 +85,7 @@ function ours.paths(card)
   }
 end
 
--- The stresses of the card along a path: a list, or for the biaxial path two.
+-- The stresses of the card along a path: one list, or two for the biaxial path.
 function ours.along(card, path)
   local p, first, second = fabric.point(card), {}, path.drive == "biaxial" and {} or nil
   for i, x in ipairs(path.values) do

@@ -1,4 +1,4 @@
--- Text of OpenRadioss starter decks: LAW58 and LAW19. Ten fields of 10 columns to a line; a real takes two.
+-- Text of OpenRadioss starter decks: LAW58 and LAW19. A line has ten fields of 10 columns; a real number takes two.
 local units = require "fabric.export.units"
 local radioss = {}
 
@@ -10,7 +10,7 @@ local function reals(...)
   return table.concat(out)
 end
 
--- Names of the fields of 20 columns above their numbers.
+-- A comment line with the names of the fields of 20 columns, to be put above their numbers.
 local function head(...)
   local out = {}
   for i, v in ipairs { ... } do out[i] = ("%20s"):format(v) end
@@ -23,7 +23,7 @@ local function funct(id, title, c, fx, fy)
   return table.concat(out, "\n")
 end
 
--- The curve of shear for both signs.
+-- The shear curve for positive and negative angles.
 local function odd(c)
   local out = { x = {}, y = {} }
   for i = #c.x, 1, -1 do out.x[#out.x + 1], out.y[#out.y + 1] = -c.x[i], -c.y[i] end

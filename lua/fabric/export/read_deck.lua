@@ -1,4 +1,4 @@
--- Materials out of other solvers' decks: the numbers of LAW58 and of *FABRIC as they stand there, curves scaled to SI.
+-- Reads materials from other solvers' decks: the numbers of LAW58 and of *FABRIC as written, curves scaled to SI.
 local define = require "fabric.define"
 local fail = define.fail
 local read = {}
@@ -60,7 +60,7 @@ local function funct(path, blocks, id, scale, stress)
   fail(("card: %s: there is no /FUNCT/%d, which LAW58 names"):format(path, id))
 end
 
--- The half of a curve from {0, 0} on.
+-- The half of a curve for x >= 0.
 local function positive(path, c)
   local out = { x = { 0 }, y = { 0 } }
   for i = 1, #c.x do
@@ -70,7 +70,7 @@ local function positive(path, c)
   return out
 end
 
--- Where two curves cross beyond 0, {x, y}; the end of the first where they do not.
+-- The intersection {x, y} of two curves beyond 0; without one, the end of the first.
 local function crossing(a, b, value)
   for i = 2, #a.x do
     local d0, d1 = a.y[i - 1] - value(b, a.x[i - 1]), a.y[i] - value(b, a.x[i])
@@ -82,7 +82,7 @@ local function crossing(a, b, value)
   return { a.x[#a.x], a.y[#a.y] }
 end
 
--- Without functions: E1 x - B1 x^2 / 2 until it is level, and shear in two straight parts in tan(angle).
+-- Without functions: E1 x - B1 x^2 / 2 up to its maximum, and shear as two straight lines in tan(angle).
 local function analytic(E, B)
   local c = { x = {}, y = {} }
   local last = B > 0 and math.min(0.2, 0.99 * E / B) or 0.2

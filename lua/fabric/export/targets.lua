@@ -1,5 +1,5 @@
--- The materials that a card can be exported to: for each its solver, the kinds of card it takes, how its parameters are found, its text,
--- its law, and what is said of what it loses.
+-- The materials to which a card can be exported. For each: its solver, the kinds of card that it accepts, the determination of its
+-- parameters, its text, its law, and a description of its losses.
 local fabric = require "fabric"
 local ours = require "fabric.export.ours"
 local curves = require "fabric.export.curves"
@@ -20,7 +20,7 @@ local function ends(card)
   return out
 end
 
--- Linear laws meet the card at the ends of its tests.
+-- Linear laws agree with the card at the ends of the tested ranges.
 local function secant_235(card)
   local e = ends(card)
   local function modulus(x) return x.S * x.stretch / math.log(x.stretch) end -- S = E ln(lambda)/lambda while nothing contracts across
@@ -37,7 +37,7 @@ local function secant_19(card)
   local e = ends(card)
   local nn = card.warp.poisson * card.weft.poisson
   local nu12, nu21, E11, E22 = 0, 0, nil, nil
-  for _ = 1, 20 do -- the ratio is scaled to what symmetry asks: NU12 nu21 = the card's product
+  for _ = 1, 20 do -- scales the ratio for symmetry: NU12 nu21 = the card's product
     E11 = e.warp.S * e.warp.stretch ^ (1 + nu12) / math.log(e.warp.stretch)
     E22 = e.weft.S * e.weft.stretch ^ (1 + nu21) / math.log(e.weft.stretch)
     nu12, nu21 = math.sqrt(nn * E11 / E22), math.sqrt(nn * E22 / E11)
@@ -93,7 +93,7 @@ targets.list = {
 
 targets.solvers = { "ls-dyna", "openradioss", "abaqus" }
 
--- Names of a solver's materials.
+-- Names of the materials of a solver.
 function targets.names(solver)
   local out = {}
   for _, t in ipairs(targets.list) do
@@ -105,7 +105,7 @@ end
 -- Accepts "MAT_034", "*MAT_034", "mat_34", "LAW58", "*FABRIC", "fabric".
 local function plain(name) return (name:upper():gsub("^%*", ""):gsub("^MAT_0*(%d)", "MAT_%1"):gsub("^MAT_FABRIC$", "MAT_34")) end
 
--- The target of a solver by the material's name; the first that takes the kind of card without one. nil when there is none.
+-- The target of a solver with this material name; without a name, the first that accepts the kind of card. nil if there is none.
 function targets.find(solver, name, kind)
   for _, t in ipairs(targets.list) do
     if t.solver == solver and (name and plain(t.name) == plain(name) or not name and t.kinds[kind]) then return t end

@@ -1,7 +1,7 @@
--- Systems of units that a solver's deck is written in. The solvers know no units: all that counts is that the numbers fit together.
+-- Systems of units for decks of other solvers, which do not know units and only require that all numbers are consistent.
 local units = {}
 
--- What one SI unit is in the system: a value in SI times its factor is the value written.
+-- The size of one SI unit in the system: a value in SI times this factor is the value to write.
 local systems = {
   ["SI"] = { length = 1, mass = 1, time = 1, words = "m, kg, s, N, Pa" },
   ["mm-t-s"] = { length = 1e3, mass = 1e-3, time = 1, words = "mm, t, s, N, MPa" },
@@ -9,7 +9,8 @@ local systems = {
 }
 units.names = { "mm-t-s", "mm-kg-ms", "SI" }
 
--- The system of that name: factors length, mass, time, stress, density, force, rigidity (N.m), acceleration, velocity; name, words.
+-- The system of that name: factors of length, mass, time, stress, density, force, rigidity (N.m), acceleration, velocity; name,
+-- words.
 function units.of(name)
   local s = systems[name]
   return {
@@ -19,7 +20,7 @@ function units.of(name)
   }
 end
 
--- A number in at most `width` characters, with as many digits as fit; never wider.
+-- A number with as many digits as fit into `width` characters; never wider.
 function units.fixed(x, width)
   if math.type(x) == "integer" then return ("%" .. width .. "d"):format(x) end
   for digits = math.min(12, width), 1, -1 do
@@ -29,7 +30,7 @@ function units.fixed(x, width)
   error(("a number that %d columns can't hold: %s"):format(width, x))
 end
 
--- A line of fields of one width.
+-- A line of fields of equal width.
 function units.line(width, values)
   local out = {}
   for i, v in ipairs(values) do out[i] = v == "" and (" "):rep(width) or units.fixed(v, width) end

@@ -1,5 +1,5 @@
--- fabric.lab.ball_drop: a rigid ball falls onto the middle of a clamped square, the test that the thesis proposes last
--- [williams2010, section 8.2].
+-- fabric.lab.ball_drop: a rigid ball falls onto the middle of a clamped square, the last of the tests proposed in the
+-- thesis [williams2010, section 8.2].
 --
 --            O   ball: free, from `height` above the sheet
 --      ------------- rim: x y z and directors held; warp along x; gravity along -z
@@ -10,7 +10,7 @@ local fabric = require "fabric"
 
 local ledger = { "kinetic", "rigid", "stored", "contact", "guard", "dissipated", "friction", "damping", "external", "error" }
 
--- The ball begins a little above where contact begins, with the speed that it has there.
+-- The ball starts a little above the distance at which contact begins, with the velocity that it has reached there.
 local function ball_of(t, model)
   local above = t.card.thickness / 2 + t.clearance
   if t.height < t.clearance then

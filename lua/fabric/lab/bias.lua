@@ -1,7 +1,7 @@
--- fabric.lab.bias: a strip cut off the yarns' axes, pulled 20 mm and let go [williams2010, sections 3.3.4 and 7.2.2].
+-- fabric.lab.bias: a strip cut at an angle to the yarns, pulled 20 mm, unloaded [williams2010, sections 3.3.4 and 7.2.2].
 --
--- With free ends the whole strip deforms alike. Clamped ends make three zones (fig. 3-52): next to the grips, where both yarns
--- end in the same grip, hardly any shear; in the middle, where no yarn ends in a grip, the most.
+-- With free ends the strain of the whole strip is uniform. Clamped ends cause three zones (fig. 3-52): hardly any shear next
+-- to the grips, where both yarns end in the same grip; the most in the middle, where no yarn ends in a grip.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local strip = require "fabric.lab.strip"

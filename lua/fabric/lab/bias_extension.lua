@@ -1,5 +1,5 @@
--- fabric.lab.bias_extension: the bias test on a mesh whose edges follow the yarns. Yarns that hardly stretch lock a mesh that lies
--- across them (each element would have to bend its yarns); along its edges they do not mind.
+-- fabric.lab.bias_extension: the bias test on a mesh with edges along the yarns. A mesh with edges across nearly inextensible
+-- yarns would lock, because each element would have to bend its yarns; edges along the yarns avoid that.
 --
 --      /\/\/\        squares on their tips, halved at the rim;   warp at 45 degrees from x, pull along y,
 --      \/\/\/        `cells` of them across the width            both ends clamped
@@ -8,7 +8,7 @@ local curves = require "fabric.columns"
 local fabric = require "fabric"
 local define = require "fabric.define"
 
--- Nodes (i, j) with i + j even stand at (i w, j h); every (i, j) with i + j odd is the middle of an element.
+-- Nodes (i, j) with even i + j are at (i w, j h); every (i, j) with odd i + j is the middle of an element.
 local function lattice(columns, rows, w, h)
   local lines, number, count = {}, {}, 0
   for j = 0, rows do
@@ -57,7 +57,7 @@ local function run(t)
   model:move("top", { y = fabric.ramp(t.displacement, 1) })
   local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, tolerance = t.tolerance }
   local curve = curves.made()
-  a:every(1 / t.steps, function() -- at equal displacements, whatever steps had to be cut
+  a:every(1 / t.steps, function() -- at equal displacements, whatever the steps
     local _, force = a:reaction "top"
     local d = a.time * t.displacement
     local e = d / t.length

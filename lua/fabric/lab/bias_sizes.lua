@@ -1,13 +1,13 @@
--- fabric.lab.bias_sizes: one shear curve from bias pulls of several sizes, with what the free edges do as a length of its own.
+-- fabric.lab.bias_sizes: one shear curve from bias tests of several sizes, with the effect of free edges as an additional length.
 --
---      |  fixed  |      The yarns of the middle zone (sheared by gamma) and of the mixed ones (gamma/2) end at the free edges, the middle
---      |\ mixed /|<-- w over h - 2w of each side, the mixed ones over w above and below. There they slip past each other and pull out, so
---      | \     / |      that a strip of width e carries nothing. The work of the grips is then shared between areas that lack the strip,
+--      |  fixed  |      The yarns of the middle zone (sheared by gamma) and of the mixed zones (gamma/2) end at the free edges, the middle
+--      |\ mixed /|<-- w zone over h - 2w of each side, the mixed ones over w above and below. There they slip and pull out, so that
+--      | \     / |      a strip of width e carries no load. The work of the grips is then done on areas without that strip,
 --      | middle  |
 --      | /     \ |      F (h/w - 1)(cos g/2 - sin g/2) = ((2h - 3w) - 4e (h - 2w)/w) cos g N(g) + (w - 4e) cos g/2 N(g/2),
 --
--- which for e = 0 is the rule of [cao2008] in fabric.lab.bias_shear. Long specimens have more edge beside their middle zone than short ones
--- (one of h = 2w has none), so that two sizes tell e. A negative one says that the edges hold more than their share.
+-- which for e = 0 is the rule of [cao2008] in fabric.lab.bias_shear. In long specimens the middle zone has longer edges than in short ones
+-- (none for h = 2w), so two sizes determine e. A negative e means that the edges carry more than their share.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local linear = require "fabric.lab.linear"
@@ -15,19 +15,19 @@ local origin = require "fabric.lab.origin"
 local angle_of = require("fabric.lab.frames").bias_angle
 local fail = define.fail
 
-local believed = 2     -- deviations of the edge from which on it is one
-local most_edge = 0.2  -- of the smallest width: the mixed zones carry something still
-local stiff = 1e-3     -- of the diagonal, on second differences of the curve: gamma and gamma/2 together let neighbours swing
+local believed = 2     -- standard deviations above which the edge is significant
+local most_edge = 0.2  -- of the smallest width: the mixed zones must still carry load
+local stiff = 1e-3     -- of the diagonal; regularises second differences, because gamma and gamma/2 together permit oscillations
 
--- What multiplies N at gamma and at gamma/2 in the grips' force, for an edge e.
+-- The factors of N at gamma and at gamma/2 in the force of the grips, for an edge e.
 local function shares(size, gamma, e)
   local w, h = size.width, size.length
   local arm = (h / w - 1) * (math.cos(gamma / 2) - math.sin(gamma / 2))
   return ((2 * h - 3 * w) - 4 * e * (h - 2 * w) / w) * math.cos(gamma) / arm, (w - 4 * e) * math.cos(gamma / 2) / arm
 end
 
--- Adds `factor` times the curve's value at gamma to a row of the knots' coefficients. The first knot stands at no shear and need not be zero:
--- friction holds from the start.
+-- Adds `factor` times the curve's value at gamma to a row of coefficients of the knots. The first knot is at zero shear and need not be zero,
+-- because friction acts from the beginning.
 local function add(row, spacing, gamma, factor)
   local place = gamma / spacing
   local k = math.min(math.floor(place), #row - 2)
@@ -50,7 +50,7 @@ local function dot(a, b)
   return sum
 end
 
--- The curve's knots for a given edge by least squares, every size by its own peak; and the sum of squares.
+-- The least-squares knots of the curve for a given edge, every size relative to its own peak; and the sum of squares.
 local function curve_for(state, e)
   local n = state.knots + 1
   local A, b, sum = linear.zeros(n), {}, 0
@@ -84,7 +84,7 @@ local function curve_for(state, e)
   return N, sum
 end
 
--- The edge with the least sum of squares: the best of forty, then the golden section around it.
+-- The edge with the least sum of squares: the best of forty trials, then golden section search.
 local tries, golden = 40, (math.sqrt(5) - 1) / 2
 local function edge_of(state, most)
   local best, least = 0, math.huge
@@ -102,7 +102,7 @@ local function edge_of(state, most)
   return (low + high) / 2
 end
 
--- The edge and curves, and those that would be found if one of the sizes had shown more by the scatter of specimens, one after the other.
+-- Edge and curves, and those for data in which one size after the other is raised by the scatter of the specimens.
 local function solve(state, most, scatter, edges)
   local function once()
     local e = edges and edge_of(state, most) or 0
@@ -117,7 +117,7 @@ local function solve(state, most, scatter, edges)
   return found, moved
 end
 
--- Force of a size, its deviation (of one specimen), and the angle, at some displacements.
+-- Force of a size, its standard deviation (for one specimen), and the angle, at given displacements.
 local function force_of(state, answer, size, displacement)
   local out = { displacement = displacement, force = {}, deviation = {}, angle = {}, low = {}, high = {} }
   for i, d in ipairs(displacement) do
@@ -132,7 +132,7 @@ local function force_of(state, answer, size, displacement)
   return out
 end
 
--- Rows of a specimen within the limit: angle and force.
+-- Angle and force in the rows of a specimen that are within the limit.
 local function prepared(t, i, s)
   for _, name in ipairs { "displacement", "force" } do
     if type(s[name]) ~= "table" then fail(("bias_sizes: field 'specimens[%d].%s': expected a table of numbers, got %s"):format(i, name, tostring(s[name]))) end
@@ -155,7 +155,7 @@ local function prepared(t, i, s)
   return out
 end
 
--- reach: the largest angle that is asked about.
+-- reach: the largest angle considered.
 local function misfit(state, answer, size, reach)
   local n = 0
   while n < #size.gamma and size.gamma[n + 1] <= (reach or math.huge) do n = n + 1 end
@@ -164,11 +164,11 @@ local function misfit(state, answer, size, reach)
   return { rms = math.sqrt(sum / n) / size.peak, at_end = predicted.force[n] / size.force[n] - 1, predicted = predicted }
 end
 
--- Lengths over widths that differ by less tell nothing of the edges: what they lose goes with h - 2w over 2h - 3w.
+-- Lengths over widths that differ less than this do not determine the edges, whose effect is proportional to (h - 2w) / (2h - 3w).
 local function tells_edges(sizes)
   local low, high = math.huge, -math.huge
   for _, s in ipairs(sizes) do
-    local loss = (4 * (s.length - 2 * s.width) / s.width + 4) / (2 * s.length - 2 * s.width) -- of all that carries, per length of e
+    local loss = (4 * (s.length - 2 * s.width) / s.width + 4) / (2 * s.length - 2 * s.width) -- of all that carries load, per length of e
     low, high = math.min(low, loss), math.max(high, loss)
   end
   return high > 1.05 * low
@@ -186,7 +186,7 @@ local function curve_out(state, answer, thickness)
   return out
 end
 
--- The curve as the shear of a card, rising.
+-- The curve as the shear part of a card, made increasing.
 local function card_part(t, state, out)
   local points = fabric.lab.monotone { curves = { { E = table.move(out.curve.E12, 2, #out.curve.E12, 1, {}), S = table.move(out.curve.S12, 2, #out.curve.S12, 1, {}) } },
     bins = math.max(2, state.knots) }
@@ -212,7 +212,7 @@ local function text_of(out)
   return table.concat(lines, "\n")
 end
 
--- Each size predicted from the others, as far as these were sheared; with edges where all of them together told of them.
+-- Predicts each size from the others, up to their shear; with edges if all sizes together determined them.
 local function leave_out(state, t, most, edges)
   local out = {}
   for i, held in ipairs(state.sizes) do

@@ -1,4 +1,4 @@
--- fabric.lab.biaxial: a square pulled along warp and weft at once and let go [williams2010, section 7.3.1].
+-- fabric.lab.biaxial: a square pulled along warp and weft at once and unloaded [williams2010, section 7.3.1].
 --
 --            ^ top                  Edges stay straight and slide along themselves, so that the strain is uniform:
 --      +--+--+--+                   E = d / size + (d / size)^2 / 2 with d the distance that a pair of edges parts,

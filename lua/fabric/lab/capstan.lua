@@ -1,4 +1,4 @@
--- fabric.lab.capstan: a strip over a rigid cylinder is held by a tension T1 on one side and drawn on the other.
+-- fabric.lab.capstan: a strip over a rigid cylinder, held by a tension T1 on one side and pulled on the other.
 --
 --            _____        T2 / T1 = exp(friction * wrap) of a thread; of n facets that turn by d = wrap/n each
 --          /  ___  \      ((1 + friction tan(d/2)) / (1 - friction tan(d/2)))^n
@@ -8,7 +8,7 @@ local define = require "fabric.define"
 local curves = require "fabric.columns"
 local fabric = require "fabric"
 
--- Facets that touch the cylinder's surface where contact begins: corners a little outside, leads along the tangents.
+-- Facets touching the cylinder where contact begins: corners slightly outside; straight ends along the tangents.
 local function strip(t)
   local half = math.rad(t.wrap) / 2
   local turn = 2 * half / t.around
@@ -20,7 +20,7 @@ local function strip(t)
     local k = s / facet - t.lead
     local inside = math.max(0, math.min(t.around, k))
     local angle, beyond = inside * turn - half, (k - inside) * facet
-    -- A lead goes on along the middle of its first bend.
+    -- A straight end continues the middle line of its first bend.
     return r * math.sin(angle) + beyond * math.cos(angle), y, r * math.cos(angle) - beyond * math.sin(angle)
   end)
   local function along(x, _, z)

@@ -1,10 +1,10 @@
--- fabric.lab.card: a card out of fits, with its bands and where each number comes from.
+-- fabric.lab.card: a card from fits, with confidence bands and the origin of each number.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local origin = require "fabric.lab.origin"
 local fail = define.fail
 
--- What is taken for what nobody measured, and what the four shipped cloths (card "blend" and so on) say of it.
+-- Assumptions for unmeasured values, with the range found for the four supplied cloths (card "blend" and so on).
 local rule = {
   unloading = { warp = 4, weft = 4, shear = 3, -- times the steepest tangent of the loading
     said = { warp = "2.5 to 10", weft = "2.5 to 10", shear = "1.5 to 3.9" } },
@@ -17,8 +17,8 @@ local other = { warp = "weft", weft = "warp" }
 
 local function ratio_of(poisson) return type(poisson) == "table" and poisson.value or poisson end
 
--- A band of the loading with that of the unloading behind it, where not every specimen unloads: that of the specimens that do,
--- no wider than its value when it is only one.
+-- The band of the loading, extended by that of the unloading. If not every specimen was unloaded, the latter is from those that
+-- were; with a single one it has no width.
 local function with_unloading(band, fit, unloading)
   local n, own = #band.value, fit.unloading_band or {}
   local out = { value = table.move(band.value, 1, n, 1, {}), low = table.move(band.low, 1, n, 1, {}), high = table.move(band.high, 1, n, 1, {}),
@@ -32,14 +32,14 @@ local function with_unloading(band, fit, unloading)
   return out
 end
 
--- {low, high, covariance} of {loading..., unloading, poisson}; nil where the loading is not what a fit found, or has none. A number
--- without a band has one of no width.
+-- {low, high, covariance} of {loading..., unloading, poisson}; nil if the loading is not the result of a fit, or has no band. A
+-- number without a band gets one of zero width.
 local function band_of(fit, unloading, poisson)
   local band = fit.band
   if not band or not band.low or not fit.degree or not origin.fitted(fit, "loading") then return end
   if #band.value == fit.degree then
     band = with_unloading(band, origin.fitted(fit, "unloading") and fit or {}, unloading)
-  elseif band.value[fit.degree + 1] ~= unloading then -- put in by hand since
+  elseif band.value[fit.degree + 1] ~= unloading then -- changed by hand after the fit
     local loading = { value = {}, low = {}, high = {}, covariance = {} }
     for i = 1, fit.degree do
       loading.value[i], loading.low[i], loading.high[i] = band.value[i], band.low[i], band.high[i]
@@ -60,7 +60,7 @@ local function band_of(fit, unloading, poisson)
   return out
 end
 
--- Largest tangent of a loading curve up to `tested`, Pa, and that at zero.
+-- Largest tangent of a loading curve up to `tested`, and the tangent at zero, Pa.
 local function tangents(loading, tested)
   local steepest, first = 0, nil
   if type(loading[1]) == "table" then
@@ -78,8 +78,8 @@ local function tangents(loading, tested)
   return steepest, loading[1]
 end
 
--- What the deck gives for a missing value (assume = { ["warp.unloading"]=... }); nil where it leaves that to the rule. An error
--- where nothing may be assumed. lacks: what a test did not show.
+-- The deck's value for a missing parameter (assume = { ["warp.unloading"]=... }); nil if the rule shall be used. An error if
+-- nothing may be assumed. lacks: what no test has shown.
 local function assumed(t, field, lacks)
   if t.assume == false then
     fail(("card: field '%s': %s; give assume=true to take it by rule (share/doc/laboratory.md), or assume={ ['%s']=... }"):format(
@@ -105,7 +105,7 @@ local function check_assume(t)
   end
 end
 
--- The part that no test was made of, or nil where it was.
+-- The assumed part for a direction without a test; nil if there was one.
 local function missing_part(t, name, told)
   if t[name] then return t[name] end
   local given = assumed(t, name .. ".loading", "there is no test of it")
@@ -130,7 +130,7 @@ local function missing_part(t, name, told)
   return { loading = { rule.shear.value * sum / n } }
 end
 
--- Numbers that a card can have: a result of fabric.lab.fit or a table like it.
+-- Checks that a result of fabric.lab.fit, or a similar table, has valid numbers for a card.
 local function check_part(fit, name)
   if type(fit.loading) ~= "table" then
     fail(("card: field '%s': expected a result of fabric.lab.fit, or {loading=, unloading=}, got a table without loading"):format(name))
@@ -162,7 +162,7 @@ local function poisson_of(t, name, told)
   return given or rule.poisson.value
 end
 
--- The line of the card's source that tells of a part.
+-- The line in the card's source that describes a part.
 local function summary(words, name)
   return name .. ": " .. (words:match "^fitted to ([^;]*)" or words:match "^(assumed):" or words)
 end

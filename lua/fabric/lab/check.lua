@@ -1,4 +1,4 @@
--- What the laboratory's functions ask of the tables they are given, told at the deck's line.
+-- Checks of the tables passed to the laboratory's functions; errors are reported at the deck's line.
 local fail = require "fabric.define".fail
 local check = {}
 
@@ -14,7 +14,7 @@ function check.numbers(call, field, list)
   return #list
 end
 
--- A test: E, S of one length, branches within them.
+-- A test: lists E, S of equal length, with branches within them.
 function check.test(call, i, test, field)
   field = field or ("tests[%d]"):format(i)
   if type(test) ~= "table" then
@@ -40,7 +40,7 @@ function check.test(call, i, test, field)
   end
 end
 
--- A grid of markers: rows, columns and positions, of which lost ones are not numbers.
+-- A grid of markers: rows, columns and positions; those of lost markers are NaN.
 function check.grid(call, field, grid)
   if type(grid) ~= "table" then fail(("%s: field '%s': expected a result of fabric.lab.tracks, got %s"):format(call, field, tostring(grid))) end
   for _, name in ipairs { "rows", "columns" } do

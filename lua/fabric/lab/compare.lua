@@ -1,4 +1,4 @@
--- fabric.lab.compare: a measured curve beside that of a test, point by point.
+-- fabric.lab.compare: a measured curve compared with that of a test, point by point.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local curve = require "fabric.lab.curve"
@@ -8,7 +8,7 @@ local labels = { E = "Green-Lagrange strain E", E12 = "E12", E12_centre = "E12",
   S12 = "S12", force = "force" }
 local units = { displacement = "mm", S = "MPa", S12 = "MPa", force = "N" }
 
--- Lists of a measured table, up to failure and in virgin loading alone where its branches say which rows that is.
+-- The lists of a measured table up to failure; only virgin loading, if its branches identify the rows.
 local function measured_lists(t, xname, yname)
   local x, y = t.measured[xname], t.measured[yname]
   if type(x) ~= "table" or type(y) ~= "table" or #x ~= #y or #x < 2 then
@@ -29,7 +29,7 @@ local function measured_lists(t, xname, yname)
   return out_x, out_y
 end
 
--- Lists of a test: its curve's rows, or lists like the measured ones.
+-- The lists of a test: from the rows of its curve, or given as lists like the measured ones.
 local function test_lists(t, xname, yname)
   local rows = t.test.curve or t.test
   if type(rows) == "table" and type(rows[1]) == "table" then
@@ -49,7 +49,7 @@ local function test_lists(t, xname, yname)
   return x, y
 end
 
--- The pair of columns to lay over each other: given, or the first that both have.
+-- The pair of columns to compare: as given, or the first pair that both have.
 local pairs_of_columns = { { "E", "S" }, { "displacement", "force" } }
 local function columns_of(t)
   if t.x or t.y then
@@ -77,8 +77,8 @@ local function from_slack(t, xname, x, y)
   return out_x, out_y
 end
 
--- The slack that the measured curve itself shows, by a polynomial that finds its first contact (fabric.lab.backbone): laid nearest to the
--- test instead, a softer specimen would pass for a slack one. A displacement is taken for a strain so small that stretch and shift are one.
+-- The slack of the measured curve itself, from a polynomial that finds its first contact (fabric.lab.backbone). A slack fitted to the test
+-- would make a soft specimen pass for a slack one. A displacement is scaled to so small a strain that stretch and shift are equal.
 local small = 1e-3
 local function found_slack(xname, x, y)
   local ex, ey = curve.envelope(x, y)
@@ -89,7 +89,7 @@ local function found_slack(xname, x, y)
   return math.max(0, found[found.chosen].specimens[1].slack) / scale
 end
 
--- The band of the next specimen beside the curves: its edges for the figure, and the part of the compared points within it.
+-- The band of the next specimen: its limits for the figure, and the share of the compared points within it.
 local function band_of(t, out)
   local band = t.spread
   if not band then return {} end

@@ -1,7 +1,7 @@
--- What the laboratory does with points of a curve: a value between them, the virgin loading.
+-- Operations on the points of a curve: interpolation, selection of the virgin loading.
 local curve = {}
 
--- y at x on the line through the points of a curve (x rising); nil outside.
+-- y at x by linear interpolation between the points of a curve (ascending x); nil outside.
 function curve.interpolate(xs, ys, x)
   local low, high = 1, #xs
   if high == 0 or x < xs[1] or x > xs[high] then return end
@@ -13,7 +13,7 @@ function curve.interpolate(xs, ys, x)
   return ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / (xs[high] - xs[low])
 end
 
--- The points that no point before has passed: virgin loading.
+-- The points beyond all earlier points: virgin loading.
 function curve.envelope(xs, ys)
   local x, y, largest = {}, {}, -math.huge
   for i, value in ipairs(xs) do
@@ -25,7 +25,7 @@ function curve.envelope(xs, ys)
   return x, y
 end
 
--- Rows of a test that belong to virgin loading, {E, S}: the branches of that kind, up to failure, or up to yield if wanted.
+-- The rows of a test in virgin loading, {E, S}: branches of that kind, up to failure, or up to yield on request.
 function curve.loading(test, upto)
   local stop = upto == "yield" and (test.yield or test.failure) or test.failure
   local E, S = {}, {}
@@ -46,7 +46,7 @@ function curve.scaled(values, factor)
   return out
 end
 
--- A strain and a stress as seen from first contact, at the stretch of which the specimen is taut.
+-- Strain and stress relative to first contact, the stretch at which the specimen becomes taut.
 function curve.from_contact(E, S, stretch) return ((1 + 2 * E) / stretch ^ 2 - 1) / 2, S * stretch end
 
 return curve

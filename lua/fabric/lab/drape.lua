@@ -1,4 +1,4 @@
--- fabric.lab.drape: a sheet pinned at its corners falls [williams2010, section 7.3.2, fig. 7-31].
+-- fabric.lab.drape: a sheet held at its corners falls [williams2010, section 7.3.2, fig. 7-31].
 --
 --      o-----------o     o: x y z held, directors free
 --      |           |     level at time 0, then gravity along -z

@@ -1,20 +1,20 @@
--- fabric.lab.ensemble: draws from what the data say of some parameters, where a value with a deviation does not tell it: wide, skew, bent,
--- or held by a bound.
+-- fabric.lab.ensemble: samples of the posterior distribution of parameters, for cases that a value with a standard deviation does not
+-- describe: wide, skewed or curved distributions, or those limited by a bound.
 --
 -- The sampler is the affine-invariant one of [goodman2010]: a walker moves along the line through itself and a walker of the other half,
--- by a stretch z drawn with density 1/sqrt(z) between 1/a and a, and goes there with probability min(1, z^(n-1) times the ratio of the
--- densities). Parameters that hang together cost it nothing, since a linear map of them leaves its moves what they were, and there is no
--- step to tune. It is own code because it is a page: the libraries that have it are bound to Python's arrays, and the density is a deck's
--- simulation here, in processes that this program starts.
+-- by a stretch z drawn with density 1/sqrt(z) between 1/a and a, and the move is accepted with probability min(1, z^(n-1) times the ratio
+-- of the densities). Correlated parameters do not slow it down, because a linear map of the parameters does not change its moves, and
+-- there is no step size to tune. It is implemented here because it is short, existing libraries depend on Python arrays, and the density
+-- is a simulation by the deck in processes that this program starts.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.identify_check"
 local random = require "fabric.lab.random"
 local fail = define.fail
 
-local stretch = 2 -- a of the paper
-local window = 5  -- autocorrelation times over which the autocorrelation is summed [sokal1997]
-local enough = 50 -- of them in a chain whose time can be believed
+local stretch = 2 -- a in the paper
+local window = 5  -- number of autocorrelation times over which the autocorrelation is summed [sokal1997]
+local enough = 50 -- autocorrelation times in a chain for a reliable estimate
 
 local function named(t, x)
   local p = {}
@@ -22,7 +22,7 @@ local function named(t, x)
   return p
 end
 
--- The logarithm of the likelihood that fabric.lab.identify makes the most of: half the sum of squares over the noise, negative.
+-- The log-likelihood that fabric.lab.identify maximises: minus half the sum of squares over the noise.
 local function of_tests(t)
   return function(p)
     local sum = 0
@@ -49,7 +49,7 @@ local function within(t, x)
   return true
 end
 
--- Answers in order; one process is this one, without the price of another for a density that costs nothing.
+-- Answers in order. With one process this process does the work, to avoid the cost of another for a cheap density.
 local function answers_of(t, count, work)
   if t.processes > 1 then return fabric.lab.parallel { count = count, processes = t.processes, work = work } end
   local out = {}
@@ -60,7 +60,7 @@ local function answers_of(t, count, work)
   return out
 end
 
--- Densities at some points, side by side: minus infinity beyond the bounds and where a simulation fails.
+-- Log densities at several points, in parallel: minus infinity outside the bounds and where a simulation fails.
 local function densities(t, log, points, told)
   local out, work = {}, {}
   for k, x in ipairs(points) do
@@ -80,7 +80,7 @@ local function densities(t, log, points, told)
   return out
 end
 
--- Walkers to begin with: around the start, as wide as `found` says or a twentieth of the bounds.
+-- Initial walkers: around the start, with the width that `found` states or a twentieth of the bounds.
 local function begin(t, draw)
   local out = {}
   for k = 1, t.walkers do
@@ -97,7 +97,7 @@ local function begin(t, draw)
   return out
 end
 
--- One half moves, each walker along the line through a walker of the other half; how many went.
+-- Moves one half, each walker along the line through a walker of the other half; returns the number of accepted moves.
 local function move_half(t, log, walkers, values, half, draw, told)
   local n, count = #t.parameters, t.walkers // 2
   local first, other = half * count, (1 - half) * count
@@ -141,7 +141,7 @@ local function quantile(sorted, part)
   return k >= #sorted and sorted[#sorted] or sorted[k] + (place - k) * (sorted[k + 1] - sorted[k])
 end
 
--- Mean, deviation, band and samples of every parameter, and how they hang together.
+-- Mean, standard deviation, band and samples of every parameter, and their correlations.
 local function summarise(t, out, draws)
   local n, means = #t.parameters, {}
   out.samples, out.mean, out.deviation, out.median, out.low, out.high, out.correlation = {}, {}, {}, {}, {}, {}, {}

@@ -3,12 +3,12 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 
 local g = 9.80665
--- FAST pulls with 5, 20 and 100 gf per cm of width: 4.903, 19.61 and 98.07 N/m. Its own constants say so: 14.7 = 19.6 - 4.9 and
--- 123 = 4.9 100/4.
+-- FAST pulls with 5, 20 and 100 gf per cm of width: 4.903, 19.61 and 98.07 N/m. This agrees with its constants: 14.7 = 19.6 - 4.9
+-- and 123 = 4.9 100/4.
 local gf_per_cm = g * 1e-3 / 1e-2
 local E5, E20, E100 = 5 * gf_per_cm, 20 * gf_per_cm, 100 * gf_per_cm
 
--- Stretch at which a curve first passes a force; nil when it does not.
+-- Stretch at which a curve first exceeds a force; nil if it does not.
 local function stretch_at(curve, force)
   for i = 2, #curve.force do
     local a, b = curve.force[i - 1], curve.force[i]
@@ -73,13 +73,13 @@ local function yarn_of(f, thickness, ratio, poisson, name)
   return { loading = { d0, d1 }, unloading = ratio * (d0 + math.max(0, d1) * e2), poisson = poisson }, e2
 end
 
--- The shear modulus (dS12/dE12) with which a strip of the card made by card_of(modulus), cut at 45 degrees, stretches by EB5 under
--- 5 gf/cm: yarns and shear together.
+-- The shear modulus (dS12/dE12) for which a strip of the card card_of(modulus), cut at 45 degrees, stretches by EB5 under 5 gf/cm,
+-- from the yarns and shear together.
 local function shear_of(card_of, EB5, thickness)
   local e = EB5 / 100
   local S = E5 / (thickness * (1 + e))
   local function stress(modulus) return fabric.point(card_of(modulus)):uniaxial(45, { e + e * e / 2 }, { "S" }).S[1] end
-  local rigid = 2 * 123 / EB5 / thickness -- when yarns do not stretch
+  local rigid = 2 * 123 / EB5 / thickness -- for inextensible yarns
   local low
   local high = rigid / 2
   repeat

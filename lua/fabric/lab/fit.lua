@@ -1,4 +1,4 @@
--- fabric.lab.fit: loading curve and unloading modulus of replicate specimens, with bands.
+-- fabric.lab.fit: loading curve and unloading modulus of replicate specimens, with confidence bands.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
@@ -6,7 +6,7 @@ local curve = require "fabric.lab.curve"
 local origin = require "fabric.lab.origin"
 local fail = define.fail
 
--- The first unloading that begins under load: what comes before a pull begins (the grip let down on slack cloth) is none.
+-- The first unloading from a load. An unloading before the pull (the grip lowered on slack cloth) is ignored.
 local loaded = 0.1 -- of the largest stress
 local function first_unloading(test)
   local peak = 0
@@ -16,7 +16,7 @@ local function first_unloading(test)
   end
 end
 
--- The unloading modulus after the first reversal, seen from contact; nil when the test only loads.
+-- The unloading modulus after the first reversal, relative to first contact; nil if the test has only loading.
 local function unloading_of(test, slack, t)
   local branch = first_unloading(test)
   if not branch then return end
@@ -36,7 +36,7 @@ local function criterion_text(candidates)
   return table.concat(lines, "\n")
 end
 
--- Mean over those specimens that have an unloading branch.
+-- Mean over the specimens that have an unloading branch.
 local function known_mean(values, n)
   local sum, count = 0, 0
   for i = 1, n do
@@ -57,7 +57,7 @@ local function polynomial(t, curves, find_slack)
   return chosen, text
 end
 
--- Root of the mean square of the specimens' residuals, Pa.
+-- Root mean square of the residuals of all specimens, Pa.
 local function residual_of(chosen)
   local sum = 0
   for _, specimen in ipairs(chosen.specimens) do sum = sum + specimen.residual ^ 2 end
@@ -73,7 +73,7 @@ local function mean_loading(chosen)
   return out
 end
 
--- Residuals of a specimen's polynomial along its loading: strain and stress from contact, and measured less fitted.
+-- Residuals of a specimen's polynomial along its loading: strain and stress from contact, and measured less fitted stress.
 local function residuals(points, specimen)
   local out = { E = {}, S = {}, rest = {} }
   for k, E in ipairs(points.E) do
@@ -87,7 +87,7 @@ local function residuals(points, specimen)
   return out
 end
 
--- How much neighbouring residuals are alike, from 0 (noise) to 1 (a curve that the polynomial does not have).
+-- Correlation of neighbouring residuals, from 0 (noise) to 1 (a systematic deviation from the polynomial).
 local function likeness(chosen, curves)
   local together, squares = 0, 0
   for i, points in ipairs(curves) do
@@ -97,8 +97,9 @@ local function likeness(chosen, curves)
   return squares > 0 and together / squares or 0
 end
 
--- With and without slack: the one that fits better by a tenth of the residual. Where neither does, or where what is left is no noise, so that
--- the polynomial is not the cloth's curve anyway, nothing in the data tells which toe is right: the other's coefficients (means) come beside.
+-- Chooses between the fits with and without slack: the one whose residual is smaller by a tenth. If neither is, or if the residuals are not
+-- noise, so that the polynomial does not describe the curve anyway, the data do not determine the toe: the coefficients (means) of the other
+-- fit are then returned besides.
 local decides, systematic = 0.9, 0.5
 local function either(t, curves)
   local with, with_text = polynomial(t, curves, true)
@@ -116,8 +117,8 @@ local function either(t, curves)
   return best, text .. line .. "nothing tells which is right" .. (beside and ", the band holds both" or ""), beside
 end
 
--- The part of the stress in the toe (the first fifth of the strain) by which a polynomial misses it, where that is more than a seventh and more
--- than the noise, which neighbouring residuals show: the polynomial does not see such a toe. Nil where it does.
+-- The misfit of a polynomial in the toe (the first fifth of the strain) as a share of the stress, if it exceeds a seventh and the noise,
+-- estimated from neighbouring residuals: the polynomial then does not describe the toe. Otherwise nil.
 local toe, missed = 0.2, 0.15
 local function misses_toe(chosen, curves)
   local worst = 0
@@ -131,14 +132,14 @@ local function misses_toe(chosen, curves)
         steps = steps + (k > 1 and (seen.rest[k] - seen.rest[k - 1]) ^ 2 / 2 or 0)
       end
     end
-    if n >= 5 and squares > 2 * steps then -- more of it is alike than is noise
+    if n >= 5 and squares > 2 * steps then -- the systematic part exceeds the noise
       worst = math.max(worst, math.sqrt((squares - steps) / n) * n / math.abs(level))
     end
   end
   return worst > missed and worst or nil
 end
 
--- The polynomial of the criterion, with what `find_slack` asks of the toe; nil where a monotone curve does better.
+-- The polynomial chosen by the criterion, with `find_slack` applied to the toe; nil if a monotone curve is better.
 local function loading_of(t, curves)
   if t.find_slack ~= "either" then return polynomial(t, curves, t.find_slack) end
   local chosen, text, other = either(t, curves)
@@ -147,7 +148,7 @@ local function loading_of(t, curves)
   return chosen, text, other
 end
 
--- A band that holds a second answer which the data bear out as well.
+-- A band widened to include a second answer that the data support equally.
 local function widened(band, other)
   if not other then return end
   local n = #band.value
@@ -163,7 +164,7 @@ local function widened(band, other)
   end
 end
 
--- What is known to worse than this part of its value is said to be.
+-- A parameter with a relative uncertainty above this is reported.
 local loose = 0.3
 local function looseness(out)
   local band = out.band
@@ -175,7 +176,7 @@ local function looseness(out)
   end
 end
 
--- Parameters of every specimen, {loading..., unloading}; unloading where all have it.
+-- Parameters of every specimen, {loading..., unloading}; with unloading only if all have it.
 local function parameter_lists(chosen, unloading)
   local lists = {}
   for i, specimen in ipairs(chosen.specimens) do
@@ -197,7 +198,7 @@ local function with_polynomial(out, chosen, t, other)
   for _, specimen in ipairs(chosen.specimens) do out.tested = math.min(out.tested, specimen.reach) end
 end
 
--- A curve seen from first contact: the specimen is longer by its slack (a stretch), as for the polynomials.
+-- A curve relative to first contact: the specimen is longer by its slack (a stretch), as for the polynomials.
 local contact = 0.01 -- of the largest stress
 local function from_contact(points)
   local peak, first = 0, nil
@@ -232,7 +233,7 @@ local function with_points(out, curves, t)
   out.tested = out.loading[#out.loading][1]
 end
 
--- Cloth unloads along a line steeper than any way up; a flatter one tells of noise, or of a hold in the record.
+-- Cloth unloads more steeply than it loads; a flatter unloading indicates noise, or a hold in the record.
 local function check_unloading(out)
   if not out.unloading or not out.degree then return end
   local steepest = 0
@@ -249,7 +250,7 @@ end
 
 local function counted(n) return n == 1 and "1 specimen" or n .. " specimens" end
 
--- Remembers for a card what was found of how many specimens.
+-- Records for the card which parameters were fitted, and from how many specimens.
 local function remember(out, known, t)
   local how = out.degree and ("polynomial of degree %d"):format(out.degree) or "monotone curve"
   origin.remember(out, {

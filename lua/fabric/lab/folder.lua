@@ -1,27 +1,27 @@
--- A folder of measurements as fits and a card. Beside the files lies laboratory.lua, which returns
+-- A folder of measurements, reduced to fits and a card. It contains laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
 --     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary=, degree=, rule=,
---     bias={width=, length=} (of bias specimens without markers, where they are of another size), zero= (take off what the first row shows),
---     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (in place of the rules of fabric.lab.card),
---     grips="free"|"clamped" (for the simulation: ends that contract, such as loops on pins, or jaws; default free) }
+--     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
+--     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
+--     grips="free"|"clamped" (for the simulation: ends that can contract, such as loops on pins, or jaws; default free) }
 --
--- and the names of the files say the rest, K being the specimen:
---   warp-K.csv, weft-K.csv   a load frame's record                 warp-K-markers.csv   frame, marker, x, y
+-- and files whose names give their meaning; K is the specimen:
+--   warp-K.csv, weft-K.csv   a testing machine's record            warp-K-markers.csv   frame, marker, x, y
 --   bias-K-frames.csv        displacement and force at each photograph, with bias-K-markers.csv
---   bias-K.csv               a bias pull without markers (the shear up to 30 degrees follows from the displacement)
+--   bias-K.csv               a bias test without markers (shear up to 30 degrees is computed from the displacement)
 --
--- Whatever of these is there makes a card; what no test shows is assumed and marked so (fabric.lab.card).
+-- A card is made from whichever of these exist; what no test shows is assumed and marked as such (fabric.lab.card).
 local fabric = require "fabric"
 local define = require "fabric.define"
 local lab, registry = fabric.lab, define.registry
 
--- An error at the line of the deck that asked.
+-- Raises an error at the line of the deck's call.
 local function stop(words) define.fail("laboratory: " .. words) end
 
 local folder = {}
 
--- Files of measurements, by key; what else lies in the folder (pictures, copies, notes) is not looked at.
+-- Extensions of measurement files; other files in the folder (pictures, copies, notes) are ignored.
 local kinds = { csv = true, tsv = true, txt = true, dat = true }
 
 local function specimens(path, pattern)
@@ -57,13 +57,13 @@ local function grid_of(about, path)
   return lab.tracks { file = path, rows = about.markers[1], columns = about.markers[2] }
 end
 
--- How specimens differ, where there are enough of them.
+-- Adds the spread of the specimens, if there are enough of them.
 local function with_spread(part)
   if #part.tests >= 3 then part.spread = lab.spread { tests = part.tests, fit = part.fit } end
   return part
 end
 
--- The pulls along a direction; nil where there are none.
+-- The tensile tests in a direction; nil if there are none.
 local function along(about, path, direction)
   local tests, grids = {}, {}
   for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
@@ -77,14 +77,14 @@ local function along(about, path, direction)
   return with_spread { tests = tests, fit = fit, ratio = ratio }
 end
 
--- The numbers of the photographs that the rows of a record belong to; nil without a column `frame`.
+-- The numbers of the photographs that belong to the rows of a record; nil without a column `frame`.
 local function frame_numbers(file)
   for _, column in ipairs(fabric.table { file = file, lenient = true }) do
     if column.name:lower():match "^%s*(%a+)" == "frame" then return column.values end
   end
 end
 
--- Record and markers of the photographs that both know, by their numbers; without numbers in the record, row by row.
+-- Record and markers for the photographs in both, by their numbers; if the record has no numbers, row by row.
 local function paired(record, grid, file)
   local numbers = frame_numbers(file)
   if not numbers then
@@ -125,7 +125,7 @@ local function in_shear(about, path)
   return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared, rule = "robust" } }
 end
 
--- Bias pulls without markers, by the kinematics of yarns that do not stretch.
+-- Bias tests without markers, evaluated by the kinematics of inextensible yarns.
 local function in_shear_without_markers(about, path)
   local tests, size = {}, about.bias or {}
   for i, s in ipairs(specimens(path, "^bias%-(%w+)")) do
@@ -141,7 +141,7 @@ end
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
   "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume" }
 
--- What laboratory.lua returns, gone through before any file is read.
+-- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)
   local file = path .. "/laboratory.lua"
   local chunk, trouble = loadfile(file, "t")
@@ -164,7 +164,7 @@ local function about_of(path)
   return about
 end
 
--- What a further test would settle, of the fields that are assumed.
+-- Further tests that would determine the assumed fields.
 local tests_for = {
   ["warp.loading"] = "pulls along the warp (warp-1.csv, ...)", ["weft.loading"] = "pulls along the weft (weft-1.csv, ...)",
   ["warp.unloading"] = "a pull along the warp that comes back before it breaks", ["weft.unloading"] = "a pull along the weft that comes back before it breaks",
@@ -182,7 +182,7 @@ local function further_of(card)
   return out
 end
 
--- warp, weft, shear: {tests, fit, ratio, spread} where there are files of them; card; further: tests that would settle what is assumed; about.
+-- Returns warp, weft, shear: {tests, fit, ratio, spread} for existing files; card; further: tests that would determine what is assumed; about.
 function folder.reduce(path)
   if type(path) ~= "string" then stop(("expected the name of a folder, got %s"):format(tostring(path))) end
   path = path:gsub("/$", "")

@@ -1,14 +1,14 @@
--- fabric.lab.picture_frame and bias_shear: shear per width from the two tests of the benchmark, and back [cao2008].
+-- fabric.lab.picture_frame and bias_shear: shear force per width from the two tests of the benchmark, and the reverse [cao2008].
 local fabric = require "fabric"
 local define = require "fabric.define"
 local rows = require "fabric.lab.rows"
 
 local quarter = math.pi / 4
 
--- Shear angle of a hinged square of side l whose diagonal has grown by d (radians).
+-- Shear angle (rad) of a hinged square of side l whose diagonal has increased by d.
 local function angle_of(l, d) return math.pi / 2 - 2 * math.acos(1 / math.sqrt(2) + d / (2 * l)) end
 
--- Lists of one length, and displacements below the largest that the geometry has, where the angle would be 90 degrees.
+-- Checks lists of equal length, and displacements below the geometric limit, where the angle is 90 degrees.
 local function check(what, t, most)
   if t.force and #t.force ~= #t.displacement then
     define.fail(("%s: field 'force': expected %d numbers, one per displacement, got %d"):format(what, #t.displacement, #t.force))
@@ -21,8 +21,8 @@ local function check(what, t, most)
   end
 end
 
--- From the force N along the sides, per width, to S12 over E12. The sides turn: the work per area of cloth is N cos(gamma) dgamma,
--- and with 2 E12 = sin(gamma) it is also S12 t cos(gamma) dgamma.
+-- Converts the force N per width along the sides to S12 over E12. The sides rotate: the work per area of cloth is N cos(gamma)
+-- dgamma, and with 2 E12 = sin(gamma) it is also S12 t cos(gamma) dgamma.
 local function stress(out, thickness)
   out.E12, out.S12 = {}, {}
   for i, gamma in ipairs(out.radians) do
@@ -45,7 +45,7 @@ local function frame_curve(t)
   return stress(out, t.thickness)
 end
 
--- The frame's force over its displacement that a card gives.
+-- Force over displacement of the frame, as predicted by a card.
 local function frame_force(t)
   local strains, out = {}, { force = {}, displacement = t.displacement }
   for i, d in ipairs(t.displacement) do strains[i] = math.sin(angle_of(t.frame, d)) / 2 end
@@ -86,8 +86,8 @@ define {
   end,
 }
 
--- Value at x of the curve through 0 and the points so far, as a + b y of the point (last, y) that is being found: beyond the known
--- points it is interpolated towards that one.
+-- Value at x of the curve through 0 and the known points, in the form a + b y, where the point (last, y) is still to be found:
+-- beyond the known points it is interpolated towards that one.
 local function between(xs, ys, x, last)
   local before_x, before_y = 0, xs[1] == 0 and ys[1] or 0
   if last == 0 then return 0, 1 end
@@ -99,17 +99,17 @@ local function between(xs, ys, x, last)
   return before_y * (1 - part), part
 end
 
--- Angle of the middle zone if yarns do not stretch.
+-- Angle of the middle zone for inextensible yarns.
 local function bias_angle(t, d)
-  if d == 0 then return 0 end -- not the last digit of pi
+  if d == 0 then return 0 end -- exactly zero, without rounding error
   return math.pi / 2 - 2 * math.acos((t.length - t.width + d) / (math.sqrt(2) * (t.length - t.width)))
 end
 
--- A way back by more than this part of the largest displacement is a reversal, less is noise of the reading.
+-- A decrease by more than this share of the largest displacement is a reversal; a smaller one is noise.
 local turned = 0.01
 
--- The rows that the curve is made of: those that pass the largest displacement so far, up to a reversal. With cut=true the record
--- ends there, and where the angle passes the limit; else a reversal is an error.
+-- The rows of the curve: those that exceed the largest displacement so far, up to a reversal. With cut=true the record ends at a
+-- reversal or where the angle exceeds the limit; otherwise a reversal is an error.
 local function rising(t)
   local rows, largest, high = {}, -math.huge, 0
   for _, d in ipairs(t.displacement) do high = math.max(high, d) end
@@ -125,7 +125,7 @@ local function rising(t)
   return rows
 end
 
--- A shear force below zero by more than this part of the largest is none that cloth can have.
+-- A shear force below zero by more than this share of the largest is impossible for cloth.
 local negative = 0.01
 
 local function check_sign(t, out)
@@ -140,7 +140,7 @@ local function check_sign(t, out)
   end
 end
 
--- Which rows lie within the limit, and a word of those that do not.
+-- Marks the rows within the limit, and describes the others.
 local function mark_valid(t, out)
   local beyond = 0
   out.valid = {}
@@ -155,7 +155,7 @@ local function mark_valid(t, out)
   return out
 end
 
--- The middle zone at gamma and the mixed zones at gamma/2 share the work of the grips [cao2008].
+-- The work of the grips is done in the middle zone at gamma and in the mixed zones at gamma/2 [cao2008].
 local function bias_curve(t)
   local out = { radians = {}, normal_force = {}, rows = rising(t) }
   local w, h = t.width, t.length
@@ -171,7 +171,7 @@ local function bias_curve(t)
   return mark_valid(t, out)
 end
 
--- Shear stress of a card on its way up to each of some strains E12 >= 0, in any order.
+-- Shear stress of a card in virgin loading at several strains E12 >= 0, in any order.
 local function virgin_shear(card, strains)
   local sorted, out = table.move(strains, 1, #strains, 1, {}), {}
   table.sort(sorted)
@@ -181,7 +181,7 @@ local function virgin_shear(card, strains)
   return out
 end
 
--- The grips' force over their displacement that a card gives a specimen, by the same kinematics.
+-- Force over displacement of the grips for a specimen, as predicted by a card with the same kinematics.
 local function bias_force(t)
   local w, h, thickness = t.width, t.length, t.thickness or t.card.thickness
   local whole, half, gammas = {}, {}, {}

@@ -1,10 +1,10 @@
--- fabric.lab.cantilever, heart_loop and twist: cloth that bends under its own weight, as a laboratory hangs it [astm_d1388].
+-- fabric.lab.cantilever, heart_loop and twist: bending of cloth under its own weight, as in laboratory tests [astm_d1388].
 local fabric = require "fabric"
 local define = require "fabric.define"
 local rows = require "fabric.lab.rows"
 
--- B at rest along a direction (degrees from the warp), N.m: the card's own, or that of its thickness; off the yarns that of a sheet
--- bent to a cylinder.
+-- Initial rigidity B in a direction (degrees from the warp), N.m: the card's own, or that of its thickness; off the yarns that of a
+-- sheet bent to a cylinder.
 local function rigidity(card, direction)
   local function along(name)
     local own = card.bending and card.bending[name]
@@ -22,7 +22,7 @@ end
 local names = { warp = 0, weft = 90 }
 local function degrees(direction) return names[direction] or direction end
 
--- A strip from x = 0 to its length, its yarns turned so that x is the test's direction.
+-- A strip from x = 0 to its length; its yarns are rotated so that x is the direction of the test.
 local function strip(t, length)
   local direction = degrees(t.direction)
   local along = math.abs(math.sin(math.rad(2 * direction))) < 1e-9
@@ -32,7 +32,7 @@ local function strip(t, length)
   return mesh, fabric.model(options)
 end
 
--- The middle line of a strip: { x, z } from the held end on.
+-- The middle line of a strip: { x, z } from the held end.
 local function line(a, t, mesh)
   local out, across = {}, #mesh.nodes // (t.cells + 1)
   for i = 1, t.cells + 1 do
@@ -48,7 +48,7 @@ end
 
 local function areal(t) return t.card.density * t.card.thickness end
 
--- How far the tip of an overhang hangs below the edge, as the angle of its chord, degrees.
+-- The angle (degrees) of the chord from the edge to the tip of an overhang.
 local function hang(t, overhang)
   local mesh, model = strip(t, overhang)
   model:fix("left", "x y z rotation"):gravity { 0, 0, fabric.ramp(-t.gravity, 1) }
@@ -88,7 +88,7 @@ define {
       return { overhang = overhang, bending_length = overhang / 2, rigidity = weight * (overhang / 2) ^ 3, angle = angle, shape = shape, analysis = a }
     end
     if t.overhang then return result(t.overhang, hang(t, t.overhang)) end
-    -- The angle over the logarithm of the overhang is nearly straight: secants, from the elastica's answer on.
+    -- The angle is almost linear in the logarithm of the overhang: secant method, starting from the solution of the elastica.
     local wanted = t.angle
     local function off(log)
       local angle, shape, a = hang(t, math.exp(log))
@@ -96,7 +96,7 @@ define {
     end
     local x0 = math.log((rigidity(t.card, degrees(t.direction)) / weight) ^ (1 / 3) * 2 * (wanted / 41.5) ^ (1 / 3))
     local y0, shape, a = off(x0)
-    local slope = 75 -- degrees per unit of the logarithm, about 41.5
+    local slope = 75 -- degrees per unit of the logarithm, near 41.5
     for _ = 1, 12 do
       if math.abs(y0) < 1e-3 then return result(math.exp(x0), y0 + wanted, shape, a) end
       local x1 = x0 - math.max(-0.4, math.min(0.4, y0 / slope))
@@ -110,8 +110,8 @@ define {
   end,
 }
 
--- Half of a loop. For the first second it is rolled to an arc, its root upright, its end face down, which takes no force; in the
--- next one the end is brought under the root and the weight comes.
+-- Half of a loop. During the first second it is rolled to an arc with its root upright and its end face down, which needs no force;
+-- during the second one the end is moved below the root and the weight is applied.
 --
 --        __            root at x = 0, upright; end at x = 0, horizontal: the other half is its mirror image
 --       /  \
@@ -121,13 +121,13 @@ define {
 local function loop(t)
   local half = t.length / 2
   local mesh, model = strip(t, half)
-  -- In its plane, as the two grips hold it: by itself it would turn aside.
+  -- Held in its plane, as by the two grips; it would otherwise rotate out of it.
   mesh:set("inside", function(x) return x > 0 and x < half * (1 - 1e-9) end)
   model:fix("left", "x y z"):fix("all", "y"):fix("inside", "rx")
   local function turned(set, angle) model:turn(set, { axis = { 0, 1, 0 }, angle = fabric.ramp(angle, 1) }) end
   turned("left", -90)
   turned("right", 180)
-  local function place(time) -- of the end, over half
+  local function place(time) -- of the end, relative to half the length
     if time == 0 then return 1 end
     local turn = 1.5 * math.pi * math.min(time, 1)
     local arc = (math.sin(turn / 3) + math.sin(turn * 2 / 3)) / turn
@@ -157,7 +157,7 @@ define {
     end
     t.cells = t.cells or 80
     local height, shape, a = loop(t)
-    -- c = l0 f(theta), theta = 32.85 degrees d / l0, d the height less l0 = 0.1337 L.
+    -- c = l0 f(theta), theta = 32.85 degrees d / l0, where d is the height less l0 = 0.1337 L.
     local l0 = 0.1337 * t.length
     local angle = math.rad(32.85 * (height - l0) / l0)
     local c = angle > 0 and l0 * (math.cos(angle) / math.tan(angle)) ^ (1 / 3) or math.huge
@@ -165,7 +165,7 @@ define {
   end,
 }
 
--- The strip at 45 degrees of cloth with these rigidities as a cantilever shows it, N.m.
+-- The rigidity that a strip cut at 45 degrees from cloth with these rigidities shows in the cantilever test, N.m.
 local function shown_at_45(t, twist)
   local thickness, mass = 0.4e-3, t.areal_mass or 0.2
   local card = fabric.svk { name = "strip", warp = 50e6, weft = 50e6, shear = 1e6, poisson = 0, density = mass / thickness, thickness = thickness,
@@ -191,7 +191,7 @@ define {
     if t.areal_mass then
       for _, name in ipairs { "warp", "weft", "bias" } do t[name] = 9.80665 * t.areal_mass * t[name] ^ 3 end
     end
-    local least = 0.02 * math.sqrt(t.warp * t.weft) -- of a sheet that hardly resists a twist
+    local least = 0.02 * math.sqrt(t.warp * t.weft) -- for a sheet with hardly any twisting stiffness
     local without = (t.warp + t.weft) / 4
     local twist, reached = t.bias - without, true
     if twist <= least and not t.simulate then twist, reached = least, false end
@@ -199,7 +199,7 @@ define {
     if t.simulate then
       twist = math.max(twist, least)
       bias = shown_at_45(t, twist)
-      for _ = 1, 8 do -- what the strip shows rises by a little less than the twist does
+      for _ = 1, 8 do -- the shown rigidity increases a little less than the twist
         if math.abs(bias / t.bias - 1) < 1e-3 or not reached then break end
         reached = twist > least or bias < t.bias
         twist = math.max(least, twist + t.bias - bias)

@@ -1,8 +1,8 @@
--- A card of a cloth of which only bending and mass were measured: its in-plane part is that of the card 'worsted' in force per width,
--- the one apparel cloth of the library that was pulled and sheared under the small loads of hanging cloth. The card says so.
+-- A card for a cloth with measured bending and mass only. Its in-plane part is that of the card 'worsted' in force per width, the only
+-- apparel cloth of the library that was tested under the small loads of hanging cloth. The card states that.
 local fabric = require "fabric"
 
-local density = 400 -- kg/m^3, where the thickness was not measured; the thesis' four have 350 to 590
+local density = 400 -- kg/m^3, if the thickness was not measured; the four cloths of the thesis have 350 to 590
 local words = "assumed: force per width as of the card 'worsted', since nothing was pulled or sheared"
 
 local function scaled(list, factor)
@@ -11,14 +11,14 @@ local function scaled(list, factor)
   return out
 end
 
--- Rigidities from cantilevers along warp, weft and at 45 degrees, N.m. A narrow strip at 45 degrees has 4/B45 = 1/B1 + 1/B2 + 1/twist.
+-- Rigidities from cantilevers along warp, weft and at 45 degrees, N.m. For a narrow strip at 45 degrees 4/B45 = 1/B1 + 1/B2 + 1/twist.
 local function of_cantilevers(B)
   return { warp = B[1], weft = B[2], twist = 1 / (4 / B[3] - 1 / B[1] - 1 / B[2]) },
     "measured: cantilevers in three directions, initial rigidity; twist from 45 degrees"
 end
 
--- t: name, source, mass (kg/m^2); thickness (m) where it was measured; cantilevers (three rigidities, nN.m), or bending as in
--- fabric.woven with bending_told, where it comes from.
+-- t: name, source, mass (kg/m^2); thickness (m) if measured; cantilevers (three rigidities, nN.m), or bending as in fabric.woven with
+-- bending_told, its origin.
 return function(t)
   local bending, told = t.bending, t.bending_told
   if t.cantilevers then bending, told = of_cantilevers(scaled(t.cantilevers, 1e-9)) end

@@ -1,4 +1,4 @@
--- fabric.lab.identify: card parameters from measured curves by running the tests in simulation: for what no formula gives.
+-- fabric.lab.identify: card parameters from measured curves by simulating the tests, for parameters without a formula.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local store, check, text_of = require "fabric.lab.identify_store", require "fabric.lab.identify_check", require "fabric.lab.identify_text"
@@ -27,7 +27,7 @@ local function deviation_of(test, i)
   return test.noise or 0.01 * largest_of(test.measured)
 end
 
--- What a test predicts; anything but finite numbers is a simulation that failed.
+-- The prediction of a test; a result other than finite numbers means that the simulation failed.
 local function predicted_by(test, p, count)
   local values = test.predict(p)
   if type(values) ~= "table" then error(("test '%s': expected a list of numbers of predict, got %s"):format(test.name, tostring(values)), 0) end
@@ -40,7 +40,7 @@ local function predicted_by(test, p, count)
   return values
 end
 
--- What all tests predict at a point, one behind the other.
+-- The predictions of all tests at a point, one after the other.
 local function predictions(t, point)
   local p, out = named(t, point), {}
   for _, test in ipairs(t.tests) do
@@ -50,8 +50,8 @@ local function predictions(t, point)
   return out
 end
 
--- The predictions over their deviations from what was measured; large ones where the simulation failed, so that the search turns
--- away. t.whiten (of fabric.lab.pool) takes off what hangs them together.
+-- Predictions less measured values over the deviations; large values for a failed simulation, so that the search avoids it.
+-- t.whiten (of fabric.lab.pool) removes their correlation.
 local function residuals(t, predicted)
   local out = {}
   for _, test in ipairs(t.tests) do
@@ -65,8 +65,8 @@ end
 
 local function cut_short(answer) return answer.died or (answer.trouble or ""):find("not enough memory", 1, true) end
 
--- Answers at points, side by side. A process that ended without one (stopped from outside, out of memory) says nothing of the
--- point: it is tried again, alone.
+-- Evaluates points in parallel. If a process ends without an answer (killed, out of memory), nothing is known about its point,
+-- and it is tried again alone.
 local function simulate(t, points)
   local function run(list, how)
     how.count, how.work = #list, function(i) return predictions(t, list[i]) end
@@ -98,7 +98,7 @@ local function keep(t, cache, points, answers)
   end
 end
 
--- Evaluates a list of points, those that are known from memory.
+-- Evaluates a list of points; known ones are taken from the cache.
 local function evaluator(t, cache)
   local function unknown(points)
     local missing, seen = {}, {}
@@ -124,8 +124,8 @@ local function evaluator(t, cache)
   end
 end
 
--- What is taken up must be what would be simulated now: one stored point is run again. Another number of threads may change the
--- last digits of a simulation, hence not to the bit.
+-- Stored results must equal those of the present simulation: one stored point is simulated again. Another number of threads may
+-- change the last digits of a simulation, so they are not compared bit by bit.
 local function check_stored(t, cache)
   local point, stored
   for _, p in ipairs(cache.points) do
@@ -178,7 +178,7 @@ local function further_rows(t, test, x, scale)
   return flat
 end
 
--- Further tests by what they would leave of the weakest combination's deviation.
+-- Sorts further tests by the deviation of the weakest combination that would remain with each of them.
 local function rank_further(t, found, scale)
   local ranked = {}
   for i, test in ipairs(t.further or {}) do
@@ -193,7 +193,7 @@ local function rank_further(t, found, scale)
   return ranked
 end
 
--- Per test: root of the mean squared residual and the largest, over the largest measured value and in deviations.
+-- For each test: root mean square and largest residual, relative to the largest measured value and in deviations.
 local function misses(t, residual)
   local out, at = {}, 0
   for _, test in ipairs(t.tests) do
@@ -208,8 +208,8 @@ local function misses(t, residual)
   return out
 end
 
--- The bounds that hold the search back, by parameter: the least of the sum of squares along that parameter lies beyond by more
--- than a tenth of a deviation, or the parameter has come all the way.
+-- The bounds that limit the search, by parameter: the minimum of the sum of squares along the parameter is beyond the bound by
+-- more than a tenth of a deviation, or the parameter has reached the bound.
 local function on_bound(t, found, scale)
   local out, n = {}, #t.parameters
   for i, p in ipairs(t.parameters) do
@@ -226,7 +226,7 @@ local function on_bound(t, found, scale)
   return out
 end
 
--- Deviations: scatter beyond the stated noise widens what is claimed; nobody knows less than the bounds.
+-- Deviations: scatter above the stated noise increases them; they never exceed those that follow from the bounds alone.
 local function widen(t, out, scale)
   out.known = {}
   for i, d in ipairs(out.deviation) do

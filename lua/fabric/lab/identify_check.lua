@@ -1,8 +1,8 @@
--- The tables that fabric.lab.identify (or another that takes the same: `by`) is given, gone through before anything is simulated.
+-- Checks the tables passed to fabric.lab.identify (or to another function with the same ones: `by`) before any simulation.
 local define = require "fabric.define"
 local registry, fail = define.registry, define.fail
 
-local call = "identify" -- whose tables they are
+local call = "identify" -- the function that is called
 
 local function refuse(path, wanted, got)
   local what = type(got) == "table" and "a table" or type(got) == "string" and "'" .. got .. "'" or registry.show(got)

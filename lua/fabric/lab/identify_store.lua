@@ -1,6 +1,6 @@
--- What an identification has simulated so far: per point of the parameters what the tests predicted, or the message with which
--- they failed. Kept in a file so that a run that was interrupted goes on where it stopped: the search takes the same way again,
--- and every step that is known costs nothing. The noise is not part of it: the same predictions serve any.
+-- The simulations of an identification so far: for each point of the parameters the predictions of the tests, or the message of a
+-- failure. They are kept in a file, so that an interrupted run can continue: the search takes the same path again, and known
+-- points cost nothing. The noise is not stored, because the predictions do not depend on it.
 local fabric = require "fabric"
 local fail = require "fabric.define".fail
 
@@ -18,7 +18,7 @@ local function numbers_of(words)
   return list
 end
 
--- What the file is about, in one line.
+-- The subject of the file in one line.
 function store.signature(t)
   local words = {}
   for _, p in ipairs(t.parameters) do words[#words + 1] = ("%s %.17g %.17g"):format(p.name, p.low, p.high) end
@@ -41,8 +41,8 @@ local function read(cache, f, count)
   end
 end
 
--- values: by key, the predicted numbers in the order of the tests, or {trouble=}; points: in the order in which they came. count:
--- numbers per point.
+-- values: by key, the predicted numbers in the order of the tests, or {trouble=}; points: in the order of their computation.
+-- count: numbers per point.
 function store.open(path, signature, count)
   local cache = { values = {}, points = {} }
   function cache.add(point, values)

@@ -1,5 +1,5 @@
--- What an identification says in words: first whether the data contradict it; values with their deviations, bounds that were met, what hangs together, how large the
--- misses are, what further tests would add.
+-- An identification in words: first whether the data contradict it; then values with deviations, bounds that were reached, correlations,
+-- residuals, and the benefit of further tests.
 
 local function list_parameters(lines, t, out)
   for i, parameter in ipairs(t.parameters) do

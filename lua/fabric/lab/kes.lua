@@ -1,11 +1,11 @@
--- fabric.lab.kes_...: the numbers of Kawabata's instruments [kawabata1980] from curves, and a card from the numbers. Curves are
--- in SI; the numbers are in the instruments' units: gf/(cm deg), gf/cm, gf cm^2/cm, gf cm/cm, gf cm/cm^2, per cent.
+-- fabric.lab.kes_...: the numbers of Kawabata's instruments [kawabata1980] from curves, and a card from the numbers. Curves are in
+-- SI; the numbers have the instruments' units: gf/(cm deg), gf/cm, gf cm^2/cm, gf cm/cm, gf cm/cm^2, per cent.
 local fabric = require "fabric"
 local define = require "fabric.define"
 
 local gf, cm = 9.80665e-3, 1e-2
 
--- Value at x where the curve passes it within rows first..last; nil when it does not.
+-- Value at x where the curve first passes it within the rows first..last; nil if it does not.
 local function crossing(xs, ys, x, first, last)
   for i = first, last - 1 do
     local a, b = xs[i], xs[i + 1]
@@ -22,7 +22,7 @@ local function extremes(xs)
   return high, low
 end
 
--- Slope between a and b going up, and the height of the loop at each of `widths`, on the positive side of a cycle 0, +, -, (0 or +).
+-- On the positive side of a cycle 0, +, -, (0 or +): the loading slope between a and b, and the loop's height at each of `widths`.
 local function loop(xs, ys, a, b, widths, what, field, other)
   if #xs ~= #ys then define.fail(("%s: field '%s': expected %d numbers, one per %s, got %d"):format(what, other, #xs, field, #ys)) end
   local high, low = extremes(xs)
@@ -38,14 +38,14 @@ local function loop(xs, ys, a, b, widths, what, field, other)
   return out
 end
 
--- 0, to reach, to -reach, to 0 in n rows a quarter.
+-- A cycle 0, reach, -reach, 0 with n rows per quarter.
 local function cycle(reach, n)
   local out = {}
   for i = 0, 4 * n do out[i + 1] = reach * (i <= n and i or i <= 3 * n and 2 * n - i or i - 4 * n) / n end
   return out
 end
 
--- Measured rows are there, or a card in their place.
+-- Checks that there are measured rows, or a card in their place.
 local function card_or(t, call, names)
   for _, name in ipairs(names) do
     if (t[name] == nil) == (t.card == nil) then
@@ -58,7 +58,7 @@ end
 local by_card = { name = "card", of = "card", optional = true, sentence = "in place of the measured rows: what the instrument would show of it" }
 local along = { name = "direction", kind = "text", choices = { "warp", "weft" }, default = "warp", sentence = "that the card is tested along" }
 
--- Yarns turn and keep their lengths: E12 = sin(angle) / 2, and the force per width is that of S12.
+-- Yarns rotate without stretching: E12 = sin(angle) / 2, and the force per width is that of S12.
 local function sheared(card)
   local angle, E12 = cycle(8, 800), {}
   for i, a in ipairs(angle) do E12[i] = math.sin(math.rad(a)) / 2 end
@@ -85,7 +85,7 @@ define {
   end,
 }
 
--- A piece of cloth is bent alike everywhere, by the card's own bending.
+-- Uniform bending of a piece of cloth, by the card's own bending.
 local function bent(card, direction)
   local k, M, point = cycle(250, 500), {}, fabric.point(card)
   for i, x in ipairs(k) do M[i] = direction == "warp" and point:bend({ k11 = x }).M11 or direction == "weft" and point:bend({ k22 = x }).M22 end
@@ -116,7 +116,7 @@ local function area(xs, ys, first, last)
   return sum
 end
 
--- A pull along a yarn, free to contract, to 500 gf/cm and back until nothing pulls.
+-- A pull along a yarn with free contraction, to 500 gf/cm and back to zero force.
 local function pulled(card, direction)
   local load, rows = 500 * gf / cm, 1000
   local function force(e) return fabric.point(card):uniaxial(direction, e + e * e / 2).S * card.thickness * (1 + e) end
@@ -130,7 +130,7 @@ local function pulled(card, direction)
     if force(middle) < load then low = middle else high = middle end
   end
   local stretch, E, out = {}, {}, {}
-  for i = 0, 4 * rows do -- back in finer steps: it comes back steeply
+  for i = 0, 4 * rows do -- unloading in finer steps, because it is steep
     stretch[i + 1] = high * (i <= rows and i / rows or (4 * rows - i) / (3 * rows))
     E[i + 1] = stretch[i + 1] + stretch[i + 1] ^ 2 / 2
   end
@@ -160,8 +160,8 @@ define {
   end,
 }
 
--- The curve of a toe that turns into a straight line, or (LT above 1) of a line that bends over, from 0 to 1 in both, of mean height
--- LT/2: h(x) - h(0) with h = x - a + sqrt((x - a)^2 + b^2), b the sharpness of the bend. Its points, and its steepest slope.
+-- A toe that turns into a straight line, or (LT above 1) a line that bends over, from 0 to 1 in both coordinates, with the mean LT/2:
+-- h(x) - h(0) with h = x - a + sqrt((x - a)^2 + b^2), where b is the sharpness of the bend. Returns its points and its largest slope.
 local function toe(LT, b)
   local over = LT > 1
   local low = over and 2 - LT or LT
@@ -183,8 +183,8 @@ local function toe(LT, b)
   return points, (1 + (1 - a) / math.sqrt((1 - a) ^ 2 + b * b)) / (h(1, a) - h(0, a))
 end
 
--- A curve that ends at (E, S) with the work U below it, and comes back with the modulus Du: S = d0 E + dn E^(n+1) / (n+1) with the
--- least n that does, else a toe and a straight line, by points. A law does not get stiffer than it comes back.
+-- A loading curve that ends at (E, S) with the work U, for cloth that unloads with the modulus Du: S = d0 E + dn E^(n+1) / (n+1) with
+-- the least possible n; otherwise a toe and a straight line, as points. The loading must not become stiffer than the unloading.
 local function loading_of(E, S, U, Du, name, LT)
   for n = 1, 3 do
     local dn = (S * E / 2 - U) * 2 * (n + 1) * (n + 2) / (n * E ^ (n + 2))
@@ -207,11 +207,11 @@ local function loading_of(E, S, U, Du, name, LT)
   define.fail(("kes_card: field '%s': no curve has the work of LT %.3g and gives back RT of it: it would come back softer than it went"):format(name, LT))
 end
 
--- A yarn with the largest load F (N/m) at EMT and the work WT, or LT of that of a straight line: force (1+e) t S, work t int S dE.
+-- A yarn with the largest load F (N/m) at EMT and the work WT, or LT over that of a straight line: force (1+e) t S, work t int S dE.
 local function yarn_of(k, thickness, poisson, name)
   local e, F = k.EMT / 100, 500 * gf / cm
   if (k.WT == nil) == (k.LT == nil) then
-    local straight = 5 * k.EMT / 2 -- WT of LT 1
+    local straight = 5 * k.EMT / 2 -- WT for LT = 1
     if k.WT == nil then define.fail(("kes_card: field '%s.WT': expected WT in gf cm/cm^2, or LT, got neither"):format(name)) end
     if math.abs(k.WT / (k.LT * straight) - 1) > 0.03 then
       define.fail(("kes_card: field '%s.LT': expected %.3g, as WT %.3g and EMT %.3g make it, got %.3g"):format(name, k.WT / straight, k.WT, k.EMT, k.LT))
@@ -224,15 +224,15 @@ local function yarn_of(k, thickness, poisson, name)
   return { loading = loading_of(E, S, U, Du, name, 2 * work / (F * e)), unloading = Du, poisson = poisson }, E
 end
 
--- Height of the loop at x of a straight backbone of slope D that goes to `reach` and back to the strain r without stress: below r the
--- other side's backbone has begun, D r; above it still unloads.
+-- Height of the loop at x for a straight backbone of slope D that is loaded to `reach` and unloaded to zero stress at the strain r:
+-- below r the backbone of the other side has begun, D r; above it the unloading continues.
 local function height(D, reach, r, x)
   if x <= r then return D * r end
   return D * r / (reach - r) * (reach - x)
 end
 
--- Elastic shear with friction that grows (or falls) with the angle: straight lines in E12 of slope D and limit Y0 + Y1 E12. The three
--- numbers of the sheet make D, Y0 and Y1; the friction is there after a quarter of a degree.
+-- Elastic shear with a friction that increases (or decreases) with the angle: straight lines in E12 with the slope D and the limit Y0
+-- + Y1 E12. The three measured numbers determine D, Y0 and Y1; the friction is reached within a quarter of a degree.
 local function rubbing_of(k, thickness)
   local function strain(degrees) return math.sin(math.rad(degrees)) / 2 end
   local function stress(number, degrees) return number * gf / cm / (thickness * math.cos(math.rad(degrees))) end
@@ -244,7 +244,7 @@ local function rubbing_of(k, thickness)
   if limit(reach) <= 0 or at_rest <= 0 then
     define.fail(("kes_card: field 'shear.2HG5': expected a loop that is open from 0 to 8 degrees, got 2HG %.3g and 2HG5 %.3g"):format(k["2HG"], k["2HG5"]))
   end
-  -- G = (F(2.5) - F(0.5)) / 2 on the way up, F = t cos(angle) (D E + limit).
+  -- In loading G = (F(2.5) - F(0.5)) / 2, F = t cos(angle) (D E + limit).
   local E1, E2, c1, c2 = near, strain(2.5), math.cos(math.rad(0.5)), math.cos(math.rad(2.5))
   local D = (2 * k.G * gf / cm / thickness - c2 * limit(E2) + c1 * limit(E1)) / (c2 * E2 - c1 * E1)
   if D <= math.abs(growth) then
@@ -256,8 +256,8 @@ local function rubbing_of(k, thickness)
     ("elastic shear with friction shows 2HG %.3g, 2HG5 %.3g as given"):format(k["2HG"], k["2HG5"])
 end
 
--- A straight backbone of slope D (tensor) cycled to E12 of 8 degrees, where the sheet has 2HG alone: one unloading modulus makes its
--- loop. Returns the part, its reach, and what it shows in words.
+-- A straight backbone of slope D (tensor) cycled to the E12 of 8 degrees, for data with 2HG only: one unloading modulus determines
+-- the loop. Returns the part, its reach, and its description in words.
 local function shear_of(k, thickness)
   if k["2HG5"] then return rubbing_of(k, thickness) end
   local D = 2 * k.G * gf / cm * math.deg(1) / thickness
@@ -281,7 +281,7 @@ local function bending_of(b)
     out[name] = b[name].B * gf * cm
     if b[name]["2HB"] then out["friction_" .. name] = { moment = b[name]["2HB"] * gf / 2, curvature = b.build_up or 10 } end
   end
-  out.twist = b.twist or math.sqrt(out.warp * out.weft) / 2 -- as a plate without contraction twists
+  out.twist = b.twist or math.sqrt(out.warp * out.weft) / 2 -- as for a plate without lateral contraction
   return out
 end
 

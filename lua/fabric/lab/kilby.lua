@@ -1,4 +1,4 @@
--- fabric.lab.kilby: the constant shear modulus of a bias pull, and back [kilby1963; williams2010, eq. 3.4].
+-- fabric.lab.kilby: the constant shear modulus from a bias test, and the reverse [kilby1963; williams2010, eq. 3.4].
 local define = require "fabric.define"
 
 local function coupling(t)

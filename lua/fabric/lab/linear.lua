@@ -1,4 +1,4 @@
--- Small symmetric positive definite matrices, as lists of rows: what covariances of a few parameters need.
+-- Small symmetric positive definite matrices as lists of rows, for covariances of a few parameters.
 local linear = {}
 
 function linear.zeros(n)
@@ -10,7 +10,7 @@ function linear.zeros(n)
   return out
 end
 
--- The lower triangle L of A = L L^T, after A was scaled to a diagonal of ones; and the scale.
+-- Cholesky factor L of A = L L^T after scaling A to a unit diagonal; and the scale.
 local function factor(A)
   local n, scale, L = #A, {}, linear.zeros(#A)
   for i = 1, n do scale[i] = 1 / math.sqrt(A[i][i]) end

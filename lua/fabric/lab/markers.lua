@@ -1,4 +1,4 @@
--- fabric.lab.tracks, poisson, shear_from_bias: what marker grids on the cloth say.
+-- fabric.lab.tracks, poisson, shear_from_bias: evaluation of marker grids on the cloth.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
@@ -26,7 +26,7 @@ local function places_of(frame)
 end
 
 local function tracks(t)
-  local file = fabric.table { file = t.file, lenient = true } -- a position that is no number is that of a lost marker
+  local file = fabric.table { file = t.file, lenient = true } -- an invalid position is that of a lost marker
   local frame, marker = column_named(file, t.file, "frame"), column_named(file, t.file, "marker")
   local x, y = column_named(file, t.file, "x"), column_named(file, t.file, "y")
   local numbers, place = places_of(frame)
@@ -119,7 +119,7 @@ local function shear_from_bias(t)
   end
   local E, frames = zone_mean(boxes, "E12"), {}
   for f, value in ipairs(E) do
-    if value == value then frames[#frames + 1] = f end -- a frame without a marker of the middle zone says nothing
+    if value == value then frames[#frames + 1] = f end -- a frame without the markers of the middle zone is skipped
   end
   if #frames < 2 then
     fail(("shear_from_bias: %sno box of the markers is seen sheared in two frames"):format(grid.file and grid.file .. ": " or ""))

@@ -1,8 +1,8 @@
--- fabric.lab.mesh_error: what a number owes to its mesh, from three meshes and Richardson's extrapolation.
+-- fabric.lab.mesh_error: the discretisation error of a number, from three meshes and Richardson's extrapolation.
 --
--- With f1, f2, f3 on meshes of size h, h/2, h/4: order p = log2 |(f1 - f2) / (f2 - f3)|, limit f3 + (f3 - f2) / (2^p - 1),
--- and the error of each is its distance from the limit. Where the three do not approach a limit in order (p below 1/2, or
--- differences that change sign) there is none to give: the limit is then f3, and the error the spread of the three.
+-- With f1, f2, f3 on meshes of size h, h/2, h/4: order p = log2 |(f1 - f2) / (f2 - f3)|, limit f3 + (f3 - f2) / (2^p - 1);
+-- the error of each is its distance from the limit. If the three do not converge with an order (p below 1/2, or differences
+-- of opposite sign), the limit is f3, and the error the spread of the three.
 local define = require "fabric.define"
 
 local function judge(f)
@@ -10,7 +10,7 @@ local function judge(f)
   local spread = math.max(f[1], f[2], f[3]) - math.min(f[1], f[2], f[3])
   local size = math.max(math.abs(f[1]), math.abs(f[3]))
   local row = { f[1], f[2], f[3] }
-  if spread <= 1e-7 * size then -- the mesh plays no part
+  if spread <= 1e-7 * size then -- the mesh has no influence
     row.limit, row.error = f[3], size > 0 and spread / size or 0
     return row
   end
@@ -65,8 +65,8 @@ define {
   run = run,
 }
 
--- For the tests: the method mesh_error of a result. numbers(result) returns {name=number}; run(t) runs the test anew with the
--- fields t of the first, its cells (a number, or one for each direction; none: `cells`) n times as many, and without files.
+-- For the tests: the method mesh_error of a result. numbers(result) returns {name=number}; run(t) repeats the test with its
+-- fields t, with n times as many cells (a number, or one for each direction; default: `cells`), without files.
 return function(first, t, run, numbers, cells)
   local function again(n)
     local fields = {}

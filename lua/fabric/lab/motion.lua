@@ -1,4 +1,4 @@
--- What the tests in motion share: a square sheet, its run, and the ledger as columns of its curve.
+-- Shared by the dynamic tests: a square sheet, its run, and the ledger as columns of the curve.
 local sheet = require "fabric.lab.sheet"
 local u = require("fabric").units
 local fabric = require "fabric"
@@ -7,7 +7,7 @@ local motion = {}
 local ledger = { "kinetic", "stored", "dissipated", "dissipated_warp", "dissipated_weft", "dissipated_shear", "dissipated_bending",
                  "damping", "external", "created", "error" }
 
--- A square of n x n elements, warp along x, from the origin; its model with gravity along -z.
+-- A square of n x n elements at the origin, warp along x; its model with gravity along -z.
 function motion.square(t)
   local mesh = fabric.mesh.rectangle { width = t.size, height = t.size, nx = t.cells, ny = t.cells }
   local model = fabric.model { mesh = mesh, card = t.card, points = t.card.bending and 1 or t.points, warp = 0 }
@@ -20,8 +20,8 @@ function motion.analysis(t, model)
                           ledger_limit = t.ledger_limit, damping = t.damping > 0 and { mass = t.damping } or nil }
 end
 
--- Runs to the end: a row every t.every seconds of reading(a) and the ledger. Where the run stops by itself, the rows so far and
--- `trouble`, its message; t.strict raises it.
+-- Runs to the end; every t.every seconds a row with reading(a) and the ledger. If the run fails, returns the rows so far and
+-- the message `trouble`; t.strict raises it as an error.
 function motion.run(t, a, names, stem, reading)
   local columns = {}
   for _, name in ipairs(names) do columns[#columns + 1] = name end
@@ -36,7 +36,7 @@ function motion.run(t, a, names, stem, reading)
   return { curve = curve, analysis = a, trouble = not ok and tostring(trouble) or nil }
 end
 
--- z of the lowest node, m, and of one node.
+-- z of the lowest node, m, and the number of that node.
 function motion.lowest(a, mesh)
   local least = math.huge
   for i = 1, #mesh.nodes do least = math.min(least, a:node(i).z) end

@@ -1,5 +1,5 @@
--- Where the numbers of a card come from: fitted, copied off a card, typed in, or assumed. What a fit finds is remembered with
--- the table that it returns, so that a number that was put into that table later is not taken for a fitted one.
+-- The origin of a card's numbers: fitted, copied from a card, typed in, or assumed. The results of a fit are remembered with
+-- the table that it returned, so that a number put into that table later does not count as fitted.
 local registry = require "fabric.define".registry
 local origin = {}
 
@@ -23,19 +23,19 @@ local function same(a, b)
   return true
 end
 
--- Remembers that the fields of a result hold what was fitted: words = { field = "fitted to 3 specimens" }.
+-- Records that the fields of a result have fitted values: words = { field = "fitted to 3 specimens" }.
 function origin.remember(result, words)
   found[result] = {}
   for field, text in pairs(words) do found[result][field] = { value = copy(result[field]), words = text } end
 end
 
--- Whether the field of a result is still what was fitted.
+-- Whether the field of a result still has the fitted value.
 function origin.fitted(result, field)
   local kept = type(result) == "table" and found[result] and found[result][field]
   return kept and same(kept.value, result[field]) and kept.words or nil
 end
 
--- The card that a table, or the list in one of its fields, was read off, if its value is still that card's.
+-- The card from which a table, or the list in one of its fields, was read, if its value is still that of the card.
 local function card_of(part, field, name)
   local card = registry.card_of(part) or type(part[field]) == "table" and registry.card_of(part[field])
   if not card then return end
@@ -43,7 +43,7 @@ local function card_of(part, field, name)
   if type(their) == "table" and same(their[field], part[field]) then return card end
 end
 
--- In words: where part[field] comes from, a part of a card that is called `name` there ("warp", "weft", "shear").
+-- The origin in words of part[field], a part of a card with this `name` ("warp", "weft", "shear").
 function origin.words(part, field, name)
   local fitted = origin.fitted(part, field)
   if fitted then return fitted end

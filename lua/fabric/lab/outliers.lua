@@ -1,11 +1,11 @@
--- Readings that stand alone: a display read off photographs drops a digit, a load cell a sample. A row is one of them when it is far from
--- what the rows before it and the rows behind it lead to expect, each by a line of median slope [sen1968]; a rupture is a step, whose rows
--- agree with one of the sides, and a reversal's tip lies on the lines of both.
+-- Isolated wrong readings, for example from a display read off photographs, or a sample lost by a load cell. A row is an outlier if it is
+-- far from the values that the rows before and after it predict, each by a line of median slope [sen1968]. A rupture is a step, whose rows
+-- agree with one of the sides, and the tip of a reversal lies on the lines of both.
 local outliers = {}
 
 local reach = 8          -- rows on either side
 local times = 8          -- deviations of the scatter
-local floor = 0.02       -- of the largest value: smaller deviations are left alone
+local floor = 0.02       -- of the largest value; smaller deviations are accepted
 local longest = 24       -- rows in a run of outliers
 
 local function median(list)
@@ -14,7 +14,7 @@ local function median(list)
   return n % 2 == 1 and list[(n + 1) // 2] or (list[n // 2] + list[n // 2 + 1]) / 2
 end
 
--- Value at row `at` of the line through the rows of a list: median slope, median offset.
+-- Value at row `at` of the line with median slope and median offset through the rows of a list.
 local function line(rows, y, at)
   local slopes, offsets = {}, {}
   for i = 1, #rows do
@@ -25,7 +25,7 @@ local function line(rows, y, at)
   return median(offsets)
 end
 
--- Rows of one side: the nearest that are not outliers, in the order of the list.
+-- Rows of one side: the nearest ones that are not outliers, in the order of the list.
 local function side(bad, from, step, n)
   local rows, row = {}, from
   while #rows < reach and row >= 1 and row <= n and math.abs(row - from) < longest + reach do
@@ -35,7 +35,8 @@ local function side(bad, from, step, n)
   return rows
 end
 
--- Scatter of the values about the mean of their neighbours: 1.4826 times the median size, for a normal one.
+-- Scatter of the values about the mean of their neighbours: 1.4826 times the median of the absolute deviations, which is the standard
+-- deviation for a normal distribution.
 local function scatter(y)
   local sizes = {}
   for i = 2, #y - 1 do sizes[#sizes + 1] = math.abs(y[i] - (y[i - 1] + y[i + 1]) / 2) end
@@ -49,13 +50,13 @@ function outliers.find(y)
   local limit = math.max(times * scatter(y), floor * peak)
   local bad, found = {}, {}
   for i = 2, n - 1 do
-    -- Far from the row before it that counts: the rest is looked at closely.
+    -- Only rows far from the last accepted row before them are examined.
     local before = side(bad, i - 1, -1, n)
     if #before >= 3 and math.abs(y[i] - y[before[1]]) > limit then
       local left = line(before, y, i)
       local behind = {}
       if math.abs(y[i] - left) > limit then
-        -- Rows behind that go on where those before left off: the run of outliers ends there.
+        -- If later rows continue from the rows before, the outliers end there.
         for row = i + 1, math.min(n, i + longest) do
           if math.abs(y[row] - left) <= limit + math.abs(left - y[before[1]]) * (row - i + 1) then behind[#behind + 1] = row end
           if #behind == reach then break end

@@ -1,4 +1,4 @@
--- fabric.lab.poke: a held sheet is pushed up in its middle and let down [williams2010, section 7.3.3, figs. 7-32 to 7-36].
+-- fabric.lab.poke: the middle of a held sheet is pushed up and lowered [williams2010, section 7.3.3, figs. 7-32 to 7-36].
 --
 --      +-----------+     rim: x y z held
 --      |    +-+    |     punch: the middle fifth, z = height (1 - cos(2 pi t / stroke)) / 2 until t = stroke, then 0;
@@ -20,7 +20,7 @@ local function punch(t, mesh, model)
   end })
 end
 
--- The elements one away from the punch, beside it along the warp and along the weft: 207 and 271 of the thesis.
+-- The elements next but one to the punch, beside it along the warp and along the weft: 207 and 271 of the thesis.
 local function watched(n)
   local from, to = (2 * n) // 5, n - (2 * n) // 5
   return (n // 2) * n + from - 1, (to + 1) * n + n // 2 + 1

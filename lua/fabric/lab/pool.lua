@@ -1,13 +1,14 @@
--- fabric.lab.pool: parameters from several specimens, sizes, laboratories and speeds at once.
+-- fabric.lab.pool: parameters from several specimens, sizes, laboratories and speeds together.
 --
--- Specimen i shows (1 + b_i) times what the model says, with b_i of deviation `between` and the noise of its points on top; all tests share
--- what the mesh does to their simulations. So the covariance of what was measured is
+-- Specimen i shows (1 + b_i) times the model's values, where b_i has the standard deviation `between`, plus the noise of its points; the error
+-- of the mesh is common to all simulated tests. So the covariance of the measured values is
 --
 --     C = N + between^2 sum_i f_i f_i^T + mesh^2 f f^T
 --
--- (N: noise, diagonal; f_i: what the model says of the points of one specimen, f: of all that were simulated on a mesh), and parameters are
--- those of least squares with it. `between` is what makes the specimens' own factors scatter as they do [paule1982]; the mesh's part is what two meshes leave open
--- once they are extrapolated. Taken for noise alone, a hundred points of a specimen would count as a hundred specimens.
+-- (N: noise, diagonal; f_i: the model's values at the points of one specimen; f: of all that were simulated on a mesh), and the parameters
+-- follow from least squares with it. `between` is chosen so that it explains the scatter of the specimens' own factors [paule1982]; the part of
+-- the mesh is the uncertainty that remains after extrapolation from two meshes. If everything were taken as noise, a hundred points of one
+-- specimen would count as a hundred specimens.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.identify_check"
@@ -15,7 +16,7 @@ local identify = require "fabric.lab.identify"
 local linear = require "fabric.lab.linear"
 local fail = define.fail
 
-local rounds, settled = 6, 0.02 -- of fitting and looking how specimens differ; change of `between` that ends them
+local rounds, settled = 6, 0.02 -- rounds of fitting and estimating the differences of specimens; relative change of `between` that ends them
 
 local function largest_of(list)
   local largest = 0
@@ -31,7 +32,8 @@ local function dot(a, b)
   return sum
 end
 
--- A list without its correlation along a direction: covariance 1 + variance * u u^T, whose root is taken off.
+-- Removes from a list the correlation along a direction: the covariance is 1 + variance * u u^T, and the list is multiplied by its inverse
+-- square root.
 local function whitened(list, u, variance)
   local square = dot(u, u)
   if variance == 0 or square == 0 then return list end
@@ -40,8 +42,8 @@ local function whitened(list, u, variance)
   return out
 end
 
--- Of each test, what the model said (the round before) over the noise. Measured values in its place would make a low specimen seem the more
--- certain one, and all that is fitted too low.
+-- For each test, the model's values (of the round before) over the noise. With measured values instead, a low specimen would appear more
+-- certain, and all fitted values would be too low.
 local function directions(t, predicted)
   local out = {}
   for i, test in ipairs(t.tests) do
@@ -51,7 +53,7 @@ local function directions(t, predicted)
   return out
 end
 
--- What makes residuals (over their noise, all tests one behind the other) independent of deviation 1.
+-- Transforms residuals (over their noise, all tests one after the other) to independent ones of deviation 1.
 local function whitener(t, predicted, between, mesh)
   local own, along = directions(t, predicted), {}
   for i, test in ipairs(t.tests) do
@@ -69,7 +71,7 @@ local function whitener(t, predicted, between, mesh)
   end
 end
 
--- The tests as fabric.lab.identify takes them: the speed's part on the prediction, and what the mesh is known to do.
+-- The tests in the form for fabric.lab.identify: with the effect of the speed in the predictions, and the known effect of the mesh.
 local function for_identify(t, factors)
   local out = {}
   for i, test in ipairs(t.tests) do
@@ -84,7 +86,7 @@ local function for_identify(t, factors)
   return out
 end
 
--- Prediction of a test with the speed's part: force * (1 + p.rate ln(rate / reference)).
+-- Prediction of a test with the effect of the speed: force * (1 + p.rate ln(rate / reference)).
 local function with_rate(t, i, p, predict)
   local test, out = t.tests[i], {}
   local factor = t.rate and 1 + p.rate * math.log(test.rate / t.rate.reference) or 1
@@ -96,7 +98,7 @@ local function with_rate(t, i, p, predict)
   return out
 end
 
--- What the finer mesh says: limit over coarse for every point, and the part of the limit that stays open.
+-- From a finer mesh: the ratio of limit to coarse value for every point, and the uncertainty of the limit.
 local function mesh_of(t, p)
   local factors, open, whole = {}, 0, 0
   for i, test in ipairs(t.tests) do
@@ -114,7 +116,7 @@ local function mesh_of(t, p)
   return factors, whole > 0 and math.sqrt(open / whole) or 0
 end
 
--- The scatter of specimens' factors that is more than their noise: factors b with variances v, of which `spent` went into the fit.
+-- The scatter of the specimens' factors beyond their noise: factors b with variances v; `spent` is the number of fitted parameters.
 local function scatter_of(b, v, spent)
   local freedom = #b - spent
   if freedom < 1 then return 0 end
@@ -134,7 +136,7 @@ local function scatter_of(b, v, spent)
   return math.sqrt(high)
 end
 
--- Each specimen's own factor on the model and its variance from noise.
+-- The factor of each specimen relative to the model, and its variance from noise.
 local function own_factors(t, predicted)
   local b, v = {}, {}
   for i, test in ipairs(t.tests) do
@@ -156,7 +158,7 @@ local function without(list, place)
   return out
 end
 
--- Derivatives of every prediction by the parameters, over a tenth of a deviation to both sides.
+-- Derivatives of all predictions by the parameters, by differences of a tenth of a deviation to both sides.
 local function derivatives(t, tests, found)
   local out = {}
   for i in ipairs(tests) do out[i] = {} end
@@ -178,7 +180,7 @@ local function derivatives(t, tests, found)
   return out
 end
 
--- Normal equations of some specimens: the matrix (with no more ignorance than the bounds) and the right side.
+-- Normal equations for some specimens: the matrix (with the bounds as prior information) and the right side.
 local function normal_equations(t, state, between, leave)
   local slopes, rest = state.slopes, state.rest
   local n, own = #t.parameters, directions(t, state.predicted)
@@ -204,7 +206,7 @@ local function normal_equations(t, state, between, leave)
   return A, b
 end
 
--- Deviations of a test's predictions: of the mean, and of the next specimen.
+-- Deviations of a test's predictions: for the mean, and for the next specimen.
 local function deviations(test, slopes, predicted, covariance, between, widening, mesh)
   local mean, next_one = {}, {}
   for k, f in ipairs(predicted) do
@@ -221,7 +223,7 @@ local function edges(values, half, quantile)
   return low, high
 end
 
--- A specimen left out, predicted from the others: one step of Gauss and Newton from the fit of all, then the simulation itself.
+-- Predicts a left-out specimen from the others: one Gauss-Newton step from the fit of all, then the simulation itself.
 local function left_out(t, tests, state, i)
   local between = scatter_of(without(state.factors, i), without(state.variances, i), t.spent)
   local A, b = normal_equations(t, state, between, i)
@@ -291,7 +293,7 @@ local function text_of(t, out)
   return table.concat(lines, "\n")
 end
 
--- Fits, looks how specimens and meshes differ, and fits again until that stays.
+-- Fits, estimates the differences of specimens and meshes, and repeats until they are constant.
 local function iterate(t)
   local state = { between = 0, mesh = 0, correction = {} }
   local tests, found, predicted
@@ -340,7 +342,7 @@ local function pool(t)
     deviation = {}, low = {}, high = {}, covariance = {}, tests = {}, level = t.level, simulations = state.found.simulations }
   for j, p in ipairs(t.parameters) do
     local width = p.high - p.low
-    local scale = state.mesh > 0 and state.found.deviation[j] or 0 -- the mesh's part hangs all specimens together
+    local scale = state.mesh > 0 and state.found.deviation[j] or 0 -- the part of the mesh correlates all specimens
     out.deviation[j] = math.min(width, math.max(math.sqrt(state.widening * covariance[j][j]), scale == scale and scale or 0))
     out.low[p.name] = math.max(p.low, out.parameters[p.name] - quantile * out.deviation[j])
     out.high[p.name] = math.min(p.high, out.parameters[p.name] + quantile * out.deviation[j])

@@ -1,4 +1,4 @@
--- Normal random numbers from a seed, the same on every machine and without touching math.random [steele2014].
+-- Normal random numbers from a seed, the same on every machine and independent of math.random [steele2014].
 local function random(seed)
   local state, spare = seed, nil
   local function uniform() -- in (0, 1)

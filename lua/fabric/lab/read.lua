@@ -1,4 +1,4 @@
--- fabric.lab.read: a record of a load frame in SI units, whatever the laboratory calls its columns.
+-- fabric.lab.read: the record of a testing machine in SI units, whatever the names of its columns.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local fail = define.fail
@@ -13,7 +13,7 @@ local function keys(t)
   return table.concat(names, ", ")
 end
 
--- What a name says: first by the words that the user added, then by letters and words of the house.
+-- The quantity given by a name: first by the user's words, then by the built-in letters and words.
 local function quantity_of(vocabulary, name)
   name = plain(name)
   for _, own in ipairs(vocabulary.own or {}) do
@@ -27,7 +27,7 @@ local function quantity_of(vocabulary, name)
   end
 end
 
--- SI per unit and the quantity that the unit measures: an elongation in per cent is a strain, a force may be one per width.
+-- SI size of a unit and the quantity that it measures: an elongation in per cent is a strain, a force may be one per width.
 local also = { displacement = { "displacement", "strain" }, force = { "force", "force per width" }, time = { "time" }, strain = { "strain" } }
 local function unit_of(vocabulary, quantity, unit)
   for _, meant in ipairs(also[quantity]) do
@@ -36,7 +36,7 @@ local function unit_of(vocabulary, quantity, unit)
   end
 end
 
--- A unit behind the name without brackets: "Extension mm", "displacement_mm".
+-- Splits a unit without brackets from a name: "Extension mm", "displacement_mm".
 local function split_unit(vocabulary, column)
   if column.unit ~= "" then return end
   local name, unit = column.name:match "^(.-)[%s_]+(%S+)$"
@@ -44,7 +44,7 @@ local function split_unit(vocabulary, column)
   if quantity and unit_of(vocabulary, quantity, unit) then column.unit, column.bare = unit, name end
 end
 
--- What a column holds, by its name and unit.
+-- The quantity in a column, from its name and unit.
 local function held(vocabulary, column)
   local quantity = quantity_of(vocabulary, column.bare or column.name)
   if quantity ~= "displacement" then return quantity end
@@ -52,7 +52,7 @@ local function held(vocabulary, column)
   return meant or quantity
 end
 
--- How many words of the name say something else: "Maximum load" is not the load.
+-- The number of words in the name with another meaning: "Maximum load" is not the load.
 local function others(vocabulary, column)
   local count, quantity = 0, quantity_of(vocabulary, column.bare or column.name)
   for word in plain(column.bare or column.name):gmatch "[^%s_%-]+" do
@@ -63,7 +63,7 @@ local function others(vocabulary, column)
   return count
 end
 
--- The columns whose headings give the quantity away with fewest other words.
+-- The columns whose headings state the quantity with the fewest other words.
 local function candidates(vocabulary, file, quantity)
   local best, least = {}, math.huge
   for _, column in ipairs(file.header and file or {}) do
@@ -76,7 +76,7 @@ local function candidates(vocabulary, file, quantity)
   return best
 end
 
--- The column that the deck names (by name or place) for a quantity.
+-- The column that the deck gives (by name or number) for a quantity.
 local function named_column(t, file, quantity, wanted)
   if file[wanted] then return file[wanted] end
   local names, found = {}, nil
@@ -94,7 +94,7 @@ local function named_column(t, file, quantity, wanted)
   fail(("read: %s: expected a column '%s' for the %s, there are %s"):format(t.file, wanted, quantity, table.concat(names, ", ")))
 end
 
--- The column of a quantity; needed: a file without it, or with two that might be it, is an error.
+-- The column of a quantity. needed: an error if there is none, or if two are possible.
 local function find_column(vocabulary, t, file, quantity, needed)
   local wanted = (t.columns or {})[quantity]
   if wanted then return named_column(t, file, quantity, wanted) end
@@ -111,7 +111,7 @@ local function find_column(vocabulary, t, file, quantity, needed)
   return #found == 1 and found[1] or nil
 end
 
--- SI per unit of the column and what it measures; nil where that is not known.
+-- SI size of the column's unit and the quantity it measures; nil if not known.
 local function known_factor(vocabulary, t, quantity, column)
   local unit = (t.units or {})[quantity] or column.unit
   if unit == "" and quantity == "strain" then return 1, "strain" end
@@ -133,7 +133,7 @@ local function scaled(values, factor)
   return values
 end
 
--- The house's words, or those of a user before them: a table, or a Lua file that returns one.
+-- The built-in words, preceded by those of the user: a table, or a Lua file that returns one.
 local function vocabulary_of(t)
   if not t.vocabulary then return house end
   local more, from = t.vocabulary, "read: field 'vocabulary'"
@@ -163,7 +163,7 @@ local function check_names(t)
   end
 end
 
--- One column in SI into the record; what it measures is known by its unit.
+-- Copies a column in SI to the record; its unit determines what it measures.
 local function take(vocabulary, t, record, quantity, column)
   local factor, meant = factor_of(vocabulary, t, quantity, column)
   if column.trouble then fail("read: " .. column.trouble) end
@@ -176,7 +176,7 @@ local function take(vocabulary, t, record, quantity, column)
   record[meant == "strain" and "strain" or quantity] = scaled(column.values, factor)
 end
 
--- A record that has strain and no displacement: that of the gauge length.
+-- For a record with strain but no displacement: the displacement of the gauge length.
 local function from_strain(t, record)
   if record.displacement or not record.strain then return end
   if not t.gauge_length then
@@ -191,7 +191,7 @@ local function missing(t, record, quantity)
     t.file, quantity, table.concat(record.names, ", "), quantity))
 end
 
--- Displacement (or strain) and force must be there, and what the deck names; time and strain are read where they can be.
+-- Displacement (or strain), force and the columns given by the deck must exist; time and strain are optional.
 local function read(t)
   check_names(t)
   local vocabulary = vocabulary_of(t)

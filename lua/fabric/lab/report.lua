@@ -1,4 +1,4 @@
--- The report of a characterisation: overlays of what was measured and what the card gives in simulation, residuals, table, HTML.
+-- The report of a characterisation: measured curves with those simulated from the card, residuals, table, HTML.
 local fabric = require "fabric"
 local curve = require "fabric.lab.curve"
 local lab, u = fabric.lab, fabric.units
@@ -10,7 +10,7 @@ local names = { "warp", "weft", "shear" }
 
 local function slack_of(part, i) return part.fit.specimens and part.fit.specimens[i] and part.fit.specimens[i].slack or 0 end
 
--- The specimen that was pulled furthest, and its largest displacement between the grips since first contact.
+-- The specimen with the largest pull, and its largest displacement between the grips since first contact.
 local function furthest(part, length, strain)
   local best, reach = 1, 0
   for i, test in ipairs(part.tests) do
@@ -23,7 +23,7 @@ local function furthest(part, length, strain)
   return best, reach
 end
 
--- Its reversals as parts of the largest displacement, up to failure.
+-- Its reversals as shares of the largest displacement, up to failure.
 local function path_of(part, length, strain)
   local best, reach = furthest(part, length, strain)
   local test, path = part.tests[best], {}
@@ -37,7 +37,7 @@ local function path_of(part, length, strain)
   return path, reach
 end
 
--- The displacement of a bias pull at which its middle is sheared as far as the specimens were: their own holds slack.
+-- The displacement of a bias test at which its middle has the largest shear of the specimens, whose own displacement includes slack.
 local function bias_reach(part, test)
   local largest, E, d = 0, {}, {}
   for _, measured in ipairs(part.tests) do largest = math.max(largest, table.unpack(measured.E)) end
@@ -48,13 +48,13 @@ local function bias_reach(part, test)
   return interpolate(E, d, largest) or test.displacement
 end
 
--- The same test again with the card, in simulation, over the measured path. Of a bias pull, what was read off it: the shear in
--- its middle and half the stress along the pull.
+-- Simulates the same test with the card over the measured path. For a bias test, the measured quantities: the shear in its middle and half the
+-- stress along the pull.
 local function simulate(result, part, direction)
   local about, E, S = result.about, {}, {}
   local shear = direction == "shear"
   local test = { card = result.card, grips = about.grips or "free", width = about.width, length = about.gauge_length, steps = 120 }
-  if shear and part.without_markers then -- no zones were seen: the curve itself is what was measured
+  if shear and part.without_markers then -- without zones the curve itself is the measured result
     local strains = {}
     for i = 1, 100 do strains[i] = part.fit.tested * i / 100 end
     return strains, fabric.point(result.card):path({ E12 = strains }, { "S12" }).S12
@@ -70,7 +70,7 @@ local function simulate(result, part, direction)
   return E, S
 end
 
--- Points of a test up to failure as seen from first contact, thinned to a few hundred; virgin loading alone or all.
+-- Points of a test up to failure relative to first contact, reduced to a few hundred; all, or only those of virgin loading.
 local function measured(part, i, all)
   local test, slack = part.tests[i], slack_of(part, i)
   local E, S = {}, {}
@@ -86,7 +86,7 @@ local function measured(part, i, all)
   return E, S
 end
 
--- Differences of measured and simulated stress in virgin loading over the largest measured one, a curve per specimen, and the root of their mean
+-- Differences of measured and simulated stress in virgin loading over the largest measured stress, one curve per specimen, and their root mean
 -- square.
 local function residual(part, E, S)
   local sum, n, largest, curves = 0, 0, 0, {}
@@ -110,7 +110,7 @@ local function residual(part, E, S)
   return math.sqrt(sum / n) / largest, curves
 end
 
--- Where specimens yielded or failed, as points of a figure.
+-- The points of yield or failure of the specimens, for a figure.
 local function marked(part, what)
   local points = { x = {}, y = {}, label = what, style = "points" }
   for _, test in ipairs(part.tests) do
@@ -121,7 +121,7 @@ local function marked(part, what)
   return points
 end
 
--- The part of the band of the next specimens in which the card's curve is not; nil without a band.
+-- The share of the band of the next specimens outside of which the card's curve lies; nil without a band.
 local function outside_of(spread, E, S)
   if not spread then return end
   local out, n = 0, 0
@@ -173,7 +173,7 @@ local function overlay(result, name, out)
   return { files = files, residual = rest, outside = outside_of(part.spread, E, S) }
 end
 
--- What stands in the place of a fit where there was no test.
+-- Replaces the fit where there was no test.
 local function assumed_fit(part)
   return { loading = part.loading, degree = type(part.loading[1]) == "number" and #part.loading or nil }
 end
@@ -211,7 +211,7 @@ local function content(path)
   return f:read "a"
 end
 
--- Which part of each specimen lies in the band of the others, when it is left out.
+-- The share of each specimen within the band of the others, when it is left out.
 local function left_out(part)
   if not part.spread then return "" end
   local out = { "<table><tr><th>specimen left out<th>of its points in the band of the others</tr>" }
@@ -255,10 +255,10 @@ local function html(result, figures, rows, out)
   f:write(table.concat(parts, "\n"))
 end
 
--- A tenth of a curve may lie outside of a band that holds 95 % of the specimens.
+-- A tenth of a curve may lie outside a band for 95 % of the specimens.
 local tolerated = 0.1
 
--- Texts of the parts whose card the specimens contradict.
+-- Texts for the parts whose card contradicts the specimens.
 function report.contradictions(figures)
   local out = {}
   for _, name in ipairs(names) do

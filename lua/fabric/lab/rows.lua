@@ -1,4 +1,4 @@
--- Rows of arguments that several functions of the laboratory share, one list after the other.
+-- Concatenates lists of argument rows that several functions of the laboratory share.
 return function(...)
   local out = {}
   for _, list in ipairs { ... } do table.move(list, 1, #list, #out + 1, out) end

@@ -1,4 +1,4 @@
--- fabric.lab.shear: a square in simple shear, to and fro [williams2010, section 7.2.2, figs. 7-27, 7-28].
+-- fabric.lab.shear: a square in cyclic simple shear [williams2010, section 7.2.2, figs. 7-27, 7-28].
 --
 --      +--+--+--+  -> gamma = 2 E12     x = X + gamma Y, so E12 = gamma / 2 and also E22 = gamma^2 / 2.
 --      |  |  |  |                       Warp along x. First Piola-Kirchhoff stress on the top edge:
@@ -21,7 +21,7 @@ local function reading(a, t, last, centre)
            S12_average = S[3], S22_average = S[2], S12_centre = sheet.mean(a, "S", centre)[3] }
 end
 
--- Moves the rows of nodes that the edges hold, each in proportion to its height.
+-- Moves the nodes held at the edges, each in proportion to its height.
 local function drive(t, n, mesh, model, points)
   model:fix("all", "z rotation")
   model:fix("bottom", "x y")

@@ -1,16 +1,16 @@
--- What the virtual tests share: the path that is driven, the curve and its files, and stress in a direction.
+-- Shared by the virtual tests: the driven path, the curve and its files, and stress in a direction.
 local curves = require "fabric.columns"
 local fabric = require "fabric"
 local sheet = {}
 
--- {0.75, 0.7, 1} times an amplitude as a history of one second a leg, from 0 at time 0; and its end.
+-- {0.75, 0.7, 1} times an amplitude as a history with one second per leg, from 0 at time 0; and its end time.
 function sheet.history(path, amplitude)
   local points = { { 0, 0 } }
   for i, part in ipairs(path) do points[i + 1] = { i, part * amplitude } end
   return points, #path
 end
 
--- Value at time t of such a list of points, which holds its end value.
+-- Value at time t of such a list of points; constant after its end.
 function sheet.value(points, t)
   for i = 2, #points do
     local a, b = points[i - 1], points[i]
@@ -19,7 +19,7 @@ function sheet.value(points, t)
   return points[#points][2]
 end
 
--- Numbers of the elements whose middle is nearest to that of the mesh: one, two or four.
+-- Numbers of the elements nearest to the centre of the mesh: one, two or four.
 function sheet.centre(mesh)
   local middle, list, best = { 0, 0 }, {}, math.huge
   local place = {}
@@ -54,7 +54,7 @@ function sheet.mean(a, letter, elements)
   return out
 end
 
--- Components of a symmetric tensor {11, 22, 12}, material axes, along the direction that stands `angle` degrees from the
+-- Components of a symmetric tensor {11, 22, 12}, given in material axes, along the direction at `angle` degrees from the
 -- warp, and across it.
 function sheet.along(tensor, angle)
   local c, s = math.cos(math.rad(angle)), math.sin(math.rad(angle))
@@ -72,8 +72,8 @@ local function unit_of(name)
   end
 end
 
--- Keeps reading(a) of every step, or every so many seconds; with a folder, in curve.csv and a VTK series named `stem` too.
--- Returns the curve.
+-- Records reading(a) at every step, or at intervals of so many seconds; with a folder, also in curve.csv and a VTK series
+-- named `stem`. Returns the curve.
 function sheet.observe(a, names, out, stem, reading, every)
   local curve, latest = curves.made(), nil
   local function now()
@@ -84,7 +84,7 @@ function sheet.observe(a, names, out, stem, reading, every)
     return latest
   end
   a:every(every or "step", function() curve[#curve + 1] = now() end)
-  if fabric.checking() then curve[1] = now() end -- the row of the start, for what a deck does with a curve
+  if fabric.checking() then curve[1] = now() end -- a first row, so that the deck can be checked
   if not out then return curve end
   local columns, headings = {}, {}
   for _, name in ipairs(names) do
@@ -96,7 +96,7 @@ function sheet.observe(a, names, out, stem, reading, every)
   return curve
 end
 
--- The row of a curve in which a column is largest in size.
+-- The row of a curve in which a column has its largest absolute value.
 function sheet.peak(curve, name)
   local best = curve[1]
   for _, row in ipairs(curve) do

@@ -1,11 +1,11 @@
--- fabric.lab.spread: how much specimens differ, and where the next one will lie.
+-- fabric.lab.spread: the differences between specimens, and the range of the next one.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local curve = require "fabric.lab.curve"
 local check = require "fabric.lab.check"
 local fail = define.fail
 
--- Mean stress of a specimen in each of n equally wide bins of strain up to `reach`, between its rising points where a bin has no row.
+-- Mean stress of a specimen in each of n equal bins of strain up to `reach`; interpolated where a bin has no row.
 local function binned(points, rising, reach, n)
   local sum, count, out = {}, {}, {}
   for i, E in ipairs(points.E) do
@@ -16,7 +16,7 @@ local function binned(points, rising, reach, n)
   return out
 end
 
--- Mean and standard deviation of the values at place k of some specimens, and how many there are.
+-- Mean and standard deviation of the values at index k over the specimens (except `without`), and their number.
 local function moments(values, k, without)
   local sum, n, squares = 0, 0, 0
   for i, list in ipairs(values) do
@@ -29,7 +29,7 @@ local function moments(values, k, without)
   return sum / n, math.sqrt(squares / (n - 1)), n
 end
 
--- Each specimen held out in turn: the part of its points that lies in the prediction band of the others.
+-- Leaves out each specimen in turn: the share of its points within the prediction band of the others.
 local function left_out(values, n, level)
   local out = {}
   for held = 1, #values do
@@ -48,7 +48,7 @@ local function left_out(values, n, level)
   return out
 end
 
--- The virgin loading of a test, as seen from the first contact that the fit found for it.
+-- The virgin loading of a test relative to the first contact found by its fit.
 local function taut_loading(t, i)
   local points = curve.loading(t.tests[i])
   local slack = t.fit and t.fit.specimens and t.fit.specimens[i].slack or 0

@@ -1,4 +1,4 @@
--- The strip of the tensile and bias tests [williams2010, sections 3.3 and 7.2]: pulled along y, let go again.
+-- The strip of the tensile and bias tests [williams2010, sections 3.3 and 7.2]: pulled along y and unloaded.
 --
 --          top: moved up            warp at 90 - angle degrees from x, so that the pull is `angle`
 --        +--+--+--+                 away from the warp (weft: 90)
@@ -13,7 +13,7 @@ local mesh_error = require "fabric.lab.mesh_error"
 local u = fabric.units
 local strip = {}
 
--- What is the same for every grip: the ends' motion along y, the grip's hold across, the plane.
+-- Conditions common to all grips: the motion of the ends along y, lateral support, the plane.
 local function hold(t, mesh, model)
   local ends = { "bottom", "top" }
   if t.out_of_plane == "held" then
@@ -27,13 +27,13 @@ local function hold(t, mesh, model)
   elseif t.grips == "clamped" then
     for _, set in ipairs(ends) do model:fix(set, "x") end
   else
-    mesh:set("held", { 1 }) -- one point stops the rigid motion; the ends are free to contract
+    mesh:set("held", { 1 }) -- a single held point prevents rigid motion; the ends can contract freely
     model:fix("held", "x")
   end
 end
 
--- Zones of a bias test [williams2010, fig. 3-52], from the yarns through each element's middle: 1 both yarns end in the same
--- grip, 3 neither ends in a grip, 2 the rest. A list of element numbers each.
+-- Zones of a bias test [williams2010, fig. 3-52], from the yarns through each element's centre: 1 both yarns end in the same
+-- grip, 3 neither ends in a grip, 2 all others. Each is a list of element numbers.
 function strip.zones(t, places)
   local zones = { {}, {}, {} }
   local warp = math.rad(90 - t.angle)
@@ -59,7 +59,7 @@ function strip.zones(t, places)
   return zones
 end
 
--- What the grips and the sheet show at the analysis' present time.
+-- The quantities recorded at the present time.
 local function reading(a, t, last, centre)
   local _, force = a:reaction "top"
   local displacement = a:node(last).uy
@@ -85,7 +85,7 @@ end
 strip.columns = { "displacement", "force", "E", "S", "E_lateral", "E_average", "S_average", "E_centre", "S_centre",
                   "E12_average", "E12_centre", "S12_centre" }
 
--- The strip lets go where the pull is zero. It then stays where it was left until the grip comes back to it.
+-- The strip is released where the force is zero. It then stays there until the grip returns to that position.
 local function release(a, t, points, state)
   local function held_open() return sheet.value(points, a.time) <= state.floor end
   a:event {
@@ -107,7 +107,7 @@ end
 local function make_mesh(t)
   local nx, ny = table.unpack(t.cells or { 3, 9 })
   local mesh = fabric.mesh.rectangle { width = t.width, height = t.length, nx = nx, ny = ny }
-  if t.out_of_plane == "free" then -- a bow of a tenth of the thickness shows the buckle its side
+  if t.out_of_plane == "free" then -- an initial bow of a tenth of the thickness gives the buckle its direction
     local bow = 0.1 * t.thickness
     mesh:map(function(x, y) return x, y, bow * (1 - math.cos(2 * math.pi * y / t.length)) / 2 end)
   end
@@ -118,7 +118,7 @@ local function build(t, points, state)
   local mesh = make_mesh(t)
   local model = fabric.model { mesh = mesh, card = t.card, thickness = t.thickness, warp = 90 - t.angle }
   hold(t, mesh, model)
-  -- Once it lets go on the way the motion waits at the release: a function of time that knows about it.
+  -- If the strip can be released, the motion waits at the release: a function of time that takes it into account.
   local plain = #t.path <= 2 or not t.unilateral
   model:move("top", { y = plain and fabric.history(points) or function(time)
     return math.max(sheet.value(points, time), state.floor)
@@ -148,7 +148,7 @@ function strip.run(t)
   local last = #mesh.nodes
   local curve = sheet.observe(a, strip.columns, t.out, "strip", function(run) return reading(run, t, last, centre) end,
     t.rows and duration / t.rows)
-  a:every(1, function() end) -- steps land on the corners of the path
+  a:every(1, function() end) -- steps end at the corners of the path
   if t.unilateral then release(a, t, points, state) end
   a:solve()
   local result = { curve = curve, analysis = a, model = model, mesh = mesh, displacement = t.displacement,
@@ -157,7 +157,7 @@ function strip.run(t)
   return result
 end
 
--- Displacement that gives a Green-Lagrange strain between the grips.
+-- The displacement for a given Green-Lagrange strain between the grips.
 function strip.displacement(length, E) return length * (math.sqrt(1 + 2 * E) - 1) end
 
 strip.arguments = {

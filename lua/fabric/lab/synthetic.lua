@@ -1,12 +1,12 @@
--- fabric.lab.synthetic: what a laboratory would have measured on a card's cloth: scatter between specimens, slack, slip,
--- compliance, noise of the load cell, the displacement and the marker positions. For trying the reduction on a known truth.
+-- fabric.lab.synthetic: simulated measurements of a card's cloth, with scatter between specimens, slack, slip, compliance,
+-- and noise of load, displacement and marker positions; for testing the evaluation with a known result.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local random = require "fabric.lab.random"
 
 local angles = { warp = 0, weft = 90, bias = 45 }
 
--- The specimen's own card: each curve and each ratio off by its own factor of mean one.
+-- The card of a specimen: each curve and each ratio multiplied by a random factor of mean one.
 local function scattered(t, draw)
   local function factor() return 1 + t.scatter * draw.normal() end
   local function part(p)
@@ -19,7 +19,7 @@ local function scattered(t, draw)
   return card:with { warp = part(card.warp), weft = part(card.weft), shear = part(card.shear) }
 end
 
--- Strains along the pull: up to the tested one in equal steps of stretch and down again, the pull ending at no force.
+-- Strains along the pull: up to the tested one in equal steps of stretch and down again, to zero force.
 local function history(t, reach)
   local E = {}
   local top = math.sqrt(1 + 2 * reach) - 1
@@ -29,7 +29,7 @@ local function history(t, reach)
   return E
 end
 
--- E along a bias pull at which the shear has come to what was tested.
+-- E along a bias pull at which the shear reaches the tested one.
 local function bias_reach(t)
   local point, E = fabric.point(t.card), 0
   repeat
@@ -52,7 +52,7 @@ local function response(t, card, reach)
   return r, rows
 end
 
--- Crosshead displacement and force of every row, the slack first; and the true row that each stands for (0: not yet taut).
+-- Crosshead displacement and force in every row, beginning with the slack; and the index of the true row (0: not yet taut).
 local function frame_record(t, r, rows, calibration, draw)
   local slack, slip = t.slack * draw.uniform(), t.slip
   local length, area = t.gauge_length + slack, t.width * t.thickness * t.plies
@@ -75,20 +75,20 @@ local function frame_record(t, r, rows, calibration, draw)
   return record
 end
 
--- The stretch of the cloth, a symmetric tensor in the photograph's axes (pull along y): the root of C = 1 + 2E.
+-- The stretch tensor of the cloth in the photograph's axes (pull along y): the square root of C = 1 + 2E.
 local function stretch_of(t, r, row)
   local c11, c22, c12 = 1, 1, 0
   if row > 0 then c11, c22, c12 = 1 + 2 * r.E11[row], 1 + 2 * r.E22[row], 2 * r.E12[row] end
   local det = math.sqrt(c11 * c22 - c12 * c12)
   local trace = math.sqrt(c11 + c22 + 2 * det)
   local u11, u22, u12 = (c11 + det) / trace, (c22 + det) / trace, c12 / trace
-  local w = math.rad(90 - angles[t.direction]) -- of the warp, from x
+  local w = math.rad(90 - angles[t.direction]) -- angle of the warp to x
   local c, s = math.cos(w), math.sin(w)
   return c * c * u11 + s * s * u22 - 2 * c * s * u12, s * s * u11 + c * c * u22 + 2 * c * s * u12,
     c * s * (u11 - u22) + (c * c - s * s) * u12
 end
 
--- Photographs at equal intervals of the record, the first of the cloth at rest; and what the frame showed then.
+-- Photographs at equal intervals of the record, the first one without load; and the machine's readings at these times.
 local function photographs(t, r, record, draw)
   local grid = { rows = t.markers[1], columns = t.markers[2], x = {}, y = {} }
   local photo = { markers = grid, displacement = {}, force = {}, warp = 90 - angles[t.direction] }
@@ -111,7 +111,7 @@ local function synthetic(t)
   t.thickness = t.thickness or t.card.thickness
   t.markers = t.markers or { 5, 4 }
   local draw, out = random(t.seed), {}
-  local calibration = 1 + t.calibration * draw.normal() -- one load cell for all
+  local calibration = 1 + t.calibration * draw.normal() -- one load cell for all specimens
   local reach = t.reach or (t.direction == "bias" and bias_reach(t) or t.card.tested[t.direction])
   for i = 1, t.specimens do
     local r, rows = response(t, scattered(t, draw), reach)

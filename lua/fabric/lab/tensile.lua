@@ -1,4 +1,4 @@
--- fabric.lab.tensile: a pull from the file to stress and strain, its branches and marks.
+-- fabric.lab.tensile: evaluates the file of a tensile test: stress and strain, branches, yield and failure.
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.check"
@@ -26,8 +26,8 @@ local function record_of(t)
   return fabric.lab.read { file = t.file, columns = t.columns, units = t.units, vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width }
 end
 
--- A rupture stays: the last rows of the loading lie below the part of the peak that counts as failed. A force that comes back was a
--- reading, or a slip in the grips.
+-- A rupture is permanent: the last rows of the loading are below the share of the peak that defines failure. If the force recovers,
+-- it was a wrong reading, or slip in the grips.
 local last_rows = 5
 local function stays_down(S, kept)
   local tail, peak = {}, 0
@@ -37,7 +37,7 @@ local function stays_down(S, kept)
   return (tail[(#tail + 1) // 2] or 0) < kept * peak
 end
 
--- Yield and failure are looked for on the virgin loading, all cycles joined.
+-- Yield and failure are searched on the virgin loading of all cycles together.
 local function mark(test, t)
   local rows, E, S = {}, {}, {}
   for _, branch in ipairs(test.branches) do
@@ -50,7 +50,7 @@ local function mark(test, t)
   test.failure, test.yield = stays_down(S, t.kept) and rows[marks.failure] or nil, rows[marks.yield]
 end
 
--- The record without the rows whose force stands alone; which they were.
+-- The record without isolated wrong forces; and their rows.
 local function without_outliers(record, t)
   local bad = t.outliers ~= "keep" and outliers.find(record.force) or {}
   if #bad == 0 then return record, bad end
@@ -72,7 +72,7 @@ local function without_outliers(record, t)
   return out, bad
 end
 
--- A pull counts positive and begins at zero.
+-- Tension must be positive and start at zero.
 local function check_record(record, t)
   for _, name in ipairs { "displacement", "force" } do
     local values = record[name]
@@ -91,7 +91,7 @@ local function check_record(record, t)
   end
 end
 
--- The record with its first row taken off.
+-- Subtracts the first row from the record.
 local function zeroed(record)
   local out = {}
   for name, values in pairs(record) do out[name] = values end

@@ -1,4 +1,4 @@
--- fabric.lab.uniaxial: a strip pulled along warp, weft or any direction, up to where the card was tested.
+-- fabric.lab.uniaxial: a strip pulled along warp, weft or any direction, to the end of the card's tested range.
 local define = require "fabric.define"
 local strip = require "fabric.lab.strip"
 
@@ -8,7 +8,7 @@ local function angle_of(direction)
   return direction
 end
 
--- Displacement up to which the card was measured along the direction; an error when it says none.
+-- Displacement at the end of the card's tested range in the direction; an error if the card states none.
 local function tested_displacement(t)
   local axis = t.angle == 0 and "warp" or t.angle == 90 and "weft"
   local strain = axis and t.card.tested and t.card.tested[axis] or 0

@@ -1,9 +1,9 @@
--- The words by which fabric.lab.read knows a column, its units, and the vocabularies that a user adds.
+-- The words by which fabric.lab.read recognises columns, units, and the words that a user adds.
 local words = {}
 
 local inch, pound = 0.0254, 4.4482216152605
 
--- SI per unit, by quantity. A force may be written per width of the specimen.
+-- SI sizes of units, by quantity. A force may be given per width of the specimen.
 words.units = {
   displacement = { m = 1, mm = 1e-3, cm = 1e-2, um = 1e-6, ["in"] = inch },
   force = { N = 1, kN = 1e3, mN = 1e-3, cN = 1e-2, gf = 9.80665e-3, kgf = 9.80665, lbf = pound },
@@ -28,7 +28,7 @@ words.names = {
   time = { "time", "zeit", "temps", "tempo", "czas", "\u{6642}\u{9593}", "\x8e\x9e\x8a\xd4" },
   strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
 }
--- Names that are one of these whole.
+-- Names that consist of one of these only.
 words.letters = { u = "displacement", dl = "displacement", p = "force", f = "force", t = "time" }
 
 words.quantities = { "displacement", "force", "time", "strain" }
@@ -41,7 +41,7 @@ for letters, plain in pairs {
 } do
   for _, code in utf8.codes(letters) do plain_letters[utf8.char(code)] = plain end
 end
--- The same letters of Latin 1, which is no UTF-8.
+-- Accented letters in Latin 1, which is not valid UTF-8.
 local latin = { ["\xe9"] = "e", ["\xc9"] = "e", ["\xe8"] = "e", ["\xe4"] = "a", ["\xc4"] = "a", ["\xfc"] = "u", ["\xdc"] = "u", ["\xf6"] = "o", ["\xd6"] = "o",
   ["\xe0"] = "a", ["\xf2"] = "o", ["\xdf"] = "ss" }
 
@@ -49,7 +49,7 @@ local latin = { ["\xe9"] = "e", ["\xc9"] = "e", ["\xe8"] = "e", ["\xe4"] = "a", 
 function words.plain(name)
   if utf8.len(name) then
     name = name:gsub("[\xc2-\xf4][\x80-\xbf]+", plain_letters)
-  elseif not name:find "[\x81-\x9f]" then -- bytes that Latin 1 does not have are those of Shift-JIS
+  elseif not name:find "[\x81-\x9f]" then -- bytes that Latin 1 does not use are those of Shift-JIS
     name = name:gsub("[\xc0-\xff]", latin)
   end
   return (name:gsub("%u", string.lower))
@@ -61,8 +61,8 @@ local function copy(t)
   return out
 end
 
--- The vocabulary with a user's words before those of the house: {force={"siua"}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}.
--- fail(message) raises the error of one that cannot be.
+-- The vocabulary with a user's words before the built-in ones: {force={"siua"}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}.
+-- fail(message) raises the error for an invalid one.
 function words.with(more, from, fail)
   local out = { units = copy(words.units), aliases = words.aliases, names = copy(words.names), letters = words.letters, quantities = words.quantities,
     own = {} }

@@ -12,14 +12,14 @@ namespace fabricsh::linear {
 
 namespace {
 
-// CHOLMOD's view of our arrays; it reads them only.
+// CHOLMOD's description of our arrays, which it only reads.
 template <class T>
 T* writable(const std::vector<T>& v) {
   return const_cast<T*>(v.data());
 }
 
-// While this lives, parallel regions run on one thread. CHOLMOD asks for four around loops of microseconds,
-// and spends more time on waking them than on the factors.
+// While an object of this class exists, parallel regions run on one thread. CHOLMOD asks for four
+// threads around loops of microseconds, and waking them takes longer than the factorisation.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }
@@ -34,7 +34,7 @@ class OneThread {
 class Cholmod final : public LinearSolver {
  public:
   explicit Cholmod(Ordering ordering) : ordering_(ordering) {
-    openblas_set_num_threads(1);  // as for UMFPACK: sums must not depend on the threads
+    openblas_set_num_threads(1);  // as for UMFPACK: sums must not depend on the number of threads
     cholmod_l_start(&common_);
     common_.print = 0;
     common_.supernodal = CHOLMOD_SUPERNODAL;
@@ -98,7 +98,7 @@ class Cholmod final : public LinearSolver {
     view.p = writable(A.pattern->column);
     view.i = writable(A.pattern->row);
     view.x = writable(A.value);
-    view.stype = 1;  // symmetric, the upper triangle is read: one permuted copy less than from the lower
+    view.stype = 1;  // symmetric, upper triangle: this avoids one permuted copy that the lower one needs
     view.itype = CHOLMOD_LONG;
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
@@ -121,9 +121,9 @@ class Cholmod final : public LinearSolver {
   cholmod_common common_;
   cholmod_factor* L_ = nullptr;
   cholmod_dense *X_ = nullptr, *Y_ = nullptr, *E_ = nullptr;  // solve's workspace
-  std::unique_ptr<LinearSolver> general_;                     // made when the first indefinite matrix comes
-  bool by_general_ = false;                                   // the last matrix was factorised by it
-  bool doubtful_ = false;                                     // and was indefinite: the next one may be
+  std::unique_ptr<LinearSolver> general_;                     // created for the first indefinite matrix
+  bool by_general_ = false;                                   // the last matrix was factorised by general_
+  bool doubtful_ = false;                                     // and was indefinite; the next may be too
   LinearReport report_;
 };
 

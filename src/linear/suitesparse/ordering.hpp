@@ -4,7 +4,7 @@
 
 namespace fabricsh::linear {
 
-// Unknowns from which METIS is the faster one on shell meshes.
+// Number of unknowns from which METIS is faster on shell meshes.
 inline constexpr Index metis_from = 80000;
 
 inline bool use_metis(Ordering ordering, Index size) {

@@ -16,7 +16,7 @@ const SuiteSparse_long* as_long(const std::vector<Index>& v) {
   return reinterpret_cast<const SuiteSparse_long*>(v.data());
 }
 
-constexpr double kRounding = 2e-14;  // smallest over largest pivot, 100 times the unit of rounding
+constexpr double kRounding = 2e-14;  // of smallest to largest pivot: 100 times the unit roundoff
 
 class Umfpack final : public LinearSolver {
  public:
@@ -43,7 +43,7 @@ class Umfpack final : public LinearSolver {
     if (symbolic_ == nullptr) return false;
     const auto status = umfpack_dl_numeric(as_long(A.pattern->column), as_long(A.pattern->row),
                                            A.value.data(), symbolic_, &numeric_, control_, info_);
-    // A pivot that is rounding alone beside the largest one: a part that moves freely, whatever its sign.
+    // A pivot that is rounding error beside the largest one: a part can move freely; its sign means nothing.
     report_.singular = status != UMFPACK_OK || info_[UMFPACK_RCOND] < kRounding;
     report_.reciprocal_condition = info_[UMFPACK_RCOND];
     report_.fill = static_cast<Index>(info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ]);
@@ -64,9 +64,9 @@ class Umfpack final : public LinearSolver {
     if (numeric_ != nullptr) umfpack_dl_free_numeric(&numeric_);
     if (symbolic && symbolic_ != nullptr) umfpack_dl_free_symbolic(&symbolic_);
   }
-  // Signs on the diagonal of U. Pivots off the diagonal of the matrix come in cycles of rows and columns,
-  // each of which counts once where its determinant is negative (a 2 x 2 pivot has one eigenvalue of each
-  // sign).
+  // Negative eigenvalues from the signs on the diagonal of U. Pivots off the
+  // diagonal of the matrix form cycles of rows and columns; a cycle counts once if
+  // its determinant is negative (a 2 x 2 pivot has one eigenvalue of each sign).
   Index count_negative(Index n) const {
     std::vector<SuiteSparse_long> P(n), Q(n), place(n);
     std::vector<double> D(n);

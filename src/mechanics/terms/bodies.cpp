@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
 
-// Wrench on a free body's vertices about its centre.
+// Force and torque about its centre from the forces on a free body's vertices.
 contact::Wrench wrench_on(const contact::FreeBody& body, std::span<const Vec3> x,
                           std::span<const Vec3> force) {
   return contact::wrench(x, force, body.centre());

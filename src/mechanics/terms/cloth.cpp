@@ -63,7 +63,7 @@ void Cloth::make_batches() {
       if (n >= 0) node_element_[n] = static_cast<Index>(e);
 }
 
-// The elements of one colour, kind and region.
+// Makes batches of the elements of one colour, kind and region.
 void Cloth::add_batches(const std::vector<int>& colours, int colour, bool triangles, int region) {
   const auto& elements = model_.mesh().elements;
   int lane = lanes;
@@ -78,7 +78,7 @@ void Cloth::add_batches(const std::vector<int>& colours, int colour, bool triang
     }
     Batch& batch = batches_.back();
     place_[e] = {static_cast<Index>(batches_.size()) - 1, lane};
-    // Lanes that stay empty repeat the batch's last element, and are never scattered.
+    // Empty lanes repeat the last element of the batch; their results are not used.
     for (int l = lane; l < lanes; ++l) {
       batch.element[l] = static_cast<Index>(e);
       batch.nodes[l] = elements[e];
@@ -198,8 +198,8 @@ void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
     }
 }
 
-// Forces of one batch into its slots, and its tangent if K is not null. Returns an element whose law failed,
-// or -1. trial: the law's trial states.
+// Computes the forces of one batch into its slots, and its tangent if K is not null. trial: the law's trial
+// states. Returns an element whose law failed, or -1.
 Index Cloth::evaluate(Index b, const law::Step& step, double* trial, double* K, bool law_only) {
   alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
   const Batch& batch = batches_[b];
@@ -224,7 +224,7 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, double* K, 
   return failed == 0 ? -1 : batch.element[__builtin_ctz(failed)];
 }
 
-// Elements in their order, node by node.
+// Adds for each node the forces of its elements in their order.
 void Cloth::sum_forces(Forces& forces) const {
   const auto nodes = static_cast<Index>(X_.size());
   const double* f = element_force_.data();
@@ -241,8 +241,8 @@ void Cloth::sum_forces(Forces& forces) const {
   }
 }
 
-// A law fails on a strain that is not finite: an iterate nearer to the last one may do, unless the state that
-// the step begins from is not finite itself.
+// A law fails if a strain is not finite. Then an iterate nearer to the last one may succeed, unless the
+// committed state itself is not finite.
 Outcome Cloth::outcome(Index failed) const {
   if (failed < 0) return {};
   const Place place = place_[failed];
@@ -267,7 +267,7 @@ Outcome Cloth::add_forces(const law::Step& step, const Trial&, Forces& forces) {
   return outcome(failed);
 }
 
-// The committed state is the one that was summed: only the version is another.
+// The energies summed are those of the state just committed, so only their version number changes.
 void Cloth::commit() {
   states_.commit();
   sums_version_ = sums_version_ + 1 == configuration_.version() ? configuration_.version() : 0;
@@ -348,7 +348,7 @@ std::pair<Vec3, Vec3> Cloth::yarns(Index element) const {
     a1 = (at(x, nodes[1]) + at(x, nodes[2]) - at(x, nodes[0]) - at(x, nodes[3])) / 4;
     a2 = (at(x, nodes[2]) + at(x, nodes[3]) - at(x, nodes[0]) - at(x, nodes[1])) / 4;
   }
-  // A material direction m_i = T_i1 G_1 + T_i2 G_2 goes to T_i1 a_1 + T_i2 a_2; T is averaged over the
+  // The material direction m_i = T_i1 G_1 + T_i2 G_2 becomes T_i1 a_1 + T_i2 a_2; T is the mean over the
   // in-plane points.
   const int points = static_cast<int>(batch.section->points.size());
   double T[4] = {};
@@ -428,7 +428,7 @@ std::vector<double> Cloth::all_batch_energies() const {
   return per;
 }
 
-// Batches side by side, their elements' energies added in the elements' order.
+// Computes batches in parallel, then adds the elements' energies in the order of the elements.
 void Cloth::add_energies(const Trial&, std::vector<Energy>& out) const {
   constexpr int each = law::energy_values * lanes;
   const bool summed = sums_version_ == configuration_.version();

@@ -1,7 +1,7 @@
-// The cloth itself: shell elements in batches of eight, with what their law remembers. Its forces are the
-// same bits for any number of threads: each batch writes into slots of its own, and each node sums its
-// elements' slots in their order. Tangents: batches are in colours that share no node, and colours follow one
-// another.
+// The cloth: shell elements in batches of eight, with the states of their laws. The forces have the same bits
+// for any number of threads: each batch writes into its own slots, and each node adds up the slots of its
+// elements in a fixed order. For tangents the batches are coloured such that those of one colour share no
+// node, and the colours are computed one after another.
 #pragma once
 #include <array>
 #include <functional>
@@ -18,11 +18,11 @@
 
 namespace fabricsh::mechanics {
 
-// The point that is farthest beyond what its card was tested to.
+// The point with the largest strain relative to the range in which its card was tested.
 struct Strained {
-  double share = 0;   // of the tested strain: 1.2 is 20 % beyond it
+  double share = 0;   // strain over tested strain: 1.2 is 20 % beyond
   double strain = 0;  // E11, E22 or |E12| (tensor)
-  double tested = 0;  // the strain that the card was tested to
+  double tested = 0;  // the strain up to which the card was tested
   int yarn = 0;       // 0 warp, 1 weft, 2 shear
   Index element = -1;
 };
@@ -41,7 +41,7 @@ class Cloth final : public Term {
   bool starts() const override { return true; }
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
   bool symmetric() const override;
-  bool hangs_on_time() const;  // has some card a law that does
+  bool hangs_on_time() const;  // whether the law of any card depends on time
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   double stable_step(bool scaled) const override;
   void expect_energies(bool expected) override { sums_expected_ = expected; }
@@ -49,48 +49,48 @@ class Cloth final : public Term {
   void rollback() override { states_.rollback(); }
   void keep(Archive& archive) override { states_.keep(archive); }
 
-  // The elements' tangents into their slots; forces too. law_only: K_M, the law's part alone
+  // Computes the elements' tangents into their slots, and the forces. law_only: only K_M, the law's part
   // [williams2010, eq. 5.71].
   Outcome scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
                            const Stiffness::Target& to);
   void sum_forces(Forces& forces) const;  // of the last evaluation
 
-  // kg per node, lumped; kg m, its first moment about the reference surface.
+  // Lumped mass per node, kg; and its first moment about the reference surface, kg m.
   const std::vector<double>& mass() const { return mass_; }
   const std::vector<double>& mass_moment() const { return mass_moment_; }
-  // kg m^2 per node. Rotary inertia of an element per mass: what its thickness has, t^2/12 + t^2
-  // zeta_bar^2/4, and if scaled at least what takes the step that waves in the
-  // plane of the cloth allow, after the idea of [hughes1978].
+  // kg m^2 per node. The rotary inertia per mass of an element is t^2/12 + t^2 zeta_bar^2/4; if scaled, it is
+  // at least so large that it permits the stable step of the waves in the plane of the cloth, after the idea
+  // of [hughes1978].
   const std::vector<double>& rotary_inertia(bool scaled) const { return rotary_[scaled]; }
   double smallest_size() const;    // m, h of the smallest element
-  double largest_stretch() const;  // of edges and diagonals, current over reference
+  double largest_stretch() const;  // of edges and diagonals, current over reference length
 
-  // --- strain beyond what the cards were tested to (cloth_strained.cpp), of the forces or tangent that were
-  // computed last; the yarns' is the largest so far. 0: no card says what it was tested to.
+  // --- strain beyond the tested range of the cards (cloth_strained.cpp), at the last forces or tangent. For
+  // yarns it is the largest strain so far. 0: no card states its tested range.
   double largest_share() const;
   Strained most_strained() const;
-  double share(Index element) const;  // of one element; 0: its card does not say
+  double share(Index element) const;  // of one element; 0: its card does not state a tested range
 
   // --- reading
   Index elements() const { return static_cast<Index>(place_.size()); }
   std::span<const Batch> batches() const { return batches_; }
   std::span<const Place> places() const { return place_; }
-  // Material strains and law states of one element: f(point weight m^3, law, E[5], state*).
+  // Material strains and law states of one element: f(point weight in m^3, law, E[5], state*).
   using PointVisitor =
       std::function<void(double weight, const law::Law& law, const double* E, const double* state)>;
   void visit(Index element, const PointVisitor& f) const;  // trial configuration
-  // Warp and weft of an element in the trial configuration: unit vectors, global, convected with the cloth,
-  // at its middle.
+  // Directions of warp and weft at the middle of an element in the trial configuration: unit vectors, global,
+  // convected with the cloth.
   std::pair<Vec3, Vec3> yarns(Index element) const;
   Vec3 centre(Index element) const;                   // m, mean of its corners in the trial configuration
   BendingEnergy bending_energy(Index element) const;  // of separate bending; zero without
-  // The first element turned inside out or crushed past zero length, (a1 x a2).d <= 0 at one of its points;
-  // -1.
+  // The first element that is inverted or of zero area, (a1 x a2).d <= 0 at one of its points; -1:
+  // none.
   Index inverted_element() const;
-  Index element_at(Index node) const { return node_element_[node]; }  // some element of a node, -1: none
+  Index element_at(Index node) const { return node_element_[node]; }  // any element of a node, -1: none
 
  private:
-  void set_kinds();  // before the batches, which point to them
+  void set_kinds();  // before the batches, which refer to them
   void make_batches();
   void add_batches(const std::vector<int>& colours, int colour, bool triangles, int region);
   void make_geometry(const std::vector<Vec3>& directors);
@@ -100,19 +100,19 @@ class Cloth final : public Term {
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   void make_force_slots();
   void gather(const Batch& batch, double* x, double* d, double* b) const;
-  // J of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft and shear,
-  // created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
+  // Energies (J) of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft
+  // and shear, created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
   void batch_energies(const Batch& batch, const double* x, const double* d, const double* law,
                       double* sum) const;
   std::vector<double> all_batch_energies() const;
-  Outcome outcome(Index failed) const;  // of the element that failed, -1: none
+  Outcome outcome(Index failed) const;  // for the element that failed, -1: none
   Index evaluate(Index batch, const law::Step& step, double* trial, double* K, bool law_only = false);
 
-  // Points through the thickness whose card says what it was tested to.
+  // A point through the thickness whose card states a tested range.
   struct TestedPoint {
     const law::Law* law;
     int state;
-    std::array<double, 3> tested, inverse;  // E11, E22, E12; 1 over them, 0 where not known
+    std::array<double, 3> tested, inverse;  // E11, E22, E12; 1 over them, 0 if not known
   };
   void find_tested();
   const std::vector<TestedPoint>& tested(const Batch& batch) const;
@@ -122,14 +122,14 @@ class Cloth final : public Term {
   const model::Model& model_;
   const Configuration& configuration_;
   const std::vector<Vec3>& X_;
-  std::vector<Kind> kinds_;  // per region: four corners, three corners
+  std::vector<Kind> kinds_;  // per region: quadrilaterals, triangles
   std::vector<Batch> batches_;
-  std::vector<Index> colour_start_;  // batches of colour c: [colour_start_[c], colour_start_[c + 1])
+  std::vector<Index> colour_start_;  // the batches of colour c are [colour_start_[c], colour_start_[c + 1])
   std::vector<Place> place_;         // per element
-  LineVector geometry_;              // per batch, contiguous
+  LineVector geometry_;              // all batches in one array
   LawStates states_;
-  // Forces of the elements as the kernels write them, and where each node finds its own in there: the entries
-  // of node n are [first_slot_[n], first_slot_[n + 1]), the first of three components `lanes` apart.
+  // The forces of the elements as the kernels write them, and the location of each node's forces therein: the
+  // entries of node n are [first_slot_[n], first_slot_[n + 1]), and its three components are `lanes` apart.
   struct ForceSlot {
     std::uint32_t on_x, on_d;
   };
@@ -142,12 +142,12 @@ class Cloth final : public Term {
   std::vector<Index> node_element_;
   std::vector<std::vector<TestedPoint>> tested_;  // per region
   law::SharesFunction shares_ = nullptr;
-  // Energies of the batches as batch_energies() gives them, summed with the forces where they are expected;
-  // they are those of the configuration with this version.
+  // Energies of the batches, as from batch_energies(), summed together with the forces if they are expected.
+  // They belong to the configuration with this version.
   bool sums_expected_ = false;
   std::vector<double> sums_;
   std::uint64_t sums_version_ = 0;
-  std::vector<double> share_;  // per batch the largest share; empty: no card says what it was tested to
+  std::vector<double> share_;  // per batch the largest share; empty: no card states a tested range
 };
 
 }  // namespace fabricsh::mechanics

@@ -1,4 +1,4 @@
-// Masses of the cloth, and the largest stable step of central differences on it.
+// Masses of the cloth, and its largest stable step of central differences.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-// m^2: rotary inertia per mass that the thickness has, int rho z^2 / int rho.
+// m^2: rotary inertia per mass of the thickness itself, int rho z^2 / int rho.
 double gyration(const section::Section& section) {
   if (section.points.size() == 1)
     return section.thickness * section.thickness * (1.0 / 12 + section.offset * section.offset / 4);
@@ -23,7 +23,7 @@ double gyration(const section::Section& section) {
   return second / mass;
 }
 
-// (m/s)^2: the stiffest in-plane and the transverse shear modulus, over the density, of the whole thickness.
+// (m/s)^2: stiffest in-plane modulus and transverse shear modulus over the density, for the whole thickness.
 struct Speeds {
   double membrane = 0, shear = 0;
 };
@@ -39,7 +39,7 @@ Speeds speeds(const section::Section& section) {
 
 }  // namespace
 
-// s: the step that the waves in the plane of the cloth allow.
+// s: the stable step for waves in the plane of the cloth.
 double Cloth::membrane_step() const {
   std::vector<double> speed;  // m/s, per region
   for (const auto& section : model_.sections()) speed.push_back(std::sqrt(speeds(section).membrane));
@@ -50,10 +50,10 @@ double Cloth::membrane_step() const {
   return shortest;
 }
 
-// m^2: rotary inertia per mass, the thickness' own and, if scaled, at least as much as lets rotations against
-// the transverse shear, of frequency c_s / sqrt(inertia), take the membrane's step, 2 / frequency: h^2 (c_s /
-// c)^2 / 4. It slows a wave of wave number k by (k h)^2 (c_s / c)^2 / 8, for woven cloth some hundredth of
-// what the lumped mass does, (k h)^2 / 24; [hughes1978] has A/8 whatever the moduli, which is (k h)^2 / 16.
+// m^2: rotary inertia per mass, that of the thickness. If scaled, it is at least h^2 (c_s / c)^2 / 4, so that
+// rotations against the transverse shear, of frequency c_s / sqrt(inertia), permit the membrane's step, 2 /
+// frequency. This slows a wave of wave number k by (k h)^2 (c_s / c)^2 / 8, for woven cloth some hundredth of
+// the effect of the lumped mass, (k h)^2 / 24; [hughes1978] has A/8 for all moduli, (k h)^2 / 16.
 double Cloth::inertia_per_mass(const section::Section& section, bool scaled) const {
   const double own = gyration(section);
   if (!scaled) return own;
@@ -86,7 +86,7 @@ double Cloth::stable_step(bool scaled) const {
     if (bending > 0)
       shortest =
           std::min(shortest, smallest_size() * std::sqrt(inertia * section.areal_mass / (2 * bending)));
-    // Scaled, both are the same but for rounding.
+    // With scaled inertia both steps are equal up to rounding.
     if (!scaled) shortest = std::min(shortest, 2 * std::sqrt(inertia / speeds(section).shear));
   }
   return shortest;

@@ -1,5 +1,5 @@
-// Strain beyond what the cards were tested to. It is looked for in the law's states right after the kernels
-// have written them: a step costs one or two nanoseconds more for each element, and no peak is missed.
+// Strain beyond the tested range of the cards. It is read from the law's states right after the kernels have
+// written them, which costs one or two nanoseconds per element and step and misses no peak.
 #include <algorithm>
 
 #include "mechanics/terms/cloth.hpp"
@@ -38,7 +38,7 @@ double Cloth::share_of(const Batch& batch, const double* law) const {
   for (const TestedPoint& point : tested(batch))
     shares_(*point.law, point.inverse.data(), law + batch.law + static_cast<long>(point.state) * lanes,
             stride, batch.kind->in_plane, share);
-  return *std::max_element(share, share + lanes);  // lanes that stay empty repeat an element
+  return *std::max_element(share, share + lanes);  // empty lanes repeat an element
 }
 
 double Cloth::largest_share() const {
@@ -57,7 +57,7 @@ double Cloth::share(Index element) const {
   return most_strained_of(batches_[place.batch], place.lane, place.lane + 1).share;
 }
 
-// Of the elements in the lanes from the first one up to the last one, which is not looked at.
+// The most strained point of the elements in lanes first_lane to last_lane - 1.
 Strained Cloth::most_strained_of(const Batch& batch, int first_lane, int last_lane) const {
   Strained most;
   const double* law = states_.current().data() + batch.law;

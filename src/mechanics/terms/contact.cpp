@@ -11,14 +11,14 @@ namespace fabricsh::mechanics {
 
 namespace {
 
-constexpr double kFibre = 1500;       // kg/m3: what cloth is made of (cotton 1540, polyester 1380)
-constexpr double kLeast = 0.75;       // of the thickness: the floor at most
-constexpr double kOfCloth = 0.6;      // of the cloth's stable step: with contact at most that
+constexpr double kFibre = 1500;       // kg/m3, density of fibres (cotton 1540, polyester 1380)
+constexpr double kLeast = 0.75;       // largest floor, as a share of the thickness
+constexpr double kOfCloth = 0.6;      // largest step with contact, as a share of the cloth's stable step
 constexpr double kCarried = 0.2;      // stiffness * step^2 / areal mass
-constexpr double kInGuard = 1;        // the same, while the guard holds
-constexpr double kCreep = 2e-4;       // of the mean edge: sliding over which friction comes up
-constexpr std::size_t kShare = 4096;  // nodes from which threads share a loop
-constexpr std::size_t kTold = 5;      // overlaps that a message names
+constexpr double kInGuard = 1;        // the same while the guard acts
+constexpr double kCreep = 2e-4;       // sliding over which friction rises, as a share of the mean edge
+constexpr std::size_t kShare = 4096;  // number of nodes from which loops use several threads
+constexpr std::size_t kTold = 5;      // number of overlaps named in a message
 
 contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfaces) {
   const auto& mesh = model.mesh();
@@ -97,7 +97,7 @@ void Contacts::find_masses(const Freedoms& freedoms) {
   }
 }
 
-// A sheet takes half of its thickness on either side.
+// A sheet occupies half of its thickness on either side of its midsurface.
 contact::Law Contacts::law_of(const model::Meeting& m) {
   const auto& given = model_.interactions().contacts()[m.contact];
   double gap = 0, floor = 0, areal = std::numeric_limits<double>::infinity();
@@ -191,7 +191,7 @@ void Contacts::positions(std::span<const double> x, double share, std::vector<Ve
     out[nodes_ + v] = share >= 1 ? to[v] : share <= 0 ? from[v] : Vec3(from[v] + share * (to[v] - from[v]));
 }
 
-// Velocities half a step ago, which are what the step has moved over its time; and the farthest motion.
+// Velocities half a step ago, from the motion in the step, and the largest motion of any point.
 void Contacts::find_motion(double dt) {
   positions(configuration_.committed_kinematics(), 0, start_);
   double most = 0;
@@ -241,9 +241,9 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
 
 // --- tangent
 
-// The stiffness of the pairs that touch; where one couples nodes that were not coupled yet, all that are near
-// are taken in, so that the pattern seldom grows. What is coupled hangs on the states that were visited
-// alone.
+// Computes the stiffness of the touching pairs. If it couples nodes not coupled so far, all pairs that
+// are near are added, so that the pattern grows seldom. The coupled pairs depend only on the states
+// visited.
 void Contacts::prepare_tangent(const Trial& trial) {
   positions(trial.configuration.x(), share_, x_);
   positions(configuration_.committed_kinematics(), 0, start_);

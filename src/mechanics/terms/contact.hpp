@@ -1,8 +1,8 @@
-// Contact: cloth on rigid bodies, on other cloth and on itself (share/doc/contact.md), and the rigid bodies.
+// Contact of cloth with rigid bodies, other cloth and itself (share/doc/contact.md), and the rigid bodies.
 //
-// Static and implicit: friction counts what slid since the step's start, its Jacobian is exact; Newton's
-// steps are cut to what is safe. Explicit: friction counts the velocity of half a step ago, which the
-// positions of the step give.
+// Static and implicit steps: friction depends on the sliding since the beginning of the step, and its
+// Jacobian is exact; Newton's steps are cut to the safe share. Explicit steps: friction depends on the
+// velocity half a step ago, computed from the positions.
 #pragma once
 #include <functional>
 #include <memory>
@@ -37,27 +37,27 @@ class Contacts final : public Term {
   void rollback() override;
   void keep(Archive& archive) override;
 
-  // --- the way of bodies in a step: a share of what is left of it goes with a share of Newton's step
+  // --- motion of the bodies in a step: Newton's iterations move them by shares of the remaining way
   void begin_iterate() { at_ = share_; }
   void move(double scale) { share_ = at_ + scale * (1 - at_); }
   bool arrived() const { return share_ >= 1 || !moves_; }
-  // The share of the way from the positions that were marked to the trial ones that nothing passes.
+  // The share of the way from the marked positions to the trial ones without any surface passing another.
   void mark(const Trial& trial);
   double safe_share(const Trial& trial);
 
   // --- explicit steps
   void go_explicit() { explicit_ = true; }
-  // Is the last step's state one that cannot be, or its motion one that may have passed something: where it
-  // is not below what can, each near pair is asked.
+  // Whether the last state is impossible, or its motion may have passed through a surface. If the largest
+  // motion does not exclude that, each near pair is checked.
   bool may_have_passed();
   bool guarded() const { return trial_.guard > 0; }
-  // s: the largest step: 0.6 of the cloth's own stable one, and what the stiffest contact allows.
+  // s: the largest step: 0.6 of the cloth's own stable step, limited by the stiffest contact.
   double largest_step(bool scaled) const;
-  // s: the largest step for the stiffness at the smallest gap, that of the guard too.
+  // s: the largest step for the stiffness at the smallest gap, including that of the guard.
   double carried_step() const;
-  bool blocked() const { return blocked_; }  // the last forces are of a state that cannot be
+  bool blocked() const { return blocked_; }  // the state of the last forces is impossible
 
-  // --- reading, of the configuration's current state
+  // --- reading of the present state of the configuration
   const Bodies& bodies() const { return bodies_; }
   int find_body(const model::Rigid& body) const;  // -1: not in this model
   struct Nearest {
@@ -65,11 +65,11 @@ class Contacts final : public Term {
     std::array<std::int32_t, 4> point;  // corners, -1: none
   };
   Nearest nearest() const;
-  double gap(Index node) const;       // m, above the floor; no more than contact reaches
+  double gap(Index node) const;       // m, above the floor; at most the range of contact
   double pressure(Index node) const;  // Pa, without friction
   std::size_t touching() const { return read().totals.touching; }
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
-  // What was taken for each contact, in lines.
+  // The parameters used for each contact, in lines of text.
   std::vector<std::string> describe() const;
   bool has_friction() const { return friction_; }
 
@@ -107,20 +107,20 @@ class Contacts final : public Term {
   mutable std::unique_ptr<contact::Contact> contact_;
   std::vector<std::string> words_;
   bool friction_ = false, explicit_ = false, moves_ = false, blocked_ = false;
-  double least_areal_ = 0, step_ = 0;  // kg/m2; s, that stiffnesses are carried by
+  double least_areal_ = 0, step_ = 0;  // kg/m2; s, step for which stiffnesses are limited
   double creep_ = 0;                   // m
 
   std::size_t nodes_ = 0;
   std::vector<Vec3> x_, start_, marked_, force_, velocity_, by_;
   std::vector<double> inverse_mass_;
-  double share_ = 0, at_ = 0;  // of the bodies' way: trial, iterate
-  double moved_ = 0;           // m, the farthest of the step
+  double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
+  double moved_ = 0;           // m, largest motion in the step
   contact::Totals trial_, committed_;
-  double lost_ = 0, trial_lost_ = 0;  // J, that friction took so far; in the step
+  double lost_ = 0, trial_lost_ = 0;  // J, lost by friction so far; in the step
   double power_ = 0;                  // W, at the committed state (explicit)
   bool evaluated_ = false;
   std::vector<Block> blocks_;
-  std::vector<std::int64_t> pairs_;  // of nodes that were ever coupled: a * nodes + b, a < b, ascending
+  std::vector<std::int64_t> pairs_;  // pairs of nodes coupled at any time: a * nodes + b, a < b, ascending
   mutable Reading reading_;
 };
 

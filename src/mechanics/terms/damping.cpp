@@ -24,11 +24,11 @@ void StiffnessDamping::resist(const Trial& trial, std::span<double> r) {
     for (auto k = pattern.column[column]; k < pattern.column[column + 1]; ++k)
       force_[pattern.row[k]] += b_ * K_.value[k] * v[column];
   for (std::size_t i = 0; i < r.size(); ++i) r[i] -= force_[i];
-  if (trial.motion->dt() == 0) before_ = force_;  // what the first step starts from
+  if (trial.motion->dt() == 0) before_ = force_;  // the value before the first step
 }
 
 void StiffnessDamping::add_resistance(const Trial& trial, linear::Matrix& K) {
-  K_.carry(K.pattern);  // which may have grown in the step
+  K_.carry(K.pattern);  // the pattern may have grown in the step
   const double c = trial.motion->damping_weight();
   for (std::size_t k = 0; k < K.value.size(); ++k) K.value[k] += c * b_ * K_.value[k];
 }

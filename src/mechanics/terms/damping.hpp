@@ -1,4 +1,4 @@
-// Damping on the unknowns: Rayleigh's second part, and what holds a sheet still while it wrinkles.
+// Damping forces on the unknowns: Rayleigh's stiffness part, and stabilisation of a sheet that wrinkles.
 #pragma once
 #include "linear/matrix.hpp"
 #include "mechanics/term.hpp"
@@ -7,8 +7,8 @@ namespace fabricsh::mechanics {
 
 class Assembly;
 
-// Forces b K_M v, K_M the law's part of the tangent when the step begins [williams2010, eq. 5.71, Box 5-2].
-// Energies: "stiffness damping", lost so far.
+// Forces b K_M v, where K_M is the law's part of the tangent at the beginning of the step [williams2010, eq.
+// 5.71, Box 5-2]. Energies: "stiffness damping", lost so far.
 class StiffnessDamping final : public Term {
  public:
   StiffnessDamping(Assembly& assembly, double b) : assembly_(assembly), b_(b) {}  // b: s
@@ -25,20 +25,20 @@ class StiffnessDamping final : public Term {
   Assembly& assembly_;
   double b_;
   linear::Matrix K_;                    // K_M
-  std::vector<double> product_;         // K_M on the driven freedoms' rates
+  std::vector<double> product_;         // K_M times the rates of the driven degrees of freedom
   std::vector<double> force_, before_;  // per unknown, N and N m: trial, committed
   double lost_ = 0;                     // J, in committed steps
 };
 
-// Viscous forces c m (x - x0) / dt on every free displacement over a step of dt from x0, m the node's mass. c
-// (1/s) is chosen such that a step loses a given fraction of its work. Energies: "stabilisation", lost so
-// far.
+// Viscous forces c m (x - x0) / dt on every free displacement, in a step of dt from x0; m is the node's mass.
+// c (1/s) is adapted so that a step dissipates a given fraction of its work. Energies: "stabilisation", lost
+// so far.
 class Stabilisation final : public Term {
  public:
   Stabilisation(const Assembly& assembly, double fraction);
   const char* name() const override { return "stabilisation"; }
   void resist(const Trial& trial, std::span<double> r) override;
-  // The first one of a run takes c such that the nodes' viscous stiffness is `fraction` of K's.
+  // In the first call of a run c is set so that the nodes' viscous stiffness is `fraction` of K's.
   void add_resistance(const Trial& trial, linear::Matrix& K) override;
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
   void finish_step(const Motion& motion) override { lost_ += work(motion); }
@@ -46,7 +46,7 @@ class Stabilisation final : public Term {
 
   double work(const Motion& motion) const;  // J, lost in the step, at the trial configuration
   double lost() const { return lost_; }     // J, in committed steps
-  // After a step: what it lost and the work that was done on the sheet in it, J.
+  // To be called after a step, with its dissipation and the work done on the sheet, J.
   void adapt(double lost, double step_work);
   void raise() { factor_ *= 4; }  // after a step that failed
   double factor() const { return factor_; }
@@ -57,7 +57,7 @@ class Stabilisation final : public Term {
     Index equation, node;
     int component;
   };
-  double moved(const Freedom& f) const;  // m, along the node's frame, in the step
+  double moved(const Freedom& f) const;  // m, in the node's frame, in the step
   const Assembly& assembly_;
   double fraction_, factor_ = 0, lost_ = 0;
   std::vector<Freedom> freedoms_;

@@ -4,7 +4,7 @@
 
 namespace fabricsh::mechanics {
 
-// M a. Energies: "kinetic", of the trial state.
+// Forces M a. Energies: "kinetic", of the trial state.
 class Inertia final : public Term {
  public:
   // kg, kg m^2 per node; kept by reference.
@@ -20,7 +20,7 @@ class Inertia final : public Term {
   const std::vector<double>&mass_, &rotary_;
 };
 
-// a M v. Energies: "mass damping", lost so far.
+// Forces a M v. Energies: "mass damping", lost so far.
 class MassDamping final : public Term {
  public:
   explicit MassDamping(double rate) : rate_(rate) {}  // a: 1/s

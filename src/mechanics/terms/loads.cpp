@@ -109,8 +109,8 @@ bool DeadLoads::constant() const {
 
 namespace {
 
-// Shape functions of a face at one of its Gauss points: 2x2 of a quadrilateral; of a triangle one is enough,
-// its weight 1/2 in N.
+// Shape functions of a face at a Gauss point: 2x2 points for a quadrilateral; one for a triangle, with its
+// weight 1/2 included in N.
 struct FacePoint {
   double N[4], N1[4], N2[4];
 };
@@ -193,7 +193,7 @@ void Pressure::add_tangent(const Trial& trial, TangentSink& sink) const {
         const FacePoint p = face_point(nodes, g);
         const Tangents t = tangents(p, nodes, trial.configuration.x());
         const Mat3 C1 = cross_matrix(t.a1), C2 = cross_matrix(t.a2);
-        // delta (a1 x a2) = -a2 x delta a1 + a1 x delta a2; counted against the internal force.
+        // delta (a1 x a2) = -a2 x delta a1 + a1 x delta a2; negative, because it is an internal force here.
         for (int a = 0; a < n; ++a)
           for (int b = 0; b < n; ++b) block[a][b] -= aimed_[k] * p.N[a] * (p.N2[b] * C1 - p.N1[b] * C2);
       }

@@ -1,5 +1,5 @@
-// The loads of a model, a term each: gravity, forces and tractions (dead), pressure and moments (following
-// the configuration), springs to ground.
+// The loads of a model, one term each: gravity, forces and tractions (dead), pressure and moments (which
+// follow the configuration), springs to ground.
 #pragma once
 #include <vector>
 
@@ -9,10 +9,10 @@
 
 namespace fabricsh::mechanics {
 
-// Weight on the nodes, and on their directors where the reference surface is not the middle one.
+// Weight on the nodes; also on their directors if the reference surface is not the middle surface.
 class Gravity final : public Term {
  public:
-  // mass: kg per node; mass_moment: kg m, its first moment about the reference surface.
+  // mass: kg per node; mass_moment: its first moment about the reference surface, kg m.
   Gravity(const model::Model& model, const std::vector<double>& mass, const std::vector<double>& mass_moment);
   const char* name() const override { return "gravity"; }
   void aim(double time) override { aimed_ = at(time); }
@@ -27,11 +27,11 @@ class Gravity final : public Term {
   Vec3 at(double time) const;
   model::Components acceleration_;
   const std::vector<double>&mass_, &mass_moment_;
-  bool turns_ = false;  // does it act on directors
+  bool turns_ = false;  // whether it acts on directors
   Vec3 aimed_ = Vec3::Zero();
 };
 
-// A vector history shared by the nodes of a set.
+// A vector history distributed over the nodes of a set.
 struct Spread {
   mesh::NodeSet nodes;
   std::vector<double> share;
@@ -40,8 +40,8 @@ struct Spread {
   Vec3 at(double time) const;
 };
 
-// Forces and tractions that keep their direction and the reference area that they act on. Error: a traction
-// on a set that holds neither whole elements nor whole edges.
+// Forces and tractions with constant direction, per reference area. Error: a traction on a set that has
+// neither whole elements nor whole edges.
 class DeadLoads final : public Term {
  public:
   explicit DeadLoads(const model::Model& model);
@@ -53,7 +53,7 @@ class DeadLoads final : public Term {
   std::vector<Spread> loads_;
 };
 
-// Pressure along the normal of the current surface: f_A = p sum_g N_A a1 x a2. Its stiffness is not
+// Pressure along the normal of the present surface: f_A = p sum_g N_A a1 x a2. Its stiffness is not
 // symmetric.
 class Pressure final : public Term {
  public:
@@ -76,7 +76,7 @@ class Pressure final : public Term {
   std::vector<double> aimed_;  // Pa
 };
 
-// Moments about axes fixed in space: M . (d x delta d) makes M x d on a director. Not symmetric.
+// Moments about axes fixed in space: the work M . (d x delta d) gives M x d on a director. Not symmetric.
 class Moments final : public Term {
  public:
   explicit Moments(const model::Model& model);

@@ -1,4 +1,4 @@
-// An analysis: driving it, its hooks, and what can be read from it.
+// The analysis object: driving it, its hooks, and reading from it.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -90,7 +90,7 @@ int event(Call& call) {
   return chain(call);
 }
 
-// Runs until a value has come to a target, lands there and stays.
+// Runs until a value reaches a target; the run ends there.
 int reach(Call& call) {
   const auto run = call.self<Run>();
   const double target = call.number("target");
@@ -99,11 +99,11 @@ int reach(Call& call) {
     value = [hook = Hook(call, "value", run.get())](const run::Run&) { return event_value(hook); };
   } else {
     const std::string field = call.text("value"), set = call.text("set");
-    run->analysis->mean(field, set);  // refuses an unknown one
+    run->analysis->mean(field, set);  // an error if it is unknown
     value = [field, set](const run::Run& a) { return a.mean(field, set); };
   }
   if (call.session().options().check) return chain(call);
-  // Once it is there, or could not get there, the event is one that never comes.
+  // After the target has been reached, or could not be, the event never occurs again.
   const auto sought = std::make_shared<bool>(true);
   run->analysis->event([=](run::Run& a) { return *sought ? value(a) - target : 1.0; },
                        call.number("tolerance"),
@@ -117,7 +117,7 @@ int reach(Call& call) {
     *sought = false;
     throw;
   }
-  const bool passed = run->calls.count < run->passing;  // by a restarted deck
+  const bool passed = run->calls.count < run->passing;  // true in a restarted deck before its checkpoint
   if (std::exchange(*sought, false) && !passed) {
     const run::Run& a = *run->analysis;
     throw Error("reach: the value did not come to " + exact_number(target) + "; it is " +
@@ -137,11 +137,11 @@ int reaction(Call& call) {
   return 3;
 }
 
-// A table of all numbers by name that the fields of nodes or elements have at one of them.
+// Pushes a table with the values, by name, of all fields at one node or element.
 int push_fields(Call& call, run::Place place) {
   const auto& run = *call.self<Run>()->analysis;
   const auto item = static_cast<mesh::Index>(call.integer("number") - 1);
-  place == run::Place::node ? (void)run.node(item) : (void)run.element(item);  // refuses a wrong number
+  place == run::Place::node ? (void)run.node(item) : (void)run.element(item);  // an error if it is wrong
   lua_createtable(call.L(), 0, 20);
   std::array<double, 5> values{};
   for (const auto& field : run::result_fields()) {
@@ -283,7 +283,7 @@ int restore(Call& call) {
   return chain(call);
 }
 
-// "ready", "under way", "done", "stopped: the grip lets go".
+// For example "ready", "under way", "done", "stopped: the grip lets go".
 std::string state_words(const run::Run& a) {
   if (a.stopped()) return "stopped: " + a.stop_reason();
   if (a.steps().empty()) return "ready";
@@ -299,7 +299,7 @@ int run_text(lua_State* L) {
   return 1;
 }
 
-// "E11 (1), stored (J/m^3), ..." of the numbers that nodes or elements have.
+// The values available for nodes or elements: "E11 (1), stored (J/m^3), ...".
 std::string numbers_of(run::Place place) {
   std::string words;
   for (const auto& field : run::result_fields()) {

@@ -1,4 +1,4 @@
-// fabric.woven, fabric.svk, fabric.linear, fabric.card, fabric.cards, and what a card can do.
+// fabric.woven, fabric.svk, fabric.linear, fabric.card, fabric.cards, and the methods of a card.
 #include <algorithm>
 #include <set>
 
@@ -27,7 +27,7 @@ int construct(Call& call) { return push_card(call.L(), card_from(call, last_word
 
 const Card* card_at(lua_State* L, int index) { return to_object<Card>(L, index).get(); }
 
-// A name that is no field: a method, or an error with the nearest name.
+// For a name that is not a field: a method, or an error with the nearest name.
 int other_name(lua_State* L) {
   push_class(L, "card", nullptr);
   lua_getfield(L, -1, "methods");
@@ -45,7 +45,7 @@ int other_name(lua_State* L) {
 
 int card_index(lua_State* L) { return push_card_field(L, card_at) ? 1 : other_name(L); }
 
-// Copies the fields of the table at `from` into the one at `to`; two tables of named fields merge.
+// Copies the fields of the table at `from` to the one at `to`; nested tables of named fields are merged.
 void merge(lua_State* L, int to, int from) {
   to = lua_absindex(L, to);
   from = lua_absindex(L, from);
@@ -68,7 +68,7 @@ void merge(lua_State* L, int to, int from) {
   }
 }
 
-// The provenance of a card of which values were changed by hand: these are typed now.
+// The provenance of a changed card: values changed by hand are marked as typed.
 law::Provenance origins_after(const Card& before, const Card& after) {
   law::Provenance out = law::provenance_of(before.source);
   const auto* a = std::get_if<card::Woven>(&before.law);
@@ -134,7 +134,7 @@ std::vector<std::string> shipped() {
   return {names.begin(), names.end()};
 }
 
-// A card whose bending is its own estimate, or on purpose that of the thickness.
+// The card with its estimated bending, or with integration through the thickness on purpose.
 Card bent(Card card, const std::string& how) {
   auto origins = law::provenance_of(card.source);
   std::erase_if(origins, [](const auto& origin) { return origin.first == "bending"; });

@@ -25,7 +25,7 @@ void push_item(lua_State* L, const law::CheckItem& item) {
   lua_setfield(L, -2, "numbers");
 }
 
-// Where the printed law loses its definiteness, by path and branch pair; empty for other cards.
+// Pushes where the law of the thesis is not definite, by path and pair of branches; empty for other cards.
 void push_criterion(lua_State* L, const card::Card& card, bool usable) {
   lua_newtable(L);
   const auto* woven = std::get_if<card::Woven>(&card.law);
@@ -72,7 +72,7 @@ int check(Call& call) {
   return 1;
 }
 
-// A number, or {element_size=}.
+// The argument: a number, or {element_size=}.
 Argument size_row() {
   Argument row = size_().optional();
   row.kinds |= fields;

@@ -1,4 +1,4 @@
-// fabric.rigid.*, model:contact, and what a run tells of both.
+// fabric.rigid.*, model:contact, and reading both from a run.
 #include <numbers>
 
 #include "format/mesh_file.hpp"
@@ -24,7 +24,7 @@ Vec3 vector_of(const Fields& given, const char* name) {
   return read_vector(given.numbers(name), std::string("field '") + name + "'");
 }
 
-// The body of a shape, with the fields that all shapes share.
+// Makes a body from a shape, with the fields that all shapes share.
 int make(const Call& call, model::RigidShape shape) {
   std::optional<double> mass;
   const auto& rows = call.entry().arguments;
@@ -62,7 +62,7 @@ int surface(Call& call) {
                                      : facets(call.text("file"), closed));
 }
 
-// The shapes of a moving surface, from files or meshes.
+// Reads the shapes of a moving surface from files or meshes.
 std::vector<model::Facets> read_shapes(const Call& call) {
   if (call.has("files") == call.has("meshes"))
     call.refuse("files", std::string("expected either files or meshes={...}, got ") +

@@ -1,4 +1,4 @@
-// fabric.version, fabric.units, fabric.poly, fabric.globals, and helpers that the other bindings share.
+// fabric.version, fabric.units, fabric.poly, fabric.globals, and functions used by the other bindings.
 #include "base/version.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
@@ -85,7 +85,7 @@ int poly(Call& call) {
   return 1;
 }
 
-// Copies string-keyed fields of the table on top into the globals that are free, and pops it.
+// Copies the string-keyed fields of the table on top to globals that do not exist yet, and pops the table.
 void spill(lua_State* L) {
   lua_pushglobaltable(L);
   lua_pushnil(L);

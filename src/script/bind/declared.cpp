@@ -1,4 +1,4 @@
-// model:list: what a model was told, call by call.
+// model:list: the declarations of a model, call by call.
 #include <algorithm>
 #include <numbers>
 
@@ -21,14 +21,14 @@ std::string brief_number(double x) { return fabricsh::number(x, 7); }
 constexpr const char* model_key = "model";
 constexpr const char* axes[] = {"x", "y", "z"};
 
-// number: of its kind, from 0; -1: what a model is made of, which stays.
+// number: index among its kind, from 0; -1: part of the model's construction, which cannot be removed.
 struct Declared {
   std::string kind, set, what;
   Model::Told told = Model::Told::fix;
   int number = -1;
 };
 
-// Rows of one kind, numbered as they come.
+// The rows of one kind, numbered in their order.
 class Rows {
  public:
   Rows(std::vector<Declared>& all, std::string kind, Model::Told told)
@@ -53,7 +53,7 @@ std::string history_words(const model::History& h, const std::string& unit) {
          unit + " at " + brief_number(h.kinks().back()) + " s";
 }
 
-// The unit once where all of them are plain numbers, else behind each number.
+// With the unit once at the end if all components are plain numbers, otherwise after each.
 std::string component_words(const model::Components& components, const std::string& unit) {
   std::string words;
   const bool plain =
@@ -91,7 +91,7 @@ std::string vector_words(const Vec3& v) {
   return "{" + brief_number(v.x()) + ", " + brief_number(v.y()) + ", " + brief_number(v.z()) + "}";
 }
 
-// Bodies and regions, where there is more than one sheet of one card.
+// Adds bodies and regions, unless there is only one sheet with one card.
 void add_sheets(const Model& m, std::vector<Declared>& all) {
   if (m.regions().size() < 2) return;
   for (std::size_t r = 0; r < m.regions().size(); ++r) {
@@ -213,7 +213,7 @@ int list(Call& call) {
   return 1;
 }
 
-// The place in m:list() that the argument names: its number, or a row like it, the last of several.
+// The index in m:list() of the argument: a number, or a row; among equal rows the last one.
 std::size_t place_of(const Call& call, const std::vector<Declared>& all) {
   lua_State* L = call.L();
   if (call.is("row", LUA_TNUMBER)) {
@@ -244,7 +244,7 @@ int remove(Call& call) {
   return return_self(call);
 }
 
-// The object refuses changes by itself once an analysis uses the mesh.
+// The mesh object itself refuses changes when an analysis uses the mesh.
 void push_mesh(lua_State* L, const Model& model) {
   push_object(L, std::const_pointer_cast<mesh::Mesh>(model.mesh_pointer()));
 }
@@ -254,7 +254,7 @@ int mesh_of(Call& call) {
   return 1;
 }
 
-// The object that the deck made; with it the run keeps its hooks there.
+// Pushes the model object that the deck made; the run keeps it together with its hooks.
 int model_of_run(Call& call) {
   lua_getiuservalue(call.L(), 1, 1);
   lua_getfield(call.L(), -1, model_key);

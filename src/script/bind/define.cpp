@@ -1,13 +1,13 @@
-// require "fabric.define": a function written in Lua gets a row in the registry, and with it argument checks.
+// require "fabric.define": registers a function written in Lua, with argument checks.
 //
-//   define{ name="fabric.lab.uniaxial", sentence="...", example="...", arguments={ {name="card", of="card",
-//   ...} },
-//           run=function(t) ... end }
+//   define{ name="fabric.lab.uniaxial", sentence="...", example="...",
+//           arguments={ {name="card", of="card", ...} }, run=function(t) ... end }
 //
-// An argument has name, sentence, kind ("number|text", "object" is implied by of), unit, low, high, above,
-// default, optional, choices, rows. define.fail(message) raises an error at the deck's line; define.registry
-// holds rows, name_of, class_of, card_of, nearest and show of bind/registry.cpp. run gets one table with
-// every default filled in; with positional=true, the values in order.
+// An argument has name, sentence, kind ("number|text"; `of` implies "object"), unit, low, high,
+// above, default, optional, choices, rows. define.fail(message) raises an error with the deck's
+// line; define.registry has rows, name_of, class_of, card_of, nearest and show of
+// bind/registry.cpp. run receives one table with all defaults filled in; with positional=true, the
+// values in order.
 #include <cmath>
 
 #include "script/bind/rooms.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* functions_key = "fabricsh.defined";
 
-constexpr int deepest_rows = 8;  // rows in rows
+constexpr int deepest_rows = 8;  // limit of nested rows
 
 std::string get_text(lua_State* L, int index, const char* name) {
   const bool is_text = lua_getfield(L, index, name) == LUA_TSTRING;
@@ -75,7 +75,7 @@ void read_default(lua_State* L, Argument& row) {
 
 std::vector<Argument> read_rows(lua_State* L, int index, int depth);
 
-// The argument row on top of the stack.
+// Reads the argument row on top of the stack.
 Argument read_row(lua_State* L, int depth) {
   want_table(L, -1, "a row of arguments");
   Argument row;
@@ -136,13 +136,13 @@ void push_value(Call& call, const Argument& row) {
   push_default(call.L(), row);
 }
 
-// Runs the Lua function of the row with checked arguments.
+// Calls the Lua function of the row with checked arguments.
 int run_defined(Call& call) {
   lua_State* L = call.L();
   const Entry& entry = call.entry();
   lua_getfield(L, LUA_REGISTRYINDEX, functions_key);
   const int base = lua_gettop(L),
-            given = base - 2;  // the named arguments and the table of functions lie on top
+            given = base - 2;  // the table of named arguments and the table of functions are on top
   luaL_checkstack(L, static_cast<int>(entry.arguments.size()) + 20, "too many arguments");
   lua_rawgetp(L, base, &entry);
   if (entry.style == Style::fields) lua_newtable(L);
@@ -150,7 +150,7 @@ int run_defined(Call& call) {
     push_value(call, row);
     if (entry.style == Style::fields) lua_setfield(L, -2, row.name.c_str());
   }
-  // What was not given and has no default is not passed, so that a nil that was given can be told from it.
+  // An absent argument without a default is not passed, so that it can be distinguished from nil.
   if (entry.style != Style::fields)
     while (lua_gettop(L) > base + 1 + given && lua_isnil(L, -1)) lua_pop(L, 1);
   lua_call(L, lua_gettop(L) - base - 1, LUA_MULTRET);
@@ -159,8 +159,8 @@ int run_defined(Call& call) {
   return results;
 }
 
-// "fabric.lab.uniaxial" or "card:fit": names with a full stop or one colon between them, of which the first
-// is fabric or a class.
+// A valid name is "fabric.lab.uniaxial" or "card:fit": words with full stops or one colon between them, the
+// first being fabric or a class.
 void check_name(const std::string& name) {
   const std::size_t colon = std::min(name.find(':'), name.size());
   const bool method = colon < name.size();
@@ -218,7 +218,7 @@ int define(lua_State* L) {
 
 namespace {
 
-// fail(message): an error at the line of the deck, not at that of the library.
+// fail(message): an error with the line of the deck instead of that of the library.
 int fail(lua_State* L) {
   const char* message = luaL_checkstring(L, 1);
   lua_pushstring(L, position(L).c_str());

@@ -1,4 +1,4 @@
-// fabric.dynamic: a run in motion.
+// fabric.dynamic: a dynamic run.
 #include "run/dynamic.hpp"
 
 #include "script/bind/model.hpp"

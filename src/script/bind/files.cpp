@@ -1,4 +1,4 @@
-// What a deck writes by itself: card:write, fabric.write.
+// Files that a deck writes itself: card:write, fabric.write.
 #include "card/fields.hpp"
 #include "script/bind/rooms.hpp"
 #include "system/atomic.hpp"

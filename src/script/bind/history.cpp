@@ -1,4 +1,4 @@
-// fabric.history, fabric.ramp; numbers and functions as histories.
+// fabric.history, fabric.ramp, and histories given as numbers or functions.
 #include <algorithm>
 #include <cmath>
 
@@ -63,7 +63,7 @@ int value(Call& call) {
   return 1;
 }
 
-// "<history of 3 points to 2 s, 0 to 0.018>".
+// For example "<history of 3 points to 2 s, 0 to 0.018>".
 int history_text(lua_State* L) {
   const History& h = *to_object<History>(L, 1);
   std::string words = "<history";

@@ -1,4 +1,4 @@
-// fabric.lab: least squares and parallel work for the identification through simulation.
+// fabric.lab: least squares and parallel work for identification by simulation.
 #include <omp.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace fabricsh::script {
 
 namespace {
 
-// The numbers of the table on top of the stack, which is popped.
+// Reads the numbers of the table on top of the stack and pops it.
 std::vector<double> pop_numbers(lua_State* L, const std::string& what) {
   const Argument row{"", numbers, "", everything, ""};
   if (!lua_istable(L, -1)) throw Error(what + ": expected a list of numbers, got " + describe(L, -1));
@@ -27,7 +27,7 @@ std::vector<double> pop_numbers(lua_State* L, const std::string& what) {
   return values;
 }
 
-// Calls the function with one value on the stack above it; a Lua error becomes an Error of its words.
+// Calls the function with one value above it on the stack; a Lua error becomes an Error with its message.
 void call_one(lua_State* L) {
   if (lua_pcall(L, 1, 1, 0) == LUA_OK) return;
   const int kind = lua_type(L, -1);
@@ -45,12 +45,12 @@ std::vector<double> work_on(const Function& work, std::size_t i) {
   return pop_numbers(L, "work");
 }
 
-// Items that were finished, and those of them that failed or whose process ended without an answer.
+// Numbers of finished items, of failed ones, and of those whose process ended without an answer.
 struct Finished {
   std::size_t all = 0, failed = 0, lost = 0;
 };
 
-// "study: 3 of 12 done, 1 failed, 1 without an answer, 40 s, about 120 s more"
+// For example "study: 3 of 12 done, 1 failed, 1 without an answer, 40 s, about 120 s more".
 std::string progress_words(const std::string& title, std::size_t count, const Finished& finished,
                            double seconds) {
   char times[80];
@@ -61,7 +61,7 @@ std::string progress_words(const std::string& title, std::size_t count, const Fi
          (finished.lost > 0 ? ", " + std::to_string(finished.lost) + " without an answer" : "") + times;
 }
 
-// Says how far it is, at most every other second and at the end.
+// Reports the progress, at most every two seconds and at the end.
 class Progress {
  public:
   Progress(Session& session, std::string title, std::size_t count)
@@ -90,8 +90,8 @@ class Progress {
   double said_ = 0;
 };
 
-// Under --safe: memory is limited for each process, so there is one for a thread at most, and they start
-// none.
+// Under --safe the number of processes is limited to that of the threads, because the memory limit applies to
+// each process; and they cannot start others.
 void bound_processes(const Session& session, lab::Processes& how) {
   if (session.forked() && how.always)
     throw Error("--safe: a process of fabric.lab.parallel or fabric.study starts no others");
@@ -147,7 +147,7 @@ void push_points(lua_State* L, const lab::Points& points) {
   }
 }
 
-// expected: residuals at every point; 0: as many as the first one has.
+// expected: number of residuals at each point; 0: taken from the first one.
 lab::Points evaluated(const Function& evaluate, const lab::Points& points, std::size_t& expected) {
   lua_State* L = evaluate.push();
   push_points(L, points);

@@ -1,5 +1,5 @@
-// a:checkpoint, a:restart, a:set, a:why, fabric.why: what outlives a run, what may change while it is under
-// way, why it failed.
+// a:checkpoint, a:restart, a:set, a:why, fabric.why: storing and restarting a run, changing its settings, and
+// the reason for a failure.
 #include "script/checkpoint.hpp"
 #include "script/values/lua_table.hpp"
 
@@ -12,14 +12,14 @@ int chain(const Call& call) {
   return 1;
 }
 
-// Error: what can't be kept, said at once.
+// Error: a value that cannot be stored, reported at once.
 void check_table(const Fields& options) {
   options.push("keep");
   pack_table(options.L(), -1, "keep");
   lua_pop(options.L(), 1);
 }
 
-// The deck's table goes along with the checkpoint, and is filled from the one that the run begins from.
+// The deck's table is stored with the checkpoint, and is restored if the run starts from one.
 void keep_table(Run& run, const std::string& path, const Fields& options, run::Keeper& keeper) {
   if (const std::string* kept = run.job.claims().take("keep", path)) {
     options.push("keep");
@@ -47,7 +47,7 @@ int checkpoint(Call& call) {
   if (call.session().options().check) return chain(call);
   const auto keeper = run->job.checkpoint(path, every, minutes);
   if (keeps) keep_table(*run, path, *options, *keeper);
-  // In a restarted deck the analyses before the one that is taken up are behind it: the file is not theirs.
+  // In a restarted deck the analyses before the restored one are finished: this file does not belong to them.
   const auto& begun = call.session().restart();
   if (begun && run->number() < begun->number) keeper->write_nothing();
   return chain(call);
@@ -80,7 +80,7 @@ int last_why(Call& call) {
   return 1;
 }
 
-// A strip pushed to nothing in one step of one try.
+// An example that fails: a strip compressed to zero length in one step with one attempt.
 std::string failing_sample() {
   return sample_run() +
          "a = fabric.static{ model=fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 "

@@ -1,4 +1,4 @@
-// fabric.lab: the measuring parts that the library's Lua stands on.
+// fabric.lab: the measuring functions used by the Lua library.
 #include <cmath>
 
 #include "base/number.hpp"
@@ -102,7 +102,7 @@ const std::vector<Argument>& curve_rows() {
   return rows;
 }
 
-// The list of {E=, S=} in the argument `curves`.
+// Reads the list of {E=, S=} in the argument `curves`.
 std::vector<lab::Tension> tensions(const Call& call) {
   lua_State* L = call.L();
   std::vector<lab::Tension> out;
@@ -231,7 +231,7 @@ int student(Call& call) {
   return 1;
 }
 
-// Rows that the marker functions share. A lost marker is nan, which Kind::numbers would refuse.
+// Rows common to the marker functions. A lost marker is nan, which Kind::numbers would refuse.
 std::vector<Argument> track_rows() {
   return {integer_("rows", Range{2}, "of markers, following each other along the pull"),
           integer_("columns", Range{2}, "of markers, across the pull"),

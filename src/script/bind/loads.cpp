@@ -1,5 +1,5 @@
-// fabric.model's loads and supports beyond fix, move and force: moment, traction, pressure, spring, turn,
-// symmetry; plies.
+// Loads and supports of fabric.model other than fix, move and force: moment, traction, pressure, spring,
+// turn, symmetry; plies.
 #include <numbers>
 
 #include "base/number.hpp"
@@ -60,7 +60,7 @@ int turn(Call& call) {
   return return_self(call);
 }
 
-// The fields of a velocity, in the call itself and in what a function of place returns.
+// The fields of a velocity, both in the call and in the result of a function of position.
 const std::vector<Argument>& velocity_rows() {
   static const std::vector<Argument> rows{
       number_("x", "m/s", everything, "along x").optional(),
@@ -82,7 +82,7 @@ model::RigidVelocity read_velocity(const Fields& given, const std::string& what)
   return v;
 }
 
-// What a function of place says at a node.
+// Calls the function of position for a node.
 model::RigidVelocity velocity_at(const Function& place, const std::string& set, const Vec3& X) {
   lua_State* L = place.push();
   for (int i = 0; i < 3; ++i) lua_pushnumber(L, X[i]);
@@ -101,7 +101,7 @@ model::RigidVelocity velocity_at(const Function& place, const std::string& set, 
   return v;
 }
 
-// The start of a free body.
+// Sets the initial velocity of a free body.
 int velocity_of_body(Call& call) {
   if (call.is("velocity", LUA_TFUNCTION))
     call.refuse("velocity", "expected {x=, y=, z=, spin=} of a rigid body, got a function");

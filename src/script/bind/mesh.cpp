@@ -1,4 +1,4 @@
-// fabric.mesh.rectangle; sets, and nodes and elements to read.
+// fabric.mesh.rectangle, sets, and reading nodes and elements.
 #include "script/bind/mesh.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ using mesh::Mesh;
 
 namespace {
 
-// What mesh.nodes and mesh.elements are: a window on the mesh.
+// The objects mesh.nodes and mesh.elements, views of the mesh.
 struct NodeView {
   std::shared_ptr<Mesh> mesh;
 };
@@ -54,7 +54,7 @@ int rectangle(Call& call) {
   return 1;
 }
 
-// Calls f(x, y, z) with that many results, which stay on the stack.
+// Calls f(x, y, z); leaves this number of results on the stack.
 lua_State* call_with(const Function& f, const Vec3& x, int results) {
   lua_State* L = f.push();
   for (int i = 0; i < 3; ++i) lua_pushnumber(L, x[i]);
@@ -154,7 +154,7 @@ int element_count(lua_State* L) {
   return 1;
 }
 
-// Number at stack index 2 as an index from 0, or -1 when it is none of count.
+// The number at stack index 2 as an index from 0; -1 if it is not from 1 to count.
 Index place_of(lua_State* L, std::size_t count) {
   const lua_Integer i = lua_tointeger(L, 2);
   return i >= 1 && i <= static_cast<lua_Integer>(count) ? i - 1 : -1;
@@ -179,7 +179,7 @@ int element_at(lua_State* L) {
   return 1;
 }
 
-// mesh:elements("set") reads mesh.elements, then calls it.
+// mesh:elements("set") first reads mesh.elements and then calls that.
 int call_elements(lua_State* L) {
   push_class(L, "mesh", nullptr);
   lua_getfield(L, -1, "methods");
@@ -190,12 +190,12 @@ int call_elements(lua_State* L) {
   return lua_gettop(L);
 }
 
-// A size in the plane of x and y has two numbers, any other three.
+// A size in the x-y plane is shown with two numbers, any other with three.
 std::string size_text(const Vec3& size) {
   return size[2] == 0 ? lengths_text({size[0], size[1]}) : lengths_text({size[0], size[1], size[2]});
 }
 
-// "20x20" of a rectangle, "disk 4+2"; a mesh from a file says its elements and where it lies.
+// For example "20x20" for a rectangle, "disk 4+2"; for a mesh from a file its elements and the file.
 std::string mesh_words(const Mesh& mesh) {
   const Box box = box_of(mesh.nodes);
   const auto starts = [&mesh](const char* word) { return mesh.origin.rfind(word, 0) == 0; };

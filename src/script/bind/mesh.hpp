@@ -1,4 +1,4 @@
-// The rows of fabric.mesh.*, in parts.
+// The functions of fabric.mesh.*, in several groups.
 #pragma once
 #include "script/bind/rooms.hpp"
 

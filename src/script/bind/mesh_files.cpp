@@ -12,7 +12,7 @@ using mesh::Mesh;
 
 namespace {
 
-// A bare name that is no file here is one of the meshes that come with the program.
+// A bare name that is not a file here refers to a mesh supplied with the program.
 std::string file_of(const std::string& path) {
   const bool bare = path.find('/') == std::string::npos;
   if (!bare || system::Gate::of_process().exists(path)) return path;

@@ -82,7 +82,7 @@ int fix(Call& call) {
   return return_self(call);
 }
 
-// A motion many times as long as the mesh is a wrong unit more often than a flight.
+// Warns of a motion that is many times as long as the mesh, which is most often a wrong unit.
 void ask_about_motion(const Call& call, const model::Components& components) {
   constexpr double many = 10;
   const double length = box_of(call.self<Model>()->mesh().nodes).size().norm();
@@ -100,7 +100,7 @@ void ask_about_motion(const Call& call, const model::Components& components) {
   }
 }
 
-// Place and turn of a rigid body.
+// Sets position and rotation of a rigid body.
 int move_body(Call& call, model::RigidPointer body) {
   model::BodyMotion motion{std::move(body), {}, {}};
   const Fields given = call.fields("components");
@@ -125,7 +125,7 @@ int move_body(Call& call, model::RigidPointer body) {
   return return_self(call);
 }
 
-// What a set cannot do.
+// Refuses fields that apply to bodies only, if the call is for a set.
 void refuse_turn(const Call& call) {
   const Fields given = call.fields("components");
   if (given.has("turn"))

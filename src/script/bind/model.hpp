@@ -1,4 +1,4 @@
-// What the bindings of a model share: components, frames, directions read from a call.
+// Shared by the bindings of a model: components, frames and directions read from a call.
 #pragma once
 #include "model/model.hpp"
 #include "script/call/call.hpp"
@@ -17,11 +17,11 @@ Mat3 read_frame(const Call& call);  // of argument "options", field frame
 Argument components_row(const char* unit, const char* sentence);
 Argument frame_row();
 Argument set_or_body_row();
-std::string sample_model();  // for examples: fabric, mesh and m, a strip of three elements
-// Keeps the field "model" of the call with the analysis object on top of the stack, as its property of that
-// name.
+std::string sample_model();  // for examples: defines fabric, mesh and m, a strip of three elements
+// Stores the field "model" of the call as the property of that name of the analysis object on top of the
+// stack.
 void keep_model(const Call& call);
-int return_self(const Call& call);  // methods of a model can be chained
+int return_self(const Call& call);  // so that methods of a model can be chained
 void bind_loads(Session& session);
 void bind_declared(Session& session);
 void bind_ties(Session& session);

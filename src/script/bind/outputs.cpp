@@ -33,7 +33,7 @@ std::vector<std::string> text_list(const Fields& fields, const char* name) {
   return words;
 }
 
-// Names of the columns: `order` first, the rest by the alphabet.
+// Names of the columns: first those in `order`, then the others alphabetically.
 std::vector<std::string> column_names(const Fields& options) {
   lua_State* L = options.L();
   std::vector<std::string> names = text_list(options, "order"), rest;
@@ -71,7 +71,7 @@ double called(const Hook& hook, const std::string& name) {
   return result;
 }
 
-// The mean of a field, whose unit it gives: "S11", or {"S11", "left"} over a set. The value is on top of the
+// The mean of a field: "S11", or {"S11", "left"} over a set. The value is on top of the
 // stack.
 std::function<double(const run::Run&)> mean_of_field(const Fields& columns, const std::string& name,
                                                      const run::Run& run, std::string& unit) {
@@ -88,12 +88,12 @@ std::function<double(const run::Run&)> mean_of_field(const Fields& columns, cons
   const std::vector<std::string> known = run::scalar_names(run::Place::element);
   if (std::find(known.begin(), known.end(), words[0]) == known.end())
     columns.refuse(name, unknown("field", words[0], known));
-  run.model().mesh().set(words[1]);  // refuses an unknown one
+  run.model().mesh().set(words[1]);  // an error if it is unknown
   unit = run::find_field(words[0]).field->unit;
   return [field = words[0], set = words[1]](const run::Run& a) { return a.mean(field, set); };
 }
 
-// Columns that are called by a quantity hold it in SI, as everything does, unless the deck says otherwise.
+// Columns named after a quantity are in SI units, unless the deck states otherwise.
 std::string usual_unit(const std::string& name) {
   if (name == "displacement") return "m";
   for (const char* force : {"force", "force_x", "force_y", "force_z"})
@@ -101,8 +101,8 @@ std::string usual_unit(const std::string& name) {
   return "";
 }
 
-// The column's function is taken out by itself: to look through all of them for each would cost the cube of
-// their number.
+// Reads only this column's function: to look through all columns for each would cost the cube of their
+// number.
 run::Column read_column(const Fields& options, const std::string& name, Run* run) {
   lua_State* L = options.L();
   const std::vector<Argument> row = {value_(name, function | text | table, "a column")};
@@ -122,7 +122,7 @@ run::Column read_column(const Fields& options, const std::string& name, Run* run
   return column;
 }
 
-// The unit of a column as `units` gives it; "": none. Before, it is the usual one.
+// The unit of a column as given in `units`; "": none. By default the usual one.
 std::string unit_of(const Fields& options, const run::Column& column) {
   lua_State* L = options.L();
   const std::string& name = column.name;
@@ -141,7 +141,7 @@ std::string unit_of(const Fields& options, const run::Column& column) {
   return unit;
 }
 
-// Every name in `units` is that of a column.
+// Error unless every name in `units` is that of a column.
 void check_units(const Fields& options, const std::vector<run::Column>& columns) {
   lua_State* L = options.L();
   if (options.push("units") == LUA_TTABLE)

@@ -1,4 +1,4 @@
-// fabric.plot: curves of decks, tables and tests as figures.
+// fabric.plot: figures from the curves of decks, tables and tests.
 #include <algorithm>
 #include <cmath>
 
@@ -126,10 +126,10 @@ std::vector<double> column(lua_State* L, const std::string& path, const std::str
   return out;
 }
 
-// Any numbers: one that is not finite is a gap.
+// A list of numbers; one that is not finite is a gap.
 std::vector<double> listed(const Fields& f, const char* name) {
   lua_State* L = f.L();
-  // Asked a second time, a metamethod may answer with another value than the one that was checked.
+  // At a second call a metamethod may return another value than the one that was checked.
   if (f.push(name) != LUA_TTABLE) f.refuse(name, "expected a list of numbers, got " + describe(L, -1));
   std::vector<double> out(lua_rawlen(L, -1));
   if (out.empty()) f.refuse(name, "expected a list of numbers, got an empty table");

@@ -17,7 +17,7 @@ using law::Sample;
 
 namespace {
 
-// What a deck has: the law of a point, and its bending once it is asked for.
+// A point in a deck: its law and, once it is used, its bending.
 struct Point : PointDriver {
   explicit Point(std::shared_ptr<const card::Card> of)
       : PointDriver(law::compile(*of)), card(std::move(of)) {}
@@ -41,7 +41,7 @@ struct Column {
   double Sample::*value;
 };
 
-// The last three are those of uniaxial().
+// The last three are filled by uniaxial() only.
 constexpr Column columns[] = {{"S11", &Sample::S11},
                               {"S22", &Sample::S22},
                               {"S12", &Sample::S12},
@@ -94,7 +94,7 @@ const Column& column_named(const std::string& name, std::span<const Column> know
   throw Error("argument 'columns': " + unknown("column", name, names));
 }
 
-// Names in the table `columns`, in order.
+// The columns named in the table `columns`, in order.
 std::vector<Column> wanted(const Call& call, bool uniaxial) {
   lua_State* L = call.L();
   std::vector<Column> out;
@@ -111,7 +111,7 @@ std::vector<Column> wanted(const Call& call, bool uniaxial) {
   return out;
 }
 
-// A list of rows, or, where columns are asked for, one array for each.
+// Pushes a list of rows or, if columns are requested, one array for each.
 template <class Drive>
 int push_curve(const Call& call, bool uniaxial, Drive drive) {
   lua_State* L = call.L();
@@ -135,7 +135,7 @@ std::optional<double> given(const Call& call, const char* name) {
   return call.has(name) ? std::optional(call.number(name)) : std::nullopt;
 }
 
-// Error where no deformation has this strain: C = 1 + 2 E has a square length below zero in some direction.
+// Error if no deformation has this strain: C = 1 + 2 E has a negative squared length in some direction.
 void require_possible(const std::string& where, double E11, double E22, double E12) {
   const double C11 = 1 + 2 * E11, C22 = 1 + 2 * E22, C12 = 2 * E12;
   if (C11 > 0 && C22 > 0 && C11 * C22 > C12 * C12) return;
@@ -169,8 +169,8 @@ int uniaxial(Call& call) {
   return 1;
 }
 
-// The row i on top of the stack is no {E11, E22, E12} or {E11, E22, E12, seconds} of finite numbers: says
-// why.
+// Throws an error that explains why row i, on top of the stack, is not {E11, E22, E12} or {E11, E22, E12,
+// seconds} with finite numbers.
 [[noreturn]] void refuse_row(lua_State* L, lua_Integer i) {
   const Argument row{std::to_string(i), numbers, "", everything, ""};
   check_value(L, -1, row, "strains.", true);
@@ -178,7 +178,7 @@ int uniaxial(Call& call) {
               std::to_string(lua_rawlen(L, -1)) + " numbers");
 }
 
-using StrainRow = std::array<double, 4>;  // E11 E22 E12, and the seconds that the increment takes
+using StrainRow = std::array<double, 4>;  // E11 E22 E12 and the duration of the increment, s
 
 void require_over(const std::string& where, double over) {
   if (!(over >= 0)) throw Error(where + "expected 0 s or more for an increment, got " + exact_number(over));
@@ -200,7 +200,7 @@ StrainRow strain_row(lua_State* L, lua_Integer i) {
 
 using Strains = std::vector<StrainRow>;
 
-// { {E11, E22, E12}, ... }, each with seconds as its fourth number or without
+// { {E11, E22, E12}, ... }, each optionally with the seconds as a fourth number.
 Strains strain_rows(lua_State* L) {
   Strains strains;
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
@@ -213,7 +213,7 @@ Strains strain_rows(lua_State* L) {
   return strains;
 }
 
-// { E11={...}, E22={...}, E12={...}, over={...} }; a component that is not given stays where it is.
+// { E11={...}, E22={...}, E12={...}, over={...} }; a component that is not given stays unchanged.
 Strains strain_columns(lua_State* L, const Sample& now) {
   static const std::vector<Argument> rows = {
       Argument{"E11", numbers, "", everything, "along the warp"}.optional(),
@@ -308,7 +308,7 @@ int point_text(lua_State* L) {
   return 1;
 }
 
-// Where a length is zero: (0 - 1) / 2. There is no strain at or below it.
+// At the lower end the length is zero: (0 - 1) / 2. No strain reaches it.
 constexpr Range above_nothing{-0.5, std::numeric_limits<double>::infinity(), true, false};
 
 Argument strain_(const char* name, const char* sentence, Range range = everything) {

@@ -1,4 +1,4 @@
-// fabric.who, fabric.transcript: what a person at the prompt asks of the session.
+// fabric.who, fabric.transcript: information on the session for users of the prompt.
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -19,7 +19,7 @@ namespace {
 constexpr const char* transcript_key = "fabricsh.kept";  // registry
 constexpr std::size_t longest_words = 78;
 
-// Is globals[name] (on top of the stack) what the table at index holds under that name?
+// Whether globals[name] (on top of the stack) is the value that the table at index has under that name.
 bool same_in(lua_State* L, int index, const char* name) {
   if (!lua_istable(L, index)) return false;
   lua_pushvalue(L, index);
@@ -30,7 +30,7 @@ bool same_in(lua_State* L, int index, const char* name) {
   return same;
 }
 
-// The global on top is Lua's or fabric's own.
+// Whether the global on top of the stack is Lua's or fabric's own.
 bool is_own(lua_State* L, const std::string& name) {
   const int value = lua_gettop(L);
   lua_getfield(L, LUA_REGISTRYINDEX, own_globals_key);
@@ -53,7 +53,7 @@ int push_words(lua_State* L) {
   return 1;
 }
 
-// What the value on top says of itself in one line.
+// One line describing the value on top of the stack.
 std::string one_line(lua_State* L) {
   lua_pushcfunction(L, push_words);
   lua_pushvalue(L, -2);

@@ -1,4 +1,4 @@
-// The registry as Lua sees it: what help, the reference page and the editors' stubs are made from.
+// The registry as seen from Lua; the source of help, the reference page and the stubs for editors.
 #include <algorithm>
 
 #include "base/number.hpp"
@@ -72,7 +72,7 @@ void push_rows(lua_State* L, const std::vector<Argument>& rows) {
   }
 }
 
-// rows(): a list of {name, style, owner, sentence, example, arguments}, by name.
+// rows(): a list of {name, style, owner, sentence, example, arguments}, sorted by name.
 int registry_rows(lua_State* L) {
   std::vector<const Entry*> entries;
   for (const Entry& entry : Session::of(L).registry().entries()) entries.push_back(&entry);
@@ -132,7 +132,7 @@ int class_of(lua_State* L) {
   return 1;
 }
 
-// card_of(t): the card that a table of its fields was read off, or nil.
+// card_of(t): the card from which a table of fields was read, or nil.
 int card_of(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   push_card_of(L, 1);

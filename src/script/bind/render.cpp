@@ -23,14 +23,14 @@ namespace fabricsh::script {
 
 namespace {
 
-// Where a field stands in the files that a:vtk writes, and how it is shown.
+// Where a field is stored in the files of a:vtk, and how it is shown.
 struct Shown {
   std::string array, component;
   double factor = 1;
   std::string bar;
 };
 
-// The unit that pictures use in the place of a unit of SI, and what it multiplies by.
+// The unit used in pictures in place of an SI unit, and the factor for it.
 std::pair<std::string, double> picture_unit(const std::string& unit) {
   if (unit == "m") return {"mm", 1e3};
   if (unit == "Pa") return {"MPa", 1e-6};
@@ -50,7 +50,7 @@ Shown shown_of(const std::string& name) {
   return shown;
 }
 
-// Single numbers, and vectors by their length.
+// Fields that can be shown: single numbers, and vectors by their length.
 std::vector<std::string> field_words() {
   std::vector<std::string> words = {"none"};
   for (const auto& field : run::result_fields()) {
@@ -180,8 +180,8 @@ plot::Picture read_picture(const Call& call) {
   return p;
 }
 
-// A file in a folder that nobody else may enter and whose name nobody could know beforehand, gone with the
-// object: other users write into the folder of temporary files too, and a link planted there would be written
+// A file in a private folder with an unpredictable name, removed with the object. Other users
+// can write to the folder of temporary files, and a link planted there would be written
 // through.
 class PrivateFolder {
  public:
@@ -197,7 +197,7 @@ class PrivateFolder {
     gate.discard(file());
     try {
       gate.remove(path_);
-    } catch (const std::exception&) {  // it stays, empty
+    } catch (const std::exception&) {  // the folder remains, empty
     }
   }
   PrivateFolder(const PrivateFolder&) = delete;
@@ -208,7 +208,7 @@ class PrivateFolder {
   std::string path_;
 };
 
-// Rigid bodies beside the cloth; their fields are not numbers, which are drawn grey.
+// Adds the rigid bodies; their field values are NaN, which is drawn in grey.
 void add_bodies(const run::Run& run, std::vector<Vec3>& points,
                 std::vector<std::array<mesh::Index, 4>>& cells) {
   for (const run::BodyShown& body : run::shown_bodies(run)) {
@@ -218,7 +218,7 @@ void add_bodies(const run::Run& run, std::vector<Vec3>& points,
   }
 }
 
-// The state of a run as a file, gone with the object.
+// A file with the state of a run, removed with the object.
 class Frame {
  public:
   Frame(const Run& run, const std::string& shown) {
@@ -265,8 +265,8 @@ void add_panels(const Call& call, const std::vector<std::string>& paths, plot::P
     picture.columns = static_cast<int>(views.size());
 }
 
-// Drawing starts a program with a display of its own, which needs more rights than a deck under --safe has;
-// what was computed is not lost for that.
+// Drawing starts a program with a display of its own, which needs more rights than a deck under --safe has.
+// This gives only a warning, so that the results of the deck are not lost.
 int no_picture(Call& call) {
   const std::string words = "render: no picture '" + call.text("file") +
                             "': not available under --safe; draw from the .vtu files afterwards";

@@ -1,5 +1,5 @@
-// The bindings, one file per room of the core. Each gives its rows; some need a word with the session
-// besides.
+// The bindings, one file per room of the core. Each function returns the rows of its room; some need the
+// session.
 #pragma once
 #include <optional>
 #include <string>
@@ -21,9 +21,9 @@ void bind_history(Session& session);
 void bind_mesh(Session& session);
 void bind_card(Session& session);
 
-// require "fabric.define": how a Lua module adds a function with its row to the registry.
+// require "fabric.define": registers functions written in Lua.
 int open_define(lua_State* L);
-// Pushes the table of functions that read the registry.
+// Pushes the table of functions for reading the registry.
 void push_registry(lua_State* L);
 
 template <>
@@ -42,25 +42,25 @@ struct ClassName<history::History> {
 // A history argument: number | function(t) | history object.
 inline constexpr unsigned history_kinds = number | function | object;
 Argument history_(std::string name, std::string unit, std::string sentence);
-// The value at index as a history; call names it in errors.
+// Reads the value at index as a history; `what` names it in errors.
 history::History read_history(Session& session, lua_State* L, int index, const std::string& what);
 
-// Arrays as Lua tables; ids from 0 in C++ are from 1 in Lua.
+// Arrays as Lua tables; ids count from 0 in C++ and from 1 in Lua.
 void push_numbers(lua_State* L, const std::vector<double>& values);
 void push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
 void set_number(lua_State* L, const char* name, double value);
 void set_text(lua_State* L, const char* name, const std::string& value);
-// Gives the result table on top of the stack a closed metatable with a __tostring; one per name. The deck may
-// change the table, so the function trusts none of its entries.
+// Gives the result table on top of the stack a protected metatable with a __tostring, one per name. The deck
+// may change the table, so the function must not rely on its entries.
 void set_text_of(lua_State* L, const char* name, lua_CFunction text);
-// The entry `name` of the table at index if that is a text, else empty; no metamethod is called.
+// The entry `name` of the table at index if it is a string, else empty; calls no metamethods.
 std::string raw_text(lua_State* L, int index, const char* name);
-// Sets a metamethod of a class; f runs unprotected and must not throw.
+// Sets a metamethod of a class; f is called without protection and must not throw.
 void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f);
 
-// A card from the table of its constructor; kind: "woven", "svk" or "linear".
+// Makes a card from the table of its constructor; kind: "woven", "svk" or "linear".
 card::Card read_card(lua_State* L, int index, const std::string& kind);
-// The card as a table with units, for people.
+// The card as a table with units, for printing.
 std::string card_words(const card::Card& card);
 
 }  // namespace fabricsh::script

@@ -7,7 +7,7 @@ namespace fabricsh::script {
 
 namespace {
 
-// Registry table from the address of a Run to its userdata; weak, so that it keeps none alive.
+// Registry table from the address of a Run to its userdata; weak, so that it keeps no run alive.
 constexpr const char* runs_key = "fabricsh.runs";
 
 void push_runs(lua_State* L) {
@@ -28,7 +28,7 @@ void push_self(lua_State* L, const Run* run) {
   lua_remove(L, -2);
 }
 
-// In a finaliser of the deck's the weak table of runs has forgotten one that goes away with it.
+// In a finaliser of the deck the weak table of runs no longer has a run that is being collected.
 void want_alive(lua_State* L) {
   if (lua_type(L, -1) != LUA_TUSERDATA) throw Error("this analysis is being collected");
 }
@@ -59,7 +59,7 @@ Run::Run(Session& s, std::shared_ptr<run::Run> a)
     archive(calls);
     return archive.bytes();
   };
-  // Or was one in the part of the run that a restarted deck passes over.
+  // or if it belongs to the part of the run that a restarted deck skips
   job.replaceable = [this](const run::Output& output) {
     return output.series->in_trouble() || calls.count < passing;
   };

@@ -1,4 +1,4 @@
-// What the bindings of models and analyses share.
+// Shared by the bindings of models and analyses.
 #pragma once
 #include <memory>
 #include <string>
@@ -15,11 +15,11 @@ struct ClassName<model::Model> {
   static constexpr const char* name = "model";
 };
 
-// A call of solve() and advance(), with the time that it goes to, or of step().
+// A call of step(), or of solve() or advance() with its target time.
 struct Drive {
   bool single = false;
   double target = 0;       // s
-  std::uint64_t from = 0;  // steps done before it
+  std::uint64_t from = 0;  // number of steps before it
   void keep(Archive& archive) { archive(single, target, from); }
 };
 struct FailedCall {
@@ -29,13 +29,13 @@ struct FailedCall {
   double time = 0;
   std::int64_t element = -1;
   std::string yarn, why;
-  std::string value;  // that a hook raised, as a packed table of one; empty: there is a message
+  std::string value;  // a value raised by a hook, packed as a table with one entry; empty: there is a message
   void keep(Archive& archive) { archive(call, numerical, message, time, element, yarn, why, value); }
 };
 
-// What a deck's calls came to, as its checkpoints keep it.
+// The results of the deck's calls, as its checkpoints store them.
 struct Calls {
-  std::int64_t count = 0;  // of solve, advance, step and restore, the one under way too
+  std::int64_t count = 0;  // of solve, advance, step and restore, including the present one
   Drive under_way;
   std::vector<FailedCall> failed;
   void keep(Archive& archive) {
@@ -43,16 +43,16 @@ struct Calls {
   }
 };
 
-// An analysis as Lua sees it: the run, its outputs, the functions that it calls.
+// An analysis as seen from Lua: the run, its outputs, the functions that it calls.
 struct Run {
   Run(Session& s, std::shared_ptr<run::Run> a);
   Session& session;
   run::Job job;
-  std::shared_ptr<run::Run> analysis;                   // the job's
+  std::shared_ptr<run::Run> analysis;                   // the one of the job
   std::int64_t number() const { return job.number(); }  // among the analyses of the session, from 1
 
   Calls calls;
-  // Restarted: the calls until then, those below `passing` lie before it.
+  // For a restarted deck: the calls made before the checkpoint; those below `passing` are skipped.
   Calls before;
   bool same_deck = false;
   std::int64_t passing = 0;
@@ -64,14 +64,14 @@ struct ClassName<Run> {
   static constexpr const char* name = "analysis";
 };
 
-// A Lua function (or table) kept by an analysis object (not by the registry, so that a hook may mention its
-// own analysis and both are still collected).
+// A Lua function (or table) kept by an analysis object instead of the registry, so that a hook can refer to
+// its own analysis and both can still be collected.
 class Hook {
  public:
   Hook(const Fields& fields, std::string_view name, Run* run);
-  // Pushes the function and the analysis object; returns the state to call on.
+  // Pushes the function and the analysis object; returns the state on which to call it.
   lua_State* push() const;
-  // While one of these lives, the function is asked for a value, or may change its analysis.
+  // For as long as the result exists, the function cannot (Still) or can (Free) change its analysis.
   Still still() const { return {run_->session, run_}; }
   Free free() const { return {run_->session, run_}; }
 
@@ -80,10 +80,10 @@ class Hook {
   int slot_;
 };
 
-// What a run does that strains cloth beyond what its card was tested to.
+// The argument that says what a run does when it strains cloth beyond the tested range of its card.
 Argument limit_row();
 
-// A pull of a strip of three elements in 4 steps, for examples: fabric, mesh, m and a.
+// For examples: defines fabric, mesh, m and a, a strip of three elements pulled in 4 steps.
 std::string sample_run();
 
 void push_run(lua_State* L, std::shared_ptr<Run> run);

@@ -14,7 +14,7 @@ namespace {
 using card::Band;
 using card::Woven;
 
-// Draws the parameters of one part, "warp", from their band.
+// Draws the parameters of one part, for example "warp", from their confidence band.
 void draw(card::Card& card, const char* part, const Band& band, double level, std::mt19937_64& random) {
   if (band.low.empty()) return;
   const card::Field& group = *card::find_field(card::fields(card), part);
@@ -24,7 +24,7 @@ void draw(card::Card& card, const char* part, const Band& band, double level, st
                  lab::draw_around(parameters(group, card), half, band.covariance, level, random));
 }
 
-// One usable card; the bands may reach into what a card cannot be.
+// Draws until the card is valid, because the bands may include impossible parameters.
 std::shared_ptr<card::Card> drawn_card(const card::Card& from, std::mt19937_64& random) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     auto copy = std::make_shared<card::Card>(from);

@@ -12,7 +12,7 @@ using run::Static;
 
 namespace {
 
-// Place of a word in a list that the row has checked it against.
+// The index of a word in the list of choices against which it has been checked.
 template <class Choice>
 Choice chosen(const std::string& word, const std::vector<std::string>& words) {
   return static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());

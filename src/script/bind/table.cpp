@@ -1,4 +1,4 @@
-// fabric.table and fabric.folder: what lies in a file of numbers, and which files there are.
+// fabric.table and fabric.folder: the content of a file of numbers, and the files in a folder.
 #include "format/table.hpp"
 
 #include "script/bind/rooms.hpp"
@@ -15,7 +15,7 @@ char separator_of(const std::string& word) {
   return word == "tab" ? '\t' : word == "blank" ? ' ' : word == "auto" ? char{0} : word[0];
 }
 
-// A line per column: its name, unit, and range.
+// One line per column: its name, unit and range.
 int table_text(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   std::vector<std::vector<std::string>> rows;

@@ -28,7 +28,7 @@ std::vector<std::string> file_names(const Call& call) {
   return out;
 }
 
-// Metres per pixel: given, or from the distance of two markers on the first photograph.
+// Metres per pixel: given, or from the distance of two markers in the first photograph.
 double scale_of(const Call& call, const lab::Tracks& t) {
   if (call.has("scale")) return call.number("scale");
   if (!call.has("known")) return 1;
@@ -112,7 +112,7 @@ int photograph(Call& call) {
     const auto F = call.numbers("F");
     if (F.size() != 4 || F[0] * F[3] - F[1] * F[2] <= 0)
       call.refuse("F", "expected {F11, F12, F21, F22} of positive determinant");
-    s.F = {F[0], -F[1], -F[2], F[3]};  // the picture's y points downwards
+    s.F = {F[0], -F[1], -F[2], F[3]};  // the image's y axis points downwards
   }
   s.blur = call.number("blur");
   s.noise = call.number("noise");

@@ -1,5 +1,5 @@
-// Where C++ meets Lua: every binding is entered through enter(), which turns C++ exceptions into Lua errors.
-// Lua's own errors are C++ exceptions too, of a type that Lua keeps to itself: they pass through and run
+// The boundary of C++ and Lua: every binding is called through enter(), which converts C++ exceptions to Lua
+// errors. Lua's own errors are C++ exceptions of a type private to Lua; they pass through and run the
 // destructors on their way.
 #include <algorithm>
 #include <cstring>
@@ -87,7 +87,7 @@ void push_error(lua_State* L, const std::string& call, const std::string& messag
   lua_pushstring(L, (position(L) + (named ? "" : call + ": ") + message).c_str());
 }
 
-// Methods that change their object. A mesh's set may be asked for besides, with one argument.
+// Whether a method changes its object. A mesh's `set` with one argument only reads.
 bool changes(const Entry& entry, int given) {
   constexpr const char* names[] = {
       "mesh:map",         "mesh:orient",      "analysis:solve",    "analysis:advance", "analysis:step",
@@ -107,7 +107,7 @@ const void* changed_object(lua_State* L) {
 
 void refuse_within(lua_State* L, const Entry& entry) {
   if (!entry.method() || !changes(entry, lua_gettop(L) - 1))
-    return;  // less the table of the gathered arguments
+    return;  // without the table of the gathered arguments
   if (!Session::of(L).is_still(changed_object(L))) return;
   throw Error(
       "this " + entry.owner() +
@@ -116,13 +116,13 @@ void refuse_within(lua_State* L, const Entry& entry) {
       (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
 }
 
-// What the system said of a file; without one it was asked where it is.
+// The system's reason for a file error.
 std::string system_words(const std::filesystem::filesystem_error& trouble) {
   const std::string path = trouble.path1().string();
   return (path.empty() ? "the current folder" : "'" + path + "'") + ": " + trouble.code().message();
 }
 
-// Ctrl-C ends a program that draws as well: what that one said is not why the call came to nothing.
+// After Ctrl-C a drawing program is ended too; its message is then not the reason for the failure.
 bool interrupted_by_now(lua_State* L) {
   Session& session = Session::of(L);
   if (session.drives() || !session.take_interrupt()) return false;
@@ -166,8 +166,8 @@ std::vector<std::string> keys_of(lua_State* L, int index) {
   return names;
 }
 
-// object.name: a property (its function is called with the object), else a method, else an error with the
-// nearest name. Upvalues: methods, properties, class name.
+// object.name: a property (its function is called with the object), or a method, or an error with the nearest
+// name. Upvalues: methods, properties, class name.
 int index_object(lua_State* L) {
   lua_pushvalue(L, 2);
   if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) {
@@ -195,7 +195,7 @@ int refuse_assignment(lua_State* L) {
   return lua_error(L);
 }
 
-// module.x where x is unknown: an error with the nearest name. Upvalue: the module's name.
+// module.x with an unknown x: an error with the nearest name. Upvalue: the module's name.
 int index_module(lua_State* L) {
   std::string message = position(L) + lua_tostring(L, lua_upvalueindex(1)) + ": ";
   message += unknown("field", luaL_tolstring(L, 2, nullptr),
@@ -218,8 +218,8 @@ void watch_module(lua_State* L, const std::string& name) {
 
 namespace {
 
-// Walks to the table that holds the last word of fabric.a.b, creating what is missing; leaves it on the
-// stack.
+// Pushes the table that holds the last word of fabric.a.b, creating missing tables on the
+// way.
 void push_home(lua_State* L, const std::string& name) {
   lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
   std::size_t from = name.find('.') + 1;

@@ -22,7 +22,7 @@ std::string label(const std::string& path, const std::string& name, bool positio
   return (positional ? "argument '" : "field '") + path + name + "'";
 }
 
-// "{x, y, z}", of many fields the first ones.
+// For example "{x, y, z}"; if there are many fields, only the first ones.
 std::string field_words(const std::vector<Argument>& rows) {
   std::string words;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -32,7 +32,7 @@ std::string field_words(const std::vector<Argument>& rows) {
   return "{" + words + "}";
 }
 
-// " { {t, v}, ... }" where the sentence of a row begins with the shape of its table.
+// For example " { {t, v}, ... }", if the row's sentence begins with the shape of its table.
 std::string shape_words(const std::string& sentence) {
   if (sentence.empty() || sentence.front() != '{') return "";
   int depth = 0;
@@ -57,7 +57,7 @@ bool finite_number(lua_State* L, int index, const Range& range) {
 
 bool whole_number(lua_State* L, int index) {
   int whole = 0;
-  lua_tointegerx(L, index, &whole);  // 1e6 is one
+  lua_tointegerx(L, index, &whole);  // accepts 1e6 as an integer
   return whole != 0;
 }
 
@@ -72,7 +72,7 @@ bool holds_numbers(lua_State* L, int index, const Range& range) {
   return true;
 }
 
-// With the zero bytes that it may hold; empty for what is no text.
+// A string including zero bytes; empty if the value is not a string.
 std::string text_at(lua_State* L, int index) {
   std::size_t length = 0;
   const char* text = lua_tolstring(L, index, &length);
@@ -91,7 +91,7 @@ bool is_object(lua_State* L, int index, const std::string& of) {
   return luaL_testudata(L, index, class_key(of).c_str()) != nullptr;
 }
 
-// Is the value at the absolute index one that the row accepts? A table may fit several kinds.
+// Whether the row accepts the value at the absolute index. A table may match several kinds.
 bool accepts(lua_State* L, int index, const Argument& row) {
   const unsigned kinds = row.kinds;
   if (kinds & any) return true;
@@ -177,8 +177,8 @@ void check_value(lua_State* L, int index, const Argument& row, const std::string
 
 namespace {
 
-// Puts a table without a metatable in the place of the one at index: its own entries, and for the rows what
-// its metatable gives.
+// Replaces the table with a metatable at index by a plain one: its own entries, and for the rows also what
+// the metatable provides.
 void make_plain(lua_State* L, int index, const std::vector<Argument>& rows) {
   if (lua_getmetatable(L, index) == 0) return;
   lua_pop(L, 1);
@@ -308,7 +308,7 @@ std::vector<double> Fields::numbers(std::string_view name) const {
   std::vector<double> values;
   if (push(name) == LUA_TTABLE) {
     const Argument& known = row(name);
-    // A function of the deck's may have changed the list since it was checked.
+    // A function of the deck may have changed the list since it was checked.
     if ((known.kinds & (Kind::table | Kind::fields)) == 0) check_value(L_, -1, known, path_, positional_);
     values = read_numbers(L_, -1);
   }

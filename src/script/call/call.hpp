@@ -1,4 +1,4 @@
-// The one argument reader: checks a call against its row, then hands out what it was given.
+// Reading of arguments: checks a call against its row, then returns the values.
 #pragma once
 #include <cstdint>
 #include <lua.hpp>
@@ -14,22 +14,22 @@
 
 namespace fabricsh::script {
 
-// Named values in a Lua table, checked against their rows when made.
+// Named values in a Lua table, which the constructor checks against their rows.
 class Fields {
  public:
-  // path: what stands before a field's name in messages, "warp." inside the table warp.
-  // A table with a metatable is replaced on the stack by a plain copy of what it has for the rows: what is
-  // read later is what was checked here, whatever its __index says next time.
+  // path: precedes field names in messages, for example "warp." inside the table warp. A table with a
+  // metatable is replaced on the stack by a plain copy of the values for the rows: then later reads return
+  // what was checked here, whatever __index returns the next time.
   Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::string path = {},
          bool positional = false);
 
   lua_State* L() const { return L_; }
   bool has(std::string_view name) const;
-  // Pushes the value (nil when absent, whatever the default is) and returns its type.
+  // Pushes the value (nil if absent, whatever the default is) and returns its type.
   int push(std::string_view name) const;
   double number(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
-  int count(std::string_view name) const;  // the same; Error: more than an int holds
+  int count(std::string_view name) const;  // as integer(); Error: the value does not fit into an int
   std::string text(std::string_view name) const;
   bool flag(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
@@ -43,7 +43,7 @@ class Fields {
     return value;
   }
   bool is(std::string_view name, int lua_type) const;
-  // Error that names the field.
+  // Throws an error that names the field.
   [[noreturn]] void refuse(std::string_view name, const std::string& why) const;
   const Argument& row(std::string_view name) const;
 
@@ -55,7 +55,7 @@ class Fields {
   bool positional_;
 };
 
-// One call of a registered function.
+// A call of a registered function.
 class Call : public Fields {
  public:
   Call(lua_State* L, const Entry& entry);
@@ -71,13 +71,13 @@ class Call : public Fields {
   const Entry& entry_;
 };
 
-// Throws Error unless the value at index is what the row says; warns on an unusual number.
+// Throws Error unless the value at index matches the row; warns of an unusual number.
 void check_value(lua_State* L, int index, const Argument& row, const std::string& path, bool positional);
 
-// Numbers of the table at index, which was checked before.
+// The numbers in the table at index, which must have been checked.
 std::vector<double> read_numbers(lua_State* L, int index);
 
-// Error unless the value at index is a table: "what: expected a table, got 5".
+// Error if the value at index is not a table: "what: expected a table, got 5".
 void want_table(lua_State* L, int index, const std::string& what);
 
 }  // namespace fabricsh::script

@@ -9,9 +9,9 @@ namespace fabricsh::script {
 
 namespace {
 
-constexpr int first_levels = 24, last_levels = 8;  // of a deep stack those at both ends are told
+constexpr int first_levels = 24, last_levels = 8;  // in a deep stack only so many at either end are told
 
-// Number of calls under way; a step of lua_getstack costs its level, so they are not counted one by one.
+// Number of active calls, by bisection, because a call of lua_getstack takes time proportional to the level.
 int depth(lua_State* L) {
   lua_Debug frame;
   int low = 1, high = 1;
@@ -29,7 +29,7 @@ int depth(lua_State* L) {
   return high;
 }
 
-// An input at the prompt or a text of -e: its author has just typed it.
+// Whether the code was typed at the prompt or given by -e, so that its author knows it.
 bool typed(const lua_Debug& frame) {
   return std::strcmp(frame.what, "main") == 0 &&
          (std::strcmp(frame.source, "=prompt") == 0 || std::strcmp(frame.source, "=(command line)") == 0);

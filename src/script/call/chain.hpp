@@ -1,4 +1,4 @@
-// Who called whom when an error was raised: the lines that stand below an error's first.
+// The chain of calls at an error: the lines below the first line of a message.
 #pragma once
 #include <lua.hpp>
 #include <string>
@@ -6,20 +6,20 @@
 
 namespace fabricsh::script {
 
-// A call that was under way: "deck.lua:12: " and the function that this line stands in, empty for a file's
-// own lines.
+// An active call: "deck.lua:12: " and the function to which this line belongs, empty for the main part of a
+// file.
 struct Caller {
   std::string place, function;
 };
 
-// Is the source of a function ("@file") one of lua/fabric?
+// Whether the source of a function ("@file") is a file of lua/fabric.
 bool own_module(const char* source);
 
-// The calls of L that the user wrote, innermost first: nothing of lua/fabric, no line typed at the prompt or
-// given by -e. Of a deep recursion the first and last ones, with an entry without a place between them.
+// The user's active calls in L, innermost first, without those in lua/fabric and those typed at the prompt or
+// given by -e. In a deep recursion the first and last ones, with an entry without position between them.
 std::vector<Caller> callers(lua_State* L);
 
-// The lines for below the message: its own place is not said again. Empty, or begins with a line's end.
+// The lines for below the message, without its own position. Empty, or begins with a newline.
 std::string chain_text(const std::string& message, const std::vector<Caller>& callers);
 
 }  // namespace fabricsh::script

@@ -1,5 +1,5 @@
 // The registry: one row per Lua function and property. Argument checks, help, completion and the reference
-// page come from it; a test fails on a row without sentence or running example.
+// page use it; a test fails for a row without a sentence or without an example that runs.
 #pragma once
 #include <deque>
 #include <lua.hpp>
@@ -14,7 +14,7 @@ namespace fabricsh::script {
 
 class Call;
 
-// What a value may be; several joined by |.
+// The permitted types of a value; several are joined by |.
 enum Kind : unsigned {
   number = 1,
   integer = 2,
@@ -22,8 +22,8 @@ enum Kind : unsigned {
   boolean = 8,
   function = 16,
   numbers = 32,  // a table of numbers
-  fields = 64,   // a table with the named fields of the row
-  table = 128,   // a table that the function itself looks into
+  fields = 64,   // a table with named fields, given by the rows
+  table = 128,   // a table that the function examines itself
   object = 256,  // a fabricsh object of class Argument::of
   any = 512,
 };
@@ -37,15 +37,15 @@ struct Argument {
   std::string name;
   unsigned kinds = any;
   std::string unit = {};  // "m"; empty: none
-  Range range = {};       // of a number, and of every number of a list
+  Range range = {};       // for a number, and for every number of a list
   std::string sentence = {};
   bool required = true;
   std::variant<std::monostate, double, std::string, bool> fallback = {};
-  std::vector<std::string> choices = {};  // of a text; empty: any text
-  std::string of = {};                    // class of an object
+  std::vector<std::string> choices = {};  // for a text; empty: any text
+  std::string of = {};                    // class, for an object
   std::vector<Argument> rows = {};        // of Kind::fields
-  Range usual = {};                       // outside: a warning that asks about units
-  std::string hint = {};                  // what to ask
+  Range usual = {};                       // outside it a warning asks about units
+  std::string hint = {};                  // the question of that warning
 
   Argument optional() const {
     Argument copy = *this;
@@ -76,7 +76,7 @@ struct Argument {
   }
 };
 
-// A row of arguments reads as: number_("width", "m", positive, "size along x").
+// A row reads, for example: number_("width", "m", positive, "size along x").
 inline Argument number_(std::string name, std::string unit, Range range, std::string sentence) {
   return {std::move(name), number, std::move(unit), range, std::move(sentence)};
 }
@@ -108,11 +108,11 @@ struct Entry {
   Style style = Style::positional;
   std::vector<Argument> arguments = {};
   std::string sentence = {};
-  std::string example = {};  // a chunk that runs as it stands
+  std::string example = {};  // a chunk that runs without anything else
   int (*run)(Call&) = nullptr;
 
   bool method() const { return name.find(':') != std::string::npos; }
-  // The class that the method or property belongs to; empty for a function.
+  // The class of a method or property; empty for a function.
   std::string owner() const {
     if (style != Style::property && !method()) return {};
     return name.substr(0, name.find_first_of(":."));
@@ -130,7 +130,7 @@ class Registry {
   }
 
  private:
-  std::deque<Entry> entries_;  // a deque: closures hold the address of their row
+  std::deque<Entry> entries_;  // a deque, because closures hold the addresses of rows
 };
 
 // "a positive number in m", "one of 'static', 'dynamic'".

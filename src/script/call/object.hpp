@@ -1,5 +1,5 @@
-// Objects of the core in Lua: a userdata that holds a shared_ptr. Class names are those of the registry's
-// rows.
+// Objects of the core in Lua: a userdata with a shared_ptr. Class names are those in the rows of the
+// registry.
 #pragma once
 #include <lua.hpp>
 #include <memory>
@@ -8,18 +8,18 @@
 
 namespace fabricsh::script {
 
-// Specialised per type: static constexpr const char* name.
+// To be specialised for each type: static constexpr const char* name.
 template <class T>
 struct ClassName;
 
-// The metatable's registry key is the class name behind this prefix.
+// The registry key of a class's metatable is this prefix with the name of the class.
 inline std::string class_key(const std::string& name) { return "fabricsh." + name; }
 
-// Creates the class if it is new and pushes its metatable.
+// Pushes the metatable of the class, which is created if it is new.
 void push_class(lua_State* L, const std::string& name, lua_CFunction gc);
 
-// A finaliser of the deck's may still hold an object that has been collected: it is of no class any more, so
-// that no call takes it for one.
+// A finaliser of the deck may still have an object that has been collected; its metatable is removed, so that
+// no call accepts it.
 template <class T>
 int collect(lua_State* L) {
   static_cast<std::shared_ptr<T>*>(lua_touserdata(L, 1))->~shared_ptr();
@@ -36,7 +36,7 @@ void push_object(lua_State* L, std::shared_ptr<T> value) {
   lua_setmetatable(L, -2);
 }
 
-// The object at index, or null when it is something else.
+// The object at index, or null if it is something else.
 template <class T>
 std::shared_ptr<T> to_object(lua_State* L, int index) {
   void* memory = luaL_testudata(L, index, class_key(ClassName<T>::name).c_str());

@@ -1,4 +1,4 @@
-// Words of messages: an unknown name with the nearest known one, a value as a person would say it.
+// Words for messages: an unknown name with the nearest known one, and descriptions of values.
 #pragma once
 #include <lua.hpp>
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace fabricsh::script {
 
-// "unknown field 'heigth', did you mean 'height'?", or the list of known names when none is near.
+// "unknown field 'heigth', did you mean 'height'?"; with the list of known names if none is near.
 std::string unknown(const std::string& kind, std::string_view word, const std::vector<std::string>& known);
 
-// The value at index for a message: -1, nil, "left", a table, a mesh.
+// The value at index in words: -1, nil, "left", a table, a mesh.
 std::string describe(lua_State* L, int index);
 
 // "a mesh", "an analysis".
@@ -19,12 +19,12 @@ std::string with_article(const std::string& noun);
 // "1 number", "3 numbers".
 std::string counted(std::size_t count, const std::string& noun);
 
-// The words of Lua that can't be names, sorted.
+// The reserved words of Lua, sorted.
 extern const std::vector<std::string> keywords;
-// A name of Lua: table.word means something.
+// Whether the word is a valid Lua name, so that table.word can be written.
 bool is_name(std::string_view word);
 
-// "name" for fabric.mesh.rectangle, mesh:set -> rectangle, set.
+// The last part of a name: rectangle of fabric.mesh.rectangle, set of mesh:set.
 std::string last_word(std::string_view dotted);
 
 }  // namespace fabricsh::script

@@ -10,7 +10,7 @@
 namespace fabricsh::script {
 
 using Counter = std::atomic<std::int64_t>;
-static_assert(Counter::is_always_lock_free);  // no lock would be one for several processes
+static_assert(Counter::is_always_lock_free);  // a lock would not work across processes
 
 Limits::Limits(const SafeOptions& options) : options_(options) {
   void* shared = mmap(nullptr, sizeof(Counter), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -28,7 +28,7 @@ bool Limits::take() {
   return false;
 }
 
-// Lua collects all its garbage when this returns null, and tries once more before it says "not enough
+// When this returns null, Lua collects all garbage and tries once more before it reports "not enough
 // memory".
 void* Limits::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
   Limits& limits = *static_cast<Limits*>(self);
@@ -46,7 +46,7 @@ void* Limits::allocate(void* self, void* block, std::size_t old_size, std::size_
   return moved;
 }
 
-// Once nothing is left every instruction raises the error anew: a pcall that catches it gets no further.
+// When the allowance is used up, each instruction raises the error again, so that no pcall goes on.
 void Limits::count(lua_State* L, lua_Debug*) {
   Limits& limits = *Session::of(L).limits();
   if (!limits.take()) limits.refuse(L);

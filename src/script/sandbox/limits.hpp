@@ -1,5 +1,5 @@
-// How much a deck may use under --safe: memory of Lua and instructions of Lua. What C and C++ use is bounded
-// by the limits of the process (app/wall.hpp).
+// Limits for a deck under --safe: memory of Lua and number of Lua instructions. The limits of the process
+// (app/wall.hpp) apply to C and C++.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -10,9 +10,9 @@
 namespace fabricsh::script {
 
 struct SafeOptions {
-  std::size_t megabytes = 4096;                // of Lua; of the process a little more
-  std::int64_t instructions = 10'000'000'000;  // of Lua, all coroutines and processes together
-  std::int64_t seconds = 86'400;               // of computing, all threads together
+  std::size_t megabytes = 4096;                // of Lua; a little more for the process
+  std::int64_t instructions = 10'000'000'000;  // of Lua, for all coroutines and processes together
+  std::int64_t seconds = 86'400;               // of CPU time, for all threads together
 };
 
 class Limits {
@@ -21,27 +21,27 @@ class Limits {
   ~Limits();
   Limits(const Limits&) = delete;
   Limits& operator=(const Limits&) = delete;
-  // Puts the state's allocator behind the memory limit and counts instructions from now on, in every
-  // coroutine: a new one takes over the hook of the one that makes it.
+  // Makes the state's allocator obey the memory limit and counts instructions from now on, in every
+  // coroutine: a new one inherits the hook of its creator.
   void watch(lua_State* L);
-  // The hook as it should stand in L while nothing else is asked of it.
+  // Restores the counting hook in L when no interrupt is pending.
   void rest_hook(lua_State* L) const;
-  // Takes instructions off in advance: a coroutine that ends before its first count would be free.
+  // Subtracts instructions in advance, because a coroutine may end before its first count.
   void charge_coroutine(lua_State* L);
-  // A new allowance of instructions, for the next line of a prompt.
+  // A new allowance of instructions for the next line of a prompt.
   void renew();
-  // "not enough memory" with the limit that is meant, any other message as it is.
+  // Adds the limit to "not enough memory"; other messages are unchanged.
   std::string explained(const std::string& message) const;
 
  private:
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
   static void count(lua_State* L, lua_Debug*);
-  bool take();                      // a period's instructions; false: nothing was left
-  void refuse(lua_State* L) const;  // raises; does not return
+  bool take();                      // subtracts one period; false: none was left
+  void refuse(lua_State* L) const;  // raises the error; does not return
 
-  static constexpr int period = 1000;  // instructions between two counts
+  static constexpr int period = 1000;  // number of instructions between two counts
   SafeOptions options_;
-  std::atomic<std::int64_t>* left_;  // instructions; copies made by fork() take from the same
+  std::atomic<std::int64_t>* left_;  // instructions left; shared with copies made by fork()
   std::size_t used_ = 0;             // bytes
 };
 

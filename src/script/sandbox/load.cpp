@@ -7,7 +7,7 @@ namespace fabricsh::script {
 
 namespace {
 
-// Behind a byte-order mark and a first line that begins with '#' (its end stays, so that lines count right).
+// Skips a byte-order mark and a first line that begins with '#', whose end is kept for the line numbers.
 std::string_view text_of(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (bytes.starts_with('#')) bytes.remove_prefix(std::min(bytes.find('\n'), bytes.size()));

@@ -1,4 +1,4 @@
-// The part of the sandbox that is better said in Lua; run once, before any deck, with all of Lua still there.
+// The part of the sandbox that is written in Lua; run once before any deck, with all of Lua available.
 #pragma once
 
 namespace fabricsh::script {

@@ -19,7 +19,7 @@ namespace {
 
 using system::Gate;
 
-// nil and why, as Lua's own functions say it.
+// Pushes nil and the reason, as Lua's own functions do.
 int refusal(lua_State* L, const Error& error) {
   luaL_pushfail(L);
   lua_pushstring(L, error.what());
@@ -53,7 +53,7 @@ int close_stream(lua_State* L) {
   return luaL_fileresult(L, std::fclose(stream->f) == 0, nullptr);
 }
 
-// io.open(path, mode), the stream being one of the io library's own.
+// io.open(path, mode); the stream is an ordinary one of the io library.
 int open_stream(lua_State* L) {
   const std::string path = path_at(L, 1), mode = luaL_optstring(L, 2, "r");
   luaL_argcheck(L, good_mode(mode), 2, "invalid mode");
@@ -94,7 +94,7 @@ int rename_file(lua_State* L) {
   return 1;
 }
 
-// An empty file of a new name in the output folder.
+// Creates an empty file with a new name in the output folder.
 int temporary_name(lua_State* L) {
   std::random_device random;
   try {
@@ -141,7 +141,7 @@ int library_file(lua_State* L) {
   return 1;
 }
 
-// Only tables show theirs: the metatables of texts, files and objects are not for changing.
+// Only tables return theirs; those of strings, files and objects must not be changed.
 int visible_metatable(lua_State* L) {
   luaL_checkany(L, 1);
   if (lua_type(L, 1) != LUA_TTABLE) {
@@ -153,7 +153,7 @@ int visible_metatable(lua_State* L) {
   return 1;
 }
 
-// A finaliser runs while no hook counts, so there is none.
+// Refuses finalisers, because no counting hook is active while they run.
 int set_metatable(lua_State* L) {
   const int type = lua_type(L, 2);
   luaL_checktype(L, 1, LUA_TTABLE);
@@ -170,7 +170,7 @@ int set_metatable(lua_State* L) {
   return 1;
 }
 
-// coroutine.create and coroutine.wrap (the upvalue), paid for in advance.
+// coroutine.create and coroutine.wrap (the upvalue), with instructions subtracted in advance.
 int make_coroutine(lua_State* L) {
   Session::of(L).limits()->charge_coroutine(L);
   lua_pushvalue(L, lua_upvalueindex(1));

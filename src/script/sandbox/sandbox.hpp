@@ -1,12 +1,12 @@
-// --safe: the Lua of decks from elsewhere. What is promised and what is not: share/doc/safe.md.
+// --safe: the Lua of untrusted decks. share/doc/safe.md states what is guaranteed.
 #pragma once
 #include "script/session.hpp"
 
 namespace fabricsh::script {
 
-// Takes away what a deck could leave its place with: programs, C modules, binary chunks, the debug library,
-// finalisers; leads every function that opens a file through the gate of the process; and loads the library
-// into an environment of its own, so that no deck changes what it calls.
+// Removes what would let a deck out: programs, C modules, binary chunks, the debug library, finalisers. Leads
+// every function that opens a file through the gate of the process, and loads the library into an environment
+// of its own, so that no deck can change the functions that it calls.
 void confine(Session& session);
 
 }  // namespace fabricsh::script

@@ -1,4 +1,4 @@
-// A card as it is printed: a table with units, from what the rows of its fields say.
+// Printing a card: a table with units, from the rows of its fields.
 #include <algorithm>
 
 #include "base/number.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 std::string say(double x) { return fabricsh::number(x, 4); }
 
-// "2 mN" out of "# mN".
+// Replaces the mark in a phrase: "2 mN" from "# mN".
 std::string filled(const std::string& phrase, const std::string& words) {
   const auto place = phrase.find('#');
   return place == std::string::npos ? phrase : phrase.substr(0, place) + words + phrase.substr(place + 1);
@@ -37,7 +37,7 @@ std::string value_words(const card::Value& value, double scale) {
   return "";
 }
 
-// Places by their names, in the order in which they were first asked for.
+// Positions by name, in the order of first use.
 template <class T>
 struct Ordered {
   std::vector<std::pair<std::string, T>> all;
@@ -58,7 +58,7 @@ class Print {
     const std::string source = law::without_provenance(card.source);
     if (!source.empty()) lines_.at("source") = source;
     for (const auto& [field, words] : law::provenance_of(card.source)) {
-      std::string& line = lines_.at(field);  // behind what the field itself prints
+      std::string& line = lines_.at(field);  // after the field's own text
       line += (line.empty() ? "" : "; ") + words;
     }
   }
@@ -76,7 +76,7 @@ class Print {
   }
 
  private:
-  // whole: the name of the card's field that it belongs to.
+  // whole: name of the card's field to which it belongs.
   void add(const Field& field, const std::string& whole) {
     if (field.holds == Holds::group) {
       if (field.there(card_))
@@ -87,7 +87,7 @@ class Print {
     if (std::holds_alternative<std::monostate>(value)) return;
     const std::string title = field.line.empty() ? whole : field.line;
     const bool foreign =
-        title != whole && field.name != whole;  // of a group, but on another's line: behind it
+        title != whole && field.name != whole;  // belongs to a group, but is printed on another's line
     if (const auto* many = std::get_if<std::vector<double>>(&value); many && !field.lines.empty())
       for (std::size_t i = 0; i < many->size(); ++i)
         cell(field.lines.at(i), field.column, say((*many)[i] * field.scale));
@@ -120,7 +120,7 @@ class Print {
   }
 
   const Card& card_;
-  Ordered<std::size_t> columns_;  // their places, from 1
+  Ordered<std::size_t> columns_;  // indices, from 1
   Ordered<std::vector<std::string>> table_;
   Ordered<std::string> lines_;
   std::vector<std::pair<std::string, std::string>> later_;

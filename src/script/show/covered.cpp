@@ -22,7 +22,7 @@ void push_home(lua_State* L, int which) {
 constexpr int homes = 3;
 constexpr const char* library = "fabric";
 
-// Is the whole of the library still where the prompt has put it?
+// Whether the whole library is still where the prompt has put it.
 bool library_is_there(lua_State* L) {
   lua_pushglobaltable(L);
   lua_pushstring(L, library);
@@ -33,7 +33,7 @@ bool library_is_there(lua_State* L) {
   return same;
 }
 
-// Does the table at `home` hold a value under the name, and is it the one of the globals?
+// Whether the table at `home` has a value with this name, and whether it equals the global one.
 bool holds(lua_State* L, int home, const std::string& name, bool same) {
   if (!lua_istable(L, home)) return false;
   lua_pushvalue(L, home);

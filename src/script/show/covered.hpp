@@ -1,4 +1,4 @@
-// Globals of the library's and of Lua's that are assigned over.
+// Globals of the library and of Lua that the user has overwritten.
 #pragma once
 #include <lua.hpp>
 #include <set>
@@ -7,13 +7,13 @@
 
 namespace fabricsh::script {
 
-// Names that stand for what Lua, fabric or fabric.units put there: "print", "model", "mm".
+// Names whose values are still those of Lua, fabric or fabric.units: "print", "model", "mm".
 std::set<std::string> names_as_made(lua_State* L);
 
-// Says of a name that has just been assigned over what it was, and where that still is.
+// For a name that has just been overwritten: what it was, and where that is still available.
 std::string covered_words(lua_State* L, const std::string& name);
 
-// Is the global `name` fabric.<name> itself?
+// Whether the global `name` is fabric.<name> itself.
 bool is_of_fabric(lua_State* L, const std::string& name);
 
 }  // namespace fabricsh::script

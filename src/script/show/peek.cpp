@@ -11,7 +11,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-constexpr int longest_chain = 20;  // of tables that stand in for one another by __index
+constexpr int longest_chain = 20;  // of tables linked by __index
 
 void add_keys(lua_State* L, int index, bool functions_only, Names& names) {
   index = lua_absindex(L, index);
@@ -23,7 +23,7 @@ void add_keys(lua_State* L, int index, bool functions_only, Names& names) {
   }
 }
 
-// Pushes a table of the class of the object at index: "methods", "properties".
+// Pushes a table of the class of the object at index: "methods" or "properties".
 bool push_part(lua_State* L, int index, const char* part) {
   if (lua_getmetatable(L, index) == 0) return false;
   lua_pushstring(L, part);
@@ -34,7 +34,7 @@ bool push_part(lua_State* L, int index, const char* part) {
   return false;
 }
 
-// Replaces the table on top by the one that its metatable's __index names; false (and popped) at the end.
+// Replaces the table on top by its metatable's __index; false (and popped) if there is none.
 bool go_up(lua_State* L) {
   if (lua_getmetatable(L, -1) != 0) {
     lua_pushliteral(L, "__index");
@@ -47,13 +47,13 @@ bool go_up(lua_State* L) {
   return false;
 }
 
-// What stands in for the value: of a string the table of its methods.
+// Pushes the table in which the value's fields are looked up; for a string that of its methods.
 void push_stand_in(lua_State* L, int index) {
   lua_pushvalue(L, index);
   if (lua_type(L, -1) == LUA_TSTRING && !go_up(L)) lua_pushnil(L);
 }
 
-// Replaces the key on top by the raw field of the table (or what its __index tables have).
+// Replaces the key on top by the raw field of the table or of its __index tables.
 void table_field(lua_State* L, int index) {
   lua_pushvalue(L, index);
   for (int i = 0; i < longest_chain; ++i) {
@@ -74,7 +74,7 @@ void table_field(lua_State* L, int index) {
   lua_pushnil(L);
 }
 
-// Calls the program's own property of an object; its function is on top of the stack.
+// Calls a property function of the program, on top of the stack, for an object.
 void read_property(lua_State* L, int index) {
   if (entry_of(L, -1) == nullptr) {
     lua_pop(L, 1);

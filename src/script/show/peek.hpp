@@ -1,5 +1,5 @@
-// Looking at Lua values without running anything of the user's: raw reads, and of the program's own objects
-// the properties, which are functions of the program. For completion and who().
+// Reading Lua values without running code of the user, for completion and who(): raw reads, and properties of
+// the program's own objects, which are functions of the program.
 #pragma once
 #include <lua.hpp>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace fabricsh::script {
 
-// As long as it lives no finaliser runs.
+// While an object of this class exists, no finaliser runs.
 class NoFinalisers {
  public:
   explicit NoFinalisers(lua_State* L) : L_(L), was_running_(lua_gc(L, LUA_GCISRUNNING) != 0) {
@@ -24,14 +24,14 @@ class NoFinalisers {
   bool was_running_;
 };
 
-// "mesh" of the program's objects, empty of anything else.
+// "mesh" and so on for the program's objects, empty for anything else.
 std::string class_of(lua_State* L, int index);
 
-// Pushes what value.key would give, nil where that can't be known without running something.
+// Pushes the value of value.key, or nil if it cannot be determined without running code.
 void peek_field(lua_State* L, int index, const std::string& key);
 void peek_item(lua_State* L, int index, lua_Integer number);
 
-// Names that can stand behind the dot (or the colon) of the value at index, sorted.
+// Names that can follow the dot (or the colon) after the value at index, sorted.
 std::vector<std::string> names_in(lua_State* L, int index, bool methods);
 
 // Names of the node sets of a mesh, a model or an analysis.

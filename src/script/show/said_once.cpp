@@ -15,8 +15,8 @@ namespace fabricsh::script {
 
 namespace {
 
-// The hashes of texts that copies have said, in memory that a process and its copies share: zeros at first,
-// then filled and never emptied. Without that memory, or where it is full, a text counts as not yet said.
+// Hashes of the texts that were shown, in memory shared by a process and its copies: initially zeros, only
+// ever filled. Without that memory, or if it is full, a text counts as not shown yet.
 class Said {
  public:
   Said() {
@@ -30,7 +30,7 @@ class Said {
   Said& operator=(const Said&) = delete;
 
   bool holds(const std::string& text) const { return find(text, false); }
-  // Adds the text; true: it was there before.
+  // Adds the text; true if it was present already.
   bool held(const std::string& text) { return find(text, true); }
 
  private:

@@ -1,12 +1,12 @@
-// Warnings of processes that work side by side.
+// Warnings of processes that run in parallel.
 #pragma once
 #include "base/notice.hpp"
 
 namespace fabricsh::script {
 
-// A sink behind which a warning that one copy of this process has said is said by no other, nor by the
-// process itself afterwards: the cases of a study warn of the same card, and each is computed in a copy of
-// its own.
+// A sink that shows a warning only once among all copies of this process and the process
+// itself. Needed because the cases of a study, each computed in a copy, all warn of the same
+// card.
 Notices::Sink said_once_by_copies(Notices::Sink sink);
 
 }  // namespace fabricsh::script

@@ -15,13 +15,13 @@ namespace fabricsh::script {
 
 namespace {
 
-constexpr lua_Integer short_list = 12;  // numbers of a list that are all shown
+constexpr lua_Integer short_list = 12;  // lists with at most this many numbers are shown in full
 constexpr std::size_t line_width = 100;
 constexpr std::size_t most_fields = 60;
 constexpr int most_depth = 2;
 constexpr lua_Integer most_records = 40;
 
-// The text at index with what a terminal would obey, or not show at all, as Lua writes it: \27, \0.
+// The text at index with control characters written as in Lua: \27, \0.
 std::string visible(lua_State* L, int index) {
   std::size_t length = 0;
   const char* text = lua_tolstring(L, index, &length);
@@ -34,7 +34,7 @@ std::string visible(lua_State* L, int index) {
   return out;
 }
 
-// Smallest and largest of what was seen, and how much of it was no number.
+// Smallest and largest of the values, and the number of those that are NaN.
 struct Spread {
   double low = INFINITY, high = -INFINITY;
   lua_Integer lost = 0;
@@ -56,7 +56,7 @@ bool has_text(lua_State* L, int index) {
   return true;
 }
 
-// Adds the numbers of the list at the absolute index; false where it holds anything else.
+// Adds the numbers of the list at the absolute index; false if it has anything else.
 bool spread_of(lua_State* L, int index, Spread& spread) {
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
   for (lua_Integer i = 1; i <= n; ++i) {
@@ -68,7 +68,7 @@ bool spread_of(lua_State* L, int index, Spread& spread) {
   return true;
 }
 
-// "<441 x 3 numbers, 0 to 2>", or nothing unless every entry is a list of as many numbers.
+// "<441 x 3 numbers, 0 to 2>"; empty unless every entry is a list of the same number of numbers.
 std::string matrix_text(lua_State* L, int index, lua_Integer n) {
   lua_Integer width = 0;
   Spread spread;
@@ -94,7 +94,7 @@ std::vector<std::string> names_in(lua_State* L, int index) {
   return names;
 }
 
-// "<80 rows of E, S, time>", or nothing unless every entry is a table with the names of the first.
+// "<80 rows of E, S, time>"; empty unless every entry is a table with the names of the first.
 std::string records_text(lua_State* L, int index, lua_Integer n) {
   std::vector<std::string> names;
   for (lua_Integer i = 1; i <= n; ++i) {
@@ -109,7 +109,7 @@ std::string records_text(lua_State* L, int index, lua_Integer n) {
   return "<" + std::to_string(n) + " rows of " + words + ">";
 }
 
-// What a long list is, in a few words; empty for one that is to be shown entry by entry.
+// A short description of a long list; empty if the list should be shown entry by entry.
 std::string list_text(lua_State* L, int index) {
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
   if (n <= 3) return "";
@@ -124,7 +124,7 @@ std::string list_text(lua_State* L, int index) {
 
 std::string value_text(lua_State* L, int index, int depth);
 
-// The records of a list under each other; empty where they are no table that a line could hold.
+// The records of a list as a table; empty if a line would be too long.
 std::string record_table(lua_State* L, int index) {
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
   lua_rawgeti(L, index, 1);
@@ -152,7 +152,7 @@ struct Field {
   std::string name, value;
 };
 
-// Entries of the table at the absolute index: the list, then the names by the alphabet.
+// Entries of the table at the absolute index: first the list, then the named ones alphabetically.
 std::vector<Field> fields_of(lua_State* L, int index, int depth) {
   std::vector<Field> fields, named;
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
@@ -176,7 +176,7 @@ std::vector<Field> fields_of(lua_State* L, int index, int depth) {
   return fields;
 }
 
-// With a whole list known by its size, only the names remain to be shown beside it.
+// If the list is described by its size, only the named entries are shown besides.
 void keep_named(std::vector<Field>& fields, const std::string& list) {
   std::erase_if(fields, [](const Field& field) { return field.name.empty(); });
   if (!fields.empty()) fields.insert(fields.begin(), Field{"", list});
@@ -246,7 +246,7 @@ int result_text(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const bool named = luaL_getmetafield(L, 1, result_name) == LUA_TSTRING;
   const std::string name = named ? lua_tostring(L, -1) : "table", text = table_text(L, 1, 0);
-  const bool rows = text.starts_with(" ");  // of records, which begin lines of their own
+  const bool rows = text.starts_with(" ");  // of records, which start new lines
   const std::string words = "<" + name + ">" + (rows ? "\n" : " ") + text;
   lua_pushlstring(L, words.data(), words.size());
   return 1;

@@ -11,7 +11,7 @@ namespace fabricsh::script {
 
 void Transcript::start(const std::string& path) {
   const system::Gate& gate = system::Gate::of_process();
-  gate.writing(path);  // where nothing may be written nothing is told either
+  gate.writing(path);  // if writing is not permitted, the error is raised before anything else
   if (path != path_ && gate.exists(path))
     throw Error("'" + path + "' exists already; take another name, or remove it");
   ++changes_;
@@ -34,7 +34,7 @@ void Transcript::add(const std::string& text) {
   if (!path_.empty()) write();
 }
 
-// Nothing local but what no deck calls so.
+// Only names that no other code uses are local, so that the typed text means the same as at the prompt.
 std::string Transcript::deck() const {
   return "-- A session of fabricsh " + std::string(version()) +
          ", saved as a deck: it does again what was typed.\n"

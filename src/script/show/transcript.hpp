@@ -1,4 +1,4 @@
-// What was typed in a session, as a deck that does the same again.
+// The input of a session, as a deck that does the same.
 #pragma once
 #include <lua.hpp>
 #include <string>
@@ -9,15 +9,15 @@ class Session;
 
 class Transcript {
  public:
-  // From now on the file holds all that was typed so far, and what will be. Errors: it exists and is not of
-  // this session; it can't be written.
+  // Writes all previous input to the file, and all later input. Errors: the file exists and is not of this
+  // session; it cannot be written.
   void start(const std::string& path);
   void end();
-  const std::string& path() const { return path_; }  // empty: not kept
+  const std::string& path() const { return path_; }  // empty: no file
 
-  // A whole statement, or a comment, with its newline. While a file is kept it is written anew at once.
+  // Adds a whole statement or comment, with its newline. The file, if any, is rewritten at once.
   void add(const std::string& text);
-  // Counts start() and end(): an input that called one of them has no place in the deck.
+  // Counts start() and end(): an input that calls one of them is left out of the deck.
   int changes() const { return changes_; }
 
   std::string deck() const;
@@ -28,10 +28,10 @@ class Transcript {
   int changes_ = 0;
 };
 
-// The session's own.
+// The transcript of the session.
 Transcript& transcript_of(lua_State* L);
 
-// Key of the registry: the globals before any code of the user's.
+// Registry key of the globals before any code of the user has run.
 inline constexpr const char* own_globals_key = "fabricsh.globals";
 
 // fabric.who, fabric.transcript.

@@ -1,4 +1,4 @@
-// fabric.model{...}: the bodies of a model and what they are made of.
+// fabric.model{...}: the bodies of a model and their materials.
 #include "script/values/body_rows.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using model::Model;
 
 namespace {
 
-// A direction on top of the stack: an angle or a vector.
+// Reads a direction on top of the stack: an angle or a vector.
 model::Direction read_direction(lua_State* L, const std::string& what) {
   if (lua_type(L, -1) == LUA_TNUMBER) return lua_tonumber(L, -1);
   if (!lua_istable(L, -1))
@@ -52,7 +52,7 @@ void read_warp(const Fields& given, model::Options& options) {
   options.warp = [direction](const Vec3&) { return direction; };
 }
 
-// One entry of layers={ {card=, warp=, thickness=}, ... }.
+// Reads one entry of layers={ {card=, warp=, thickness=}, ... }.
 section::Ply read_ply(lua_State* L, const std::vector<Argument>& fields, int number) {
   const Fields given(L, lua_gettop(L), fields, "layers[" + std::to_string(number) + "].");
   const auto card = given.object<card::Card>("card");
@@ -82,8 +82,8 @@ void read_layers(const Fields& given, model::Options& options) {
   if (options.plies.empty()) given.refuse("layers", "expected at least one layer, got an empty table");
 }
 
-// A card that fails its check is refused; each of its warnings is said once. That of bending is the run's: it
-// knows whether the sheet can leave its surface.
+// Refuses a card that fails its check; shows each of its warnings once. The warning about bending is given by
+// the run, which knows whether the sheet can leave its surface.
 void check_card(Session& session, const card::Card& card) {
   const auto report = law::check(card);
   for (const auto& item : report.items) {
@@ -95,7 +95,7 @@ void check_card(Session& session, const card::Card& card) {
   }
 }
 
-// Card or plies, thickness, warp and points: of a body or of a region.
+// Card or plies, thickness, warp and points of a body or region.
 struct Made {
   card::Card card;
   model::Options options;
@@ -131,7 +131,7 @@ Argument warp_row(const char* fallback) {
       .optional();
 }
 
-// Of a body; of a region too.
+// For a body, and also for a region.
 std::vector<Argument> made_rows(const char* warp_default) {
   return {object_("card", "card", "the fabric").optional(),
           value_("layers", table, "{ {card=, warp=, thickness=}, ... }: plies from below, in place of a card")
@@ -165,7 +165,7 @@ const std::vector<Argument>& body_fields() {
   return rows;
 }
 
-// The regions of a body in the order of their names, so that a model does not hang on how Lua keeps a table.
+// The regions of a body, sorted by name, because the order of a Lua table is not defined.
 std::vector<model::RegionGiven> read_regions(const Fields& given, const std::string& path,
                                              const model::Options& body) {
   std::vector<model::RegionGiven> regions;
@@ -204,7 +204,7 @@ model::BodyGiven read_body(const Fields& given, const std::string& name, const s
           std::move(regions)};
 }
 
-// A name is a part of the names of its sets.
+// Checks the name of a body, which becomes a part of the names of its sets.
 void check_name(const Fields& body, const std::string& name, const std::vector<model::BodyGiven>& before) {
   if (name.empty() || name.find_first_of(". \t\n") != std::string::npos)
     body.refuse("name", "expected a name without blanks and full stops, got '" + name + "'");

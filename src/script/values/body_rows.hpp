@@ -1,5 +1,5 @@
-// What a model's bodies are made of, as fabric.model is told: one mesh, or several with names, each with a
-// card or plies, and with regions of another card.
+// The arguments of fabric.model: one mesh, or several with names, each with a card or plies, and with regions
+// of other cards.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// The fields of cards as rows of arguments, and cards read from tables of Lua: both from the rows in
+// The fields of cards as argument rows, and cards read from Lua tables; both use the rows in
 // card/fields.cpp.
 #include "script/values/card_rows.hpp"
 
@@ -60,7 +60,7 @@ std::vector<Argument> arguments_of(const FieldTable& table) {
   return rows;
 }
 
-// Measured points {{E, S}, ...} in the table on top of the stack; `name` of the table at `path`.
+// Reads points {{E, S}, ...} from the table on top of the stack, which is `name` of the table at `path`.
 card::Points read_points(const Fields& fields, const std::string& path, const Field& field) {
   const std::string &name = field.name, x = field.parts.at(0), y = field.parts.at(1);
   lua_State* L = fields.L();
@@ -148,9 +148,9 @@ void read_fields(const Fields& fields, const FieldTable& table, const std::strin
   }
 }
 
-// --- what hangs on several fields ---
+// --- checks that involve several fields ---
 
-// A band has as many numbers as there are parameters in the group of its name.
+// A band must have as many numbers as the group of its name has parameters.
 void check_bands(const Fields& fields, const Card& card) {
   const Fields bands = fields.fields("bands");
   for (const Field& part : card::find_field(card::fields(card), "bands")->rows) {
@@ -203,7 +203,7 @@ law::Provenance read_provenance(const Fields& f) {
   return out;
 }
 
-// The rows of the card's fields; what tells where they come from is kept in its source, and is no field.
+// The rows of a card's fields; origins are not fields, but part of its source.
 std::vector<Argument> rows_of(const std::string& kind) {
   std::vector<Argument> rows = arguments_of(card::fields(kind));
   const auto place =

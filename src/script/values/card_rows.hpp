@@ -1,4 +1,4 @@
-// The fields of a card's constructor, and the card that a checked table of them makes.
+// The argument rows of a card's constructor, and the card made from a checked table.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace fabricsh::script {
 
-// In Lua's registry: the tables that were read off cards, with their cards, for as long as they live.
+// Registry key: tables that were read from cards, with their cards, as long as they exist.
 inline constexpr const char* parts_key = "fabricsh.card_parts";
 
 // kind: "woven", "svk" or "linear".

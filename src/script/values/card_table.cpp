@@ -1,5 +1,5 @@
-// A card as tables of Lua: a plain one that is the reader's own, and the one behind card.warp.poisson, which
-// is made once per card and which nobody can change.
+// A card as Lua tables: a plain copy for the reader, and the one behind card.warp.poisson, which is made once
+// per card and is read-only.
 #include "script/values/card_table.hpp"
 
 #include <cstring>
@@ -62,16 +62,16 @@ void push_plain(lua_State* L, const FieldTable& table, const Card& card) {
 
 // --- parts ---
 //
-// What a deck gets for card.warp is a table that is empty as long as it is only read: its metatable leads to
-// what lies behind the card, tables made once (a block of numbers for points) that no deck ever holds.
-// Written to, it becomes a plain table with a copy of all of it, and the card forgets it: the next read gives
-// another one.
+// The deck reads card.warp as a table that stays empty: its metatable refers to hidden tables with the values
+// of the card (and a block of numbers for points), made once and never given to a deck. When the table is
+// written to, it becomes a plain table with a copy of all values, and the card forgets it: the next read of
+// card.warp gives a new one.
 
-char shown_key;  // in the metatable of a part: what it shows
+char shown_key;  // in the metatable of a part: the table that it shows
 char card_key;   // the card
-char name_key;   // the card's field that the part belongs to
+char name_key;   // name of the card's field to which the part belongs
 
-// Leaves what the part at index shows on the stack; nothing where it is no part.
+// Pushes the table that the part at index shows; pushes nothing if it is not a part.
 bool push_shown(lua_State* L, int index) {
   if (lua_type(L, index) != LUA_TTABLE || lua_getmetatable(L, index) == 0) return false;
   const bool part = lua_rawgetp(L, -1, &shown_key) != LUA_TNIL;
@@ -80,7 +80,7 @@ bool push_shown(lua_State* L, int index) {
   return part;
 }
 
-// Puts a part in the place of a metatable on top of the stack; other values stay.
+// Replaces a metatable on top of the stack by a part; other values are kept.
 void make_part(lua_State* L) {
   if (lua_type(L, -1) != LUA_TTABLE) return;
   lua_newtable(L);
@@ -93,7 +93,7 @@ lua_Integer points_in(lua_State* L, int index) {
   return static_cast<lua_Integer>(lua_rawlen(L, index) / (2 * sizeof(double)));
 }
 
-// Pushes entry i of the block at index.
+// Pushes point i of the block at index.
 void push_point(lua_State* L, int index, lua_Integer i) {
   const auto* xy = static_cast<const double*>(lua_touserdata(L, index));
   push_numbers(L, {xy[2 * i - 2], xy[2 * i - 1]});
@@ -101,9 +101,9 @@ void push_point(lua_State* L, int index, lua_Integer i) {
 
 void make_own(lua_State* L, int index);
 
-// Upvalue: what is shown. A table in a part stays with it once it was read, so that what is written into it
-// is found again; a pair of points is a plain table that may be written to unseen, so that whoever reads one
-// gets them all.
+// Upvalue: the table that is shown. A table inside a part is stored in the part when it is first read, so
+// that later changes to it are found. A pair of numbers is a plain table, and changes to it cannot be
+// noticed; so when one is read, all of them are stored.
 int part_index(lua_State* L) {
   constexpr int shown = lua_upvalueindex(1);
   lua_settop(L, 2);
@@ -128,7 +128,7 @@ int part_length(lua_State* L) {
   return 1;
 }
 
-// Fills the table at `to`, which has no metatable, with what is shown at `shown` and is not in it yet.
+// Copies to the table at `to`, which has no metatable, the values shown at `shown` that it does not have yet.
 void copy_shown(lua_State* L, int shown, int to) {
   luaL_checkstack(L, 8, "card");
   const bool points = lua_type(L, shown) == LUA_TUSERDATA;
@@ -152,7 +152,7 @@ void copy_shown(lua_State* L, int shown, int to) {
   }
 }
 
-// With the metatable of a part on top of the stack: the card hands out another one from now on.
+// With a part's metatable on top of the stack: makes the card return another part from now on.
 void forget_part(lua_State* L) {
   luaL_checkstack(L, 6, "card");
   const int top = lua_gettop(L);
@@ -167,7 +167,7 @@ void forget_part(lua_State* L) {
   lua_settop(L, top);
 }
 
-// The table at index, a part so far, becomes the deck's own.
+// Makes the part at index a plain table of the deck.
 void make_own(lua_State* L, int index) {
   luaL_checkstack(L, 8, "card");
   lua_getmetatable(L, index);
@@ -188,7 +188,7 @@ int part_newindex(lua_State* L) {
   return 0;
 }
 
-// pairs, next, rawget, rawlen and rawset of a part: it is a table of the deck's own first.
+// pairs, next, rawget, rawlen and rawset of a part first make it a plain table.
 int part_pairs(lua_State* L) {
   make_own(L, 1);
   lua_getglobal(L, "next");
@@ -208,8 +208,8 @@ int on_own(lua_State* L) {
   return lua_gettop(L);
 }
 
-// Replaces what is on top of the stack, a table or a block of points, by the metatable of its parts. The card
-// is at 1; name: of its field.
+// Replaces a table or a block of points on top of the stack by the metatable for its parts. The card is at 1;
+// name: that of the card's field.
 void make_metatable(lua_State* L, const std::string& name) {
   const int shown = lua_gettop(L);
   lua_createtable(L, 0, 7);
@@ -236,7 +236,7 @@ void make_metatable(lua_State* L, const std::string& name) {
 
 void push_shown(lua_State* L, const FieldTable& table, const Card& card, const std::string& top);
 
-// The field's value, lists and groups as metatables. top: the card's field that it belongs to.
+// Pushes the value of a field; lists and groups as metatables. top: the card's field to which it belongs.
 void push_field(lua_State* L, const Field& field, const Card& card, const std::string& top) {
   if (field.holds == Holds::group) {
     if (!field.there(card)) return lua_pushnil(L);
@@ -262,7 +262,7 @@ void push_shown(lua_State* L, const FieldTable& table, const Card& card, const s
   }
 }
 
-// Kind, and the source without what is told of its fields, which has a table of its own.
+// Sets kind, and the source without the origins of fields, which have a table of their own.
 void set_origins(lua_State* L, const Card& card) {
   set_text(L, "kind", card::kind(card));
   set_text(L, "source", law::without_provenance(card.source));
@@ -273,7 +273,7 @@ void set_origins(lua_State* L, const Card& card) {
   lua_setfield(L, -2, "provenance");
 }
 
-// What lies behind the card at 1: its fields, and for those that it does not have a mark that they are known.
+// Pushes the hidden table of the card at 1: its fields, and marks for fields that are known but not set.
 void push_card(lua_State* L, const Card& card) {
   const FieldTable& table = card::fields(card);
   push_shown(L, table, card, "");
@@ -293,7 +293,7 @@ void push_card(lua_State* L, const Card& card) {
   };
   mark("provenance");
   for (const Field& field : table) mark(field.name.c_str());
-  // The metatables by name, for when a part is forgotten.
+  // The metatables by name, needed when a part is forgotten.
   lua_newtable(L);
   for (lua_pushnil(L); lua_next(L, -3) != 0;) {
     lua_pushvalue(L, -2);
@@ -303,8 +303,8 @@ void push_card(lua_State* L, const Card& card) {
   lua_rawseti(L, -2, 1);
 }
 
-// Puts the part that the card holds, or a new one, in the place of its metatable on top of the stack; its
-// name is at 2, what lies behind the card below.
+// Replaces a metatable on top of the stack by a new part, which is stored in the card's hidden table, the
+// value below, under the name at 2. A part that is stored already is kept.
 void hold_part(lua_State* L) {
   const bool fresh = lua_rawgetp(L, -1, &shown_key) != LUA_TNIL;
   lua_pop(L, 1);

@@ -6,20 +6,20 @@
 
 namespace fabricsh::script {
 
-// A plain table of the fields of a card's constructor, "kind" and "provenance".
+// Pushes a plain table with the fields of a card's constructor, "kind" and "provenance".
 void push_card_table(lua_State* L, const card::Card& card);
 
-// For the card at 1 and the name of a field at 2: pushes its value; false: no field has that name. A list or
-// group is a part: a table that is the same at every read until it is written to, and the deck's own from
-// then on. What it shows is made once per card object, which card_at gives.
+// For the card at 1 and a field's name at 2: pushes the value; false if there is no such field. A list or
+// group is a part: reads return the same table until it is written to and so becomes a plain table of the
+// deck. Its values are made once per card object, which card_at returns.
 bool push_card_field(lua_State* L, const card::Card* (*card_at)(lua_State*, int));
-// Makes a part on top of the stack, and those in it, the plain table that it reads as; anything else stays.
-// What looks into a table without its metamethods (lua_next, lua_rawgeti) asks for this first.
+// Converts a part on top of the stack, and the parts in it, to plain tables; other values are kept. To be
+// called before tables are read without metamethods (lua_next, lua_rawgeti).
 void make_plain(lua_State* L);
-// Sees to it that Lua's rawset, rawget, rawlen and next know of parts.
+// Replaces Lua's rawset, rawget, rawlen and next by functions that handle parts.
 void know_parts(lua_State* L);
 
-// Remembers that the table at `part` was read off the card at `card`, and pushes that card, or nil.
+// Records that the table at `part` was read from the card at `card`, and pushes that card, or nil.
 void remember_part(lua_State* L, int part, int card);
 void push_card_of(lua_State* L, int part);
 

@@ -12,9 +12,9 @@ namespace fabricsh::script {
 namespace {
 
 enum class Tag : std::uint8_t { number, integer, text, truth, table, known };
-constexpr int kDeepest = 150;  // tables in tables
+constexpr int kDeepest = 150;  // largest depth of nested tables
 
-// Calls no __tostring: a function of the deck's could change what is being walked through.
+// Does not call __tostring, because a function of the deck could change the table being traversed.
 std::string name_of_entry(lua_State* L, int key) {
   if (lua_type(L, key) == LUA_TSTRING) return "." + std::string(lua_tostring(L, key));
   return "[" + describe(L, key) + "]";
@@ -55,7 +55,7 @@ class Packer {
   void put(Tag tag, T content) {
     out_(tag, content);
   }
-  // Curves and their columns (lua/fabric/columns.lua) are kept as the lists that they are.
+  // Curves and their columns (lua/fabric/columns.lua) are stored as plain lists.
   bool is_plain(int index) const {
     if (lua_getmetatable(L_, index) == 0) return true;
     const bool named = lua_getfield(L_, -1, "__name") == LUA_TSTRING;
@@ -91,7 +91,7 @@ class Packer {
 class Filler {
  public:
   Filler(lua_State* L, const std::string& bytes) : L_(L), in_(bytes) {
-    lua_newtable(L_);  // the tables so far, from 1
+    lua_newtable(L_);  // the tables found so far, from 1
     tables_ = lua_gettop(L_);
   }
 
@@ -111,7 +111,7 @@ class Filler {
   }
   [[noreturn]] static void damaged() { throw Error("the kept table is damaged"); }
 
-  // Pushes a value; a table takes the place of the one at `old`, if that is one not used yet.
+  // Pushes a value; for a table, the one at `old` is reused if that is not yet in use.
   void value(int old) {
     switch (get<Tag>()) {
       case Tag::number:
@@ -142,7 +142,7 @@ class Filler {
     }
   }
 
-  // The table at index is emptied and filled.
+  // Empties and fills the table at index.
   void table(int index) {
     if (++depth_ > kDeepest) damaged();
     luaL_checkstack(L_, 8, "keep");
@@ -174,7 +174,7 @@ class Filler {
       lua_rawset(L_, to);
       lua_pushvalue(L_, -1);
       lua_pushnil(L_);
-      lua_rawset(L_, from);  // allowed while it is walked through
+      lua_rawset(L_, from);  // permitted during a traversal
     }
   }
 

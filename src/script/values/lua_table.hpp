@@ -1,17 +1,17 @@
-// A plain Lua table as bytes: numbers, texts, booleans and tables of them, also where tables are shared or
-// go round in a circle.
+// A plain Lua table as bytes: numbers, strings, booleans and tables of these, including shared tables and
+// cycles.
 #pragma once
 #include <lua.hpp>
 #include <string>
 
 namespace fabricsh::script {
 
-// Error, with the path of the entry ("keep.hits[3]"): a function, userdata, coroutine, a table with a
+// Error, with the path of the entry ("keep.hits[3]"): a function, userdata, coroutine, or a table with a
 // metatable.
 std::string pack_table(lua_State* L, int index, const std::string& name);
 
-// Makes the table what it was, and the tables in it, in their places: who holds one of them sees it. Error:
-// the bytes are damaged.
+// Restores the table, and the tables in it, in place, so that other references to them see the change. Error:
+// damaged bytes.
 void fill_table(lua_State* L, int index, const std::string& bytes);
 
 }  // namespace fabricsh::script
