@@ -24,7 +24,7 @@ std::string ending_of(const std::string& path) {
   throw Error("figure: expected a file name that ends in .svg, .png or .pdf, got '" + path + "'");
 }
 
-// gnuplot takes whole points, or pixels, only; the page is the lower left part of what it draws.
+// gnuplot accepts only whole points or pixels, so the canvas may be slightly larger than the page.
 struct Canvas {
   std::string terminal;
   double width = 0, height = 0;  // points
@@ -35,8 +35,8 @@ std::string font_of(const Paper& paper) {
   return quoted(family + "," + number(paper.font_size));
 }
 
-// In its own units a letter of gnuplot's PDF is 4/3 of a point, a line half a point, of its PNG a letter 4/3
-// of a pixel and a line one; dashes go with the lines.
+// gnuplot's units differ: in its PDF a font size of 1 is 4/3 points and a line width of 1 half a point;
+// in its PNG they are 4/3 pixels and one pixel. Dashes scale with the line width.
 Canvas canvas_for(const std::string& ending, const Layout& l, const Paper& paper) {
   const std::string common = " noenhanced font " + font_of(paper);
   if (ending == ".svg") {
@@ -89,7 +89,7 @@ std::vector<std::string> draw(const std::string& path, const Figure& figure) {
   return draw(path, page);
 }
 
-// The label of y, which letters can't turn, stands above the axis.
+// The label of y is placed above the axis, because text cannot be rotated in text mode.
 std::string drawn_in_letters(const Page& page, int columns, int lines) {
   const std::string size = std::to_string(columns) + "," + std::to_string(lines);
   std::string all;

@@ -8,8 +8,8 @@ namespace fabricsh::plot {
 
 namespace {
 
-// XML wants the three characters that end a CDATA section escaped in any text; gnuplot, which makes no such
-// sections, leaves them as they are.
+// XML requires "]]>" to be escaped in any text; gnuplot
+// does not use CDATA sections and does not escape it.
 void escape_ends(std::string& svg) {
   for (std::size_t at = 0; (at = svg.find("]]>", at)) != std::string::npos;) svg.replace(at + 2, 1, "&gt;");
 }
@@ -18,7 +18,7 @@ void replace_once(std::string& text, const std::string& from, const std::string&
   if (const std::size_t at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
 }
 
-// From the first `from` to the next `to` after it, both included.
+// Replaces the text from the first `from` to the next `to`, both included.
 void replace_span(std::string& text, const std::string& from, const std::string& to, const std::string& by) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) return;
@@ -77,7 +77,7 @@ std::string finished_svg(std::string svg, double width, double height, double ca
   return svg;
 }
 
-// The first piece of a PNG, its header, takes 33 bytes.
+// The signature and the header of a PNG have 33 bytes.
 std::string finished_png(const std::string& png, double dpi) {
   if (png.size() < 33) return png;
   const auto per_metre = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));

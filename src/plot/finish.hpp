@@ -1,14 +1,14 @@
-// What gnuplot leaves undone in a file that it drew.
+// Corrections of the files that gnuplot draws.
 #pragma once
 #include <string>
 
 namespace fabricsh::plot {
 
-// Width and height in mm, the page's own part of the canvas, letters that every viewer has, one number for
-// each curve of all panels, and characters that XML wants escaped. Sizes in points.
+// Sets width and height in mm, clips the canvas to the page, names fonts that every viewer has,
+// numbers the curves of all panels consecutively, and escapes what XML requires. Sizes in points.
 std::string finished_svg(std::string svg, double width, double height, double canvas_height, bool own_font);
 
-// A PNG that says how many pixels an inch has.
+// Adds the resolution to a PNG.
 std::string finished_png(const std::string& png, double dpi);
 
 }  // namespace fabricsh::plot

@@ -9,13 +9,13 @@ namespace fabricsh::plot {
 
 namespace {
 
-constexpr double kSample = 2.8, kGap = 0.5, kRow = 1.3;  // of the size of the letters
+constexpr double kSample = 2.8, kGap = 0.5, kRow = 1.3;  // in font sizes
 
 struct Spot {
   double x = 0, y = 0;
 };
 
-// Whether a straight piece passes through the box (J. Liang and B. Barsky's clipping).
+// Whether a line segment crosses the box (clipping by J. Liang and B. Barsky).
 bool crosses(const Box& b, const Spot& p, const Spot& q) {
   double from = 0, to = 1;
   const double dx = q.x - p.x, dy = q.y - p.y;

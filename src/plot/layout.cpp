@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPoints = 72 / 0.0254;  // in a metre
 
-// Room before and behind the axes, of a column of panels from left to right or of a row from the top down.
+// Margins before and behind the axes: of a column of panels from left to right, of a row from top to bottom.
 struct Track {
   double before = 0, behind = 0;
   void widen(double a, double b) { before = std::max(before, a), behind = std::max(behind, b); }
@@ -44,7 +44,8 @@ class Draft {
     }
   }
 
-  // A key that finds no free corner goes below, which moves the axes of all panels, which are of one size.
+  // A legend without a free corner is moved below the axes. This changes the axes of all panels, because they
+  // have equal sizes; therefore the layout is repeated.
   Layout made() {
     while (!placed()) {
     }
@@ -56,7 +57,7 @@ class Draft {
   bool placed() {
     across_.assign(static_cast<std::size_t>(columns_), {}), down_.assign(static_cast<std::size_t>(rows_), {});
     layout_.warnings.clear();
-    for (int pass = 0; pass < 2; ++pass) {  // the numbers of the axes depend on their length a little
+    for (int pass = 0; pass < 2; ++pass) {  // the tick labels depend slightly on the length of the axes
       for (std::size_t i = 0; i < layout_.panels.size(); ++i) frame(i);
       for (std::size_t i = 0; i < layout_.panels.size(); ++i) widen(i, wanted(i));
     }
@@ -77,7 +78,7 @@ class Draft {
     down_[row(i)].widen(m.top, m.bottom);
   }
 
-  // Length of the axes, the same in all panels.
+  // Length of the axes, equal in all panels.
   static double each(double whole, const std::vector<Track>& tracks) {
     for (const Track& t : tracks) whole -= t.before + t.behind;
     return whole / static_cast<double>(tracks.size());
@@ -88,7 +89,7 @@ class Draft {
     for (std::size_t k = 0; k < n; ++k) at += tracks[k].before + tracks[k].behind;
     return at;
   }
-  // All that belongs to panel i.
+  // The area of panel i with its margins.
   Box cell(std::size_t i) const {
     const std::size_t r = row(i), c = column(i);
     return {begin(layout_.width, across_, c), layout_.height - begin(layout_.height, down_, r + 1),
@@ -142,7 +143,7 @@ class Draft {
     return m;
   }
 
-  // false: it lies on a curve in each corner.
+  // false: every corner is covered by a curve.
   bool place_key(std::size_t i) {
     const Figure& f = page_.panels[i];
     PlacedPanel& p = layout_.panels[i];
@@ -158,11 +159,11 @@ class Draft {
     return true;
   }
 
-  // In smaller letters where the room is short, down to 6 points; then it is told.
+  // Uses a smaller font if the room is too narrow, at least 6 points, and warns if even that is too large.
   void fitted(std::size_t i, PlacedWord word, double room) {
     const double needed = text_width(word.text, word.size);
     if (needed > room) word.size = std::max(std::min(6.0, word.size), word.size * room / needed);
-    // Widths are estimated from above by a tenth and more.
+    // Estimated widths are at least a tenth too large.
     if (0.85 * text_width(word.text, word.size) > room)
       layout_.warnings.push_back("'" + word.text + "' is longer than its room of " +
                                  number(std::round(room / kPoints * 1000)) +
@@ -212,7 +213,7 @@ class Draft {
   const Page& page_;
   double letter_;
   int rows_ = 1, columns_ = 1;
-  std::vector<Track> across_, down_;  // of the columns and rows
+  std::vector<Track> across_, down_;  // of columns and rows
   std::vector<Span> spans_;
   std::vector<Key> keys_;
   Layout layout_;

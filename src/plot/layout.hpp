@@ -1,5 +1,5 @@
-// Where the axes, the keys and the words of a page stand: in points from its lower left corner. Nothing here
-// draws, so that it can be tried that no word lies on another or is cut off.
+// Positions of the axes, legends and texts of a page, in points from its lower left corner. Separate from
+// the drawing, so that tests can check that no text overlaps another one or is cut off.
 #pragma once
 #include <array>
 #include <string>
@@ -20,35 +20,35 @@ enum class Align { left, centre, right };
 
 struct PlacedWord {
   std::string text;
-  double x = 0, y = 0;  // of its left end, centre or right end; in the middle of its height
+  double x = 0, y = 0;  // position of its left end, centre or right end, at mid-height
   Align align = Align::centre;
   double size = 8;
-  bool upright = false;  // runs upwards
+  bool upright = false;  // rotated by 90 degrees
 };
 
 struct Sample {
-  std::size_t curve = 0;              // its number in the panel
-  double left = 0, right = 0, y = 0;  // of the piece of line
+  std::size_t curve = 0;              // index in the panel
+  double left = 0, right = 0, y = 0;  // of the line sample
 };
 
 struct PlacedPanel {
-  Box frame;  // of the axes
+  Box frame;  // area within the axes
   Scale x, y;
   std::vector<PlacedWord> words;
-  std::vector<Sample> samples;  // of the key
-  Box key;                      // empty: none
+  std::vector<Sample> samples;  // of the legend
+  Box key;                      // of the legend; empty: none
 };
 
 struct Layout {
   double width = 0, height = 0;
   std::vector<PlacedPanel> panels;
-  std::vector<std::string> warnings;  // of words without room
+  std::vector<std::string> warnings;  // about texts that do not fit
 };
 
-// Room that a word takes on the page.
+// Area that a text occupies on the page.
 Box box_of(const PlacedWord& word);
 
-// Error: what can't be shown, or a page too small.
+// Error: data that cannot be shown, or a page that is too small.
 Layout layout_of(const Page& page);
 
 }  // namespace fabricsh::plot

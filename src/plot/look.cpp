@@ -6,11 +6,11 @@ namespace fabricsh::plot {
 
 namespace {
 
-// M. Okabe and K. Ito's colours without the yellow, which white paper swallows, in an order in which
-// neighbours stay apart under each kind of colour blindness.
+// The colours of M. Okabe and K. Ito without the yellow, which is too pale on white paper. In this
+// order successive colours are well separated for each kind of colour blindness.
 constexpr std::array<const char*, kColours> colours = {"#0072b2", "#d55e00", "#cc79a7", "#000000",
                                                        "#009e73", "#e69f00", "#56b4e9"};
-// "dashed" as a style is a pattern of its own.
+// The style "dashed" has its own pattern.
 constexpr const char* asked_dashes = "7,3.5";
 constexpr std::array<const char*, kPatterns> patterns = {"", "12,3,2,3", "2,3", "18,4"};
 // Circle, square, triangle, diamond, triangle on its tip, pentagon: open, and filled.

@@ -91,7 +91,7 @@ Picture read_picture(std::istream& text) {
 
 namespace {
 
-// The library that writes the picture says nothing of its size on paper.
+// VTK does not write the resolution of a picture.
 void say_resolution(const system::AtomicFile& file, double dpi) {
   std::string drawn;
   {

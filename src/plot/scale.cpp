@@ -21,10 +21,10 @@ std::string with_decimals(double value, int decimals) {
   return (value < 0 && !zero ? minus : "") + std::string(text);
 }
 
-// Places behind the point at which numbers of this step differ.
+// Number of decimals that distinguishes multiples of this step.
 int decimals_of(double step) { return -static_cast<int>(std::floor(std::log10(step) + 1e-9)); }
 
-// Plain from a thousandth to a million, else with a power of ten.
+// Values from 0.001 to a million are written plainly, others with a power of ten.
 std::string text_of(double value, double step, double largest) {
   if (std::abs(value) < 1e-9 * step) return "0";
   if (largest >= 1e-3 && largest < 1e6) return with_decimals(value, decimals_of(step));
@@ -38,10 +38,10 @@ std::string decade_text(int power) {
   return "10" + superscript(power);
 }
 
-// The ends asked for, and of the others the nearest multiples of half the step outside.
+// Fixed ends are kept; the others are the next multiples of half the step.
 Scale linear(const Axis& axis, double low, double high, double step) {
   Scale s;
-  const double half_step = step / 2;  // a thousandth of it beyond a tick is no reason for the next one
+  const double half_step = step / 2;  // values may exceed a tick by a thousandth of it (rounding errors)
   s.low = axis.low.value_or(std::min(low, half_step * std::floor(low / half_step + 1e-3)));
   s.high = axis.high.value_or(std::max(high, half_step * std::ceil(high / half_step - 1e-3)));
   const double largest = std::max(std::abs(s.low), std::abs(s.high)), slack = 1e-9 * (s.high - s.low);

@@ -1,4 +1,4 @@
-// Round numbers along an axis, and where a value stands on it.
+// The scale of an axis: its ends, its ticks, and the position of a value.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@ namespace fabricsh::plot {
 
 struct Tick {
   double value = 0;
-  std::string text;  // empty: a small tick between two numbers
+  std::string text;  // empty: a minor tick
 };
 
 struct Scale {
@@ -17,13 +17,13 @@ struct Scale {
   bool logarithmic = false;
   std::vector<Tick> ticks = {};
 
-  double part(double value) const;  // 0 at the lower end, 1 at the upper one
-  double at(double part) const;     // the value there
+  double part(double value) const;  // position: 0 at the lower end, 1 at the upper end
+  double at(double part) const;     // the value at a position
 };
 
-// A scale with steps of 1, 2 or 5 that holds what lies from low to high; an end that the axis does not fix is
-// moved out to the next tick. length: of the axis, in points; letter: size of its numbers; upright: they
-// stand above one another.
+// A scale for values from low to high with steps of 1, 2 or 5 times a power of ten. Ends that the
+// axis does not fix are moved outwards to the next tick. length: of the axis, points; letter: font size
+// of the tick labels; upright: the axis is vertical.
 Scale scale_of(const Axis& axis, double low, double high, double length, double letter, bool upright);
 
 }  // namespace fabricsh::plot

@@ -14,8 +14,8 @@ namespace fabricsh::plot {
 
 namespace {
 
-constexpr double kLine = 1, kAxis = 0.5, kMark = 0.8;  // widths, points
-constexpr double kMarkSize = 0.55;                     // of gnuplot's: 3.3 points across
+constexpr double kLine = 1, kAxis = 0.5, kMark = 0.8;  // line widths, points
+constexpr double kMarkSize = 0.55;                     // in units of gnuplot; about 3.3 points
 
 std::string fixed(double value) {
   char text[40];
@@ -73,7 +73,7 @@ class Script {
     text_ += " front\n";
   }
 
-  // Curves with a colour of their own are counted by themselves, for their marks and patterns.
+  // Curves with an explicit colour are counted separately, for their marks and patterns.
   static Look look_of(const Figure& f, std::size_t curve) {
     const Curve& c = f.curves[curve];
     std::size_t place = 0;
@@ -109,7 +109,7 @@ class Script {
     if (l.marker > 0) text_ += "set label '' at " + at(centre, s.y) + " point" + mark(l) + " front\n";
   }
 
-  // A row that holds a number that is not finite is an empty line, which interrupts the curve.
+  // A row with a value that is not finite becomes an empty line, which interrupts the curve.
   std::string block(const std::string& name, const std::vector<const std::vector<double>*>& columns) {
     std::string text = name + " << END_OF_CURVE\n";
     for (std::size_t i = 0; i < columns[0]->size(); ++i) {
@@ -126,7 +126,7 @@ class Script {
     return text + "END_OF_CURVE\n";
   }
 
-  // Uprights with a bar at either end, as wide as a mark.
+  // Vertical lines with a cap at each end, as wide as a mark.
   std::string error_block(const std::string& name, const Curve& c, const PlacedPanel& p) const {
     const double half = 1.8 / p.frame.width();
     std::string text = name + " << END_OF_CURVE\n";
@@ -141,7 +141,7 @@ class Script {
     return text + "END_OF_CURVE\n";
   }
 
-  // Bands behind all, then error bars, then the curves in their order.
+  // First all bands, then error bars, then the curves, so that bands lie behind the curves.
   void curves(const Figure& f, const PlacedPanel& p) {
     std::string bands, bars, lines;
     for (std::size_t i = 0; i < f.curves.size(); ++i) {
@@ -188,7 +188,7 @@ std::string letters_style(CurveStyle style) {
   return style == CurveStyle::line_points ? "linespoints pointtype 'o'" : "lines";
 }
 
-// A row of numbers, or an empty line where one is not finite.
+// A row of numbers, or an empty line if one is not finite.
 std::string letters_row(double x, double y) {
   const bool finite = std::isfinite(x) && std::isfinite(y);
   return (finite ? full_number(x) + " " + full_number(y) : "") + "\n";
@@ -200,7 +200,7 @@ std::string script_of(const Page& page, const Layout& layout, double canvas_widt
   return Script(page, layout, canvas_width, canvas_height).made();
 }
 
-// Each line type has its own mark. The ends of a band are two lines of one type; error bars have no letters.
+// In text mode each line type has a different mark. A band is shown by two lines; error bars are not shown.
 std::string letters_script(const Figure& f) {
   visible_span(f);
   std::string script = "set encoding utf8\nset title " + quoted(f.title) + "\n" + letters_axis("x", f.x) +

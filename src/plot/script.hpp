@@ -1,4 +1,4 @@
-// A page as commands for gnuplot.
+// gnuplot commands for a page.
 #pragma once
 #include <string>
 
@@ -6,10 +6,10 @@
 
 namespace fabricsh::plot {
 
-// All but the terminal. canvas: points of the whole drawing, of which the page takes the lower left part.
+// Everything but the terminal. canvas: size of the drawing in points; the page is its lower left part.
 std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height);
 
-// One panel for a terminal of letters.
+// One panel in text mode.
 std::string letters_script(const Figure& figure);
 
 }  // namespace fabricsh::plot

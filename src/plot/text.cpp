@@ -7,7 +7,7 @@ namespace fabricsh::plot {
 
 namespace {
 
-// Bytes of the UTF-8 character that begins at `at`; 0: none begins there, or XML has no such character.
+// Length of the UTF-8 character at `at`; 0: invalid UTF-8, or a character that XML does not allow.
 std::size_t character(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) {
     return static_cast<unsigned char>(i < text.size() ? text[i] : '\0');
@@ -26,7 +26,7 @@ std::size_t character(const std::string& text, std::size_t at) {
   return too_long || no_character ? 0 : length;
 }
 
-// In parts of the size of the letters.
+// Width of a character as a share of the font size.
 double width_of(std::string_view one) {
   if (one.size() >= 3) return one < "\xe2\xba\x80" ? 0.85 : 1.0;  // signs; Chinese, Japanese and Korean
   if (one.size() == 2) return 0.65;
@@ -38,8 +38,8 @@ double width_of(std::string_view one) {
 
 }  // namespace
 
-// A single quote, doubled, would be the one exception, but some releases of gnuplot stumble over it at the
-// beginning; so that it is joined on between double quotes.
+// Only a single quote itself must be doubled, but some releases of gnuplot fail if a text begins with
+// one; so it is appended between double quotes instead.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (std::size_t at = 0; at < text.size();) {

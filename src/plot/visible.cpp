@@ -25,7 +25,7 @@ void check_axis(const std::string& name, const Axis& axis) {
                 " from " + number(axis.low.value_or(1)) + " to " + number(axis.high.value_or(1)));
 }
 
-// Calls take(x, y) with all that is drawn.
+// Calls take(x, y) for every point, band end and error bar end.
 template <class Take>
 void each_point(const Curve& curve, Take take) {
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -71,7 +71,7 @@ Span visible_span(const Figure& f) {
   for (const Curve& curve : f.curves) check_curve(f, curve);
   constexpr double far = std::numeric_limits<double>::infinity();
   Span s{far, -far, far, -far};
-  // An axis without a range takes its own from the points inside the other's.
+  // An axis without a given range is scaled by the points that lie within the range of the other axis.
   for (const Curve& curve : f.curves)
     each_point(curve, [&](double x, double y) {
       if (!shows(f.x, x) || !shows(f.y, y) || !in_range(f.x, x) || !in_range(f.y, y)) return;

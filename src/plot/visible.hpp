@@ -1,4 +1,4 @@
-// What of a figure's curves its axes show.
+// The range of values that the axes of a figure show.
 #pragma once
 #include "plot/figure.hpp"
 
@@ -8,7 +8,7 @@ struct Span {
   double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
 };
 
-// Points, bands and error bars inside the ranges that are fixed. Error: a figure that can't be drawn.
+// Range of the points, bands and error bars within the fixed ranges. Error: a figure that cannot be drawn.
 Span visible_span(const Figure& figure);
 
 }  // namespace fabricsh::plot

@@ -9,7 +9,7 @@ vtkSmartPointer<vtkLookupTable> colours(double low, double high) {
   const auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(count);
   table->SetTableRange(low, high);
-  table->SetNanColor(0.72, 0.72, 0.72, 1);  // rigid bodies, which have no field
+  table->SetNanColor(0.72, 0.72, 0.72, 1);  // rigid bodies have no field
   for (int i = 0; i < count; ++i) {
     const double v = low + (i + 0.5) / count * (high - low);
     const Colour c = shade(low, high, v);

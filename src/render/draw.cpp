@@ -30,15 +30,15 @@ using plot::Picture;
 struct Scene {
   const Picture& picture;
   std::vector<Sheet> sheets = {};
-  Ref<vtkLookupTable> table = nullptr;  // none: no field
-  Bar bar = {};                         // with a field
-  std::string unit = {};                // of lengths
-  double most = 1e300;                  // pixels per unit of length, the same in all panels
+  Ref<vtkLookupTable> table = nullptr;  // null: no field
+  Bar bar = {};                         // only with a field
+  std::string unit = {};                // unit of length
+  double most = 1e300;                  // scale limit in pixels per unit of length, equal for all panels
   std::vector<std::string> complaints = {};
   Ref<vtkRenderWindow> window = Ref<vtkRenderWindow>::New();
 };
 
-// Pixels. A point is 1/72 of an inch.
+// Font size in pixels. A point is 1/72 inch.
 int font_size(const Picture& p) {
   if (p.dpi > 0) return std::max(7, static_cast<int>(std::lround(p.font_size * p.dpi / 72)));
   return std::max(10, static_cast<int>(std::sqrt(double(p.width) * p.height) / 52));
@@ -46,7 +46,7 @@ int font_size(const Picture& p) {
 
 double points(const Picture& p, double width) { return std::max(1.0, width * p.dpi / 72); }
 
-// Room above the panels for the title.
+// Height of the title as a share of the picture.
 double title_part(const Picture& p) { return p.title.empty() ? 0 : 2.2 * font_size(p) / p.height; }
 
 Ref<vtkRenderer> viewport(Scene& scene, double x0, double y0, double x1, double y1) {
@@ -82,7 +82,7 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
     mapper->UseLookupTableScalarRangeOn();
     mapper->SetColorModeToMapScalars();
     mapper->SetInterpolateScalarsBeforeMapping(
-        sheet.of_points);  // between nodes the bar's colours, no mixtures
+        sheet.of_points);  // colours between nodes are those of the bar
     sheet.of_cells ? mapper->SetScalarModeToUseCellData() : mapper->SetScalarModeToUsePointData();
   }
   const auto result = Ref<vtkActor>::New();
@@ -91,7 +91,7 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
   look->SetColor(0.82, 0.84, 0.88);
   scene.picture.smooth ? look->SetInterpolationToGouraud() : look->SetInterpolationToFlat();
   look->SetLighting(lit);
-  look->SetAmbient(0.75);  // shade that leaves the colours of the bar readable
+  look->SetAmbient(0.75);  // weak shading, so that colours can be compared with the bar
   look->SetDiffuse(0.28);
   look->SetSpecular(0);
   look->SetEdgeVisibility(scene.picture.edges);
@@ -126,7 +126,7 @@ double widest_number(const Scene& scene) {
   return all;
 }
 
-// The column of the colour bar: as wide as the bar and its widest number, or as its title, within limits.
+// Width of the column for the colour bar: the bar with its widest label, or its title, within limits.
 double bar_width(const Scene& scene) {
   if (!scene.table) return 0;
   const int letter = font_size(scene.picture);
@@ -135,7 +135,7 @@ double bar_width(const Scene& scene) {
                   std::max(4.2 * letter + widest_number(scene), 1.2 * letter + title));
 }
 
-// Words that may have to be cut off, which is told.
+// Writes a text and adds a warning if it had to be shortened.
 void write_words(Scene& scene, vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
                  double room) {
   if (!write_fitted(renderer, text, size, centre, room))
@@ -169,7 +169,7 @@ struct Place {
   double x0, y0, x1, y1;  // shares of the picture
 };
 
-// Where panel i of the grid of panels stands.
+// The place of panel i.
 Place panel_place(const Scene& scene, std::size_t number) {
   const int i = static_cast<int>(number), n = static_cast<int>(scene.sheets.size());
   const int columns = scene.picture.columns > 0 ? std::min(scene.picture.columns, n)
@@ -186,7 +186,7 @@ Point panel_size(const Scene& scene, std::size_t i) {
   return {(place.x1 - place.x0) * scene.picture.width, (place.y1 - place.y0) * scene.picture.height};
 }
 
-// Room of the labels, the same in all panels.
+// Space for labels, the same in all panels.
 double above_panels(const Picture& p) {
   const bool labelled = std::any_of(p.panels.begin(), p.panels.end(),
                                     [](const plot::Panel& panel) { return !panel.label.empty(); });
@@ -226,7 +226,7 @@ void add_panel(Scene& scene, std::size_t i, const Bounds& bounds) {
                 size[0] - letter);
 }
 
-// One scale for all panels, so that they can be compared.
+// All panels have the same scale, so that they can be compared.
 void add_panels(Scene& scene) {
   Bounds bounds = common(scene.sheets);
   const bool metres = extent(bounds) >= 1.5;

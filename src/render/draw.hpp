@@ -7,9 +7,9 @@
 
 namespace fabricsh::render {
 
-// Writes picture.png. Returns what is to be told of words that have no room. Needs a display that environment
-// variable DISPLAY names. Error: no panel, a file that can't be read, a field that it doesn't hold (with
-// those that it holds).
+// Writes picture.png. Needs the display that the variable DISPLAY names. Returns warnings about texts that do
+// not fit. Error: no panel, an unreadable file, or a field that the file does not have (the message lists
+// those that it has).
 std::vector<std::string> draw(const plot::Picture& picture);
 
 }  // namespace fabricsh::render

@@ -113,7 +113,9 @@ class Draft {
                  high = bounds_[static_cast<std::size_t>(2 * k + 1)];
     const double decade = std::pow(10, std::floor(std::log10(high - low)) - 1);
     for (const auto& [apart, gap] :
-         {std::pair{3.2, 1.0}, {2.0, 1.0}, {1.2, 0.5}})  // closer only where there would be less than two
+         {std::pair{3.2, 1.0},
+          {2.0, 1.0},
+          {1.2, 0.5}})  // smaller distances only if there were fewer than two ticks
       for (const double part : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
         const Ticks t = ticks(low, high, part * decade);
         const double distance = pixels * t.step / (high - low);
@@ -234,7 +236,7 @@ Layout layout(const Bounds& bounds, const View& view, const std::string& unit, c
 
 namespace {
 
-// Numbers below a thousandth and from a million on are short with a power of ten, 2e-5.
+// Values below 0.001 or from a million on are written with a power of ten, as 2e-5.
 std::string bar_text(double value, double step, double largest) {
   if (std::abs(value) < 1e-9 * step) return "0";
   if (largest >= 1e-3 && largest < 1e6) return text_of(value, step);

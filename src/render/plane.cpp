@@ -23,9 +23,9 @@ namespace {
 template <class T>
 using Ref = vtkSmartPointer<T>;
 
-constexpr int kDotsPerInch = 72;  // of the window
+constexpr int kDotsPerInch = 72;  // assumed for the window
 
-// The letters of the figures of curves where they are installed; the library's own know few signs.
+// A font of the system if there is one, because the built-in font of VTK has few characters.
 const std::string& font_file() {
   static const std::string found = [] {
     for (const char* name : {"liberation/LiberationSans-Regular.ttf",
@@ -90,7 +90,7 @@ void write(vtkRenderer* renderer, const std::string& text, int size, const Point
 
 bool write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
                   double room) {
-  const int smallest = std::max(7, 3 * size / 4);  // 7 pixels can just be read
+  const int smallest = std::max(7, 3 * size / 4);  // 7 pixels is the smallest readable font size
   while (size > smallest && text_size(text, size)[0] > room) --size;
   std::string begun = text, words = text;
   while (!begun.empty() && text_size(words, size)[0] > room) {

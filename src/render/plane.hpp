@@ -13,12 +13,12 @@ namespace fabricsh::render {
 Point text_size(const std::string& text, int size);
 
 void write(vtkRenderer* renderer, const std::string& text, int size, const Point& centre);
-// In smaller letters where the room is narrower than the text, down to three quarters; what is too long even
-// in these ends in three points. Returns whether all of it stands there.
+// Uses a font smaller by up to a quarter if the room is too narrow; a text that is still too long is
+// shortened and ends in three points. Returns whether the whole text was written.
 bool write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre, double room);
 
 void add_line(vtkRenderer* renderer, const Point& from, const Point& to, double width);
-// The table's colours from the lower end up, in the rectangle with these corners.
+// Fills the rectangle between these corners with the table's colours, from the lower end upwards.
 void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low, const Point& high);
 
 }  // namespace fabricsh::render

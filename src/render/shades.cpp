@@ -8,15 +8,14 @@ namespace fabricsh::render {
 
 namespace {
 
-// viridis (S. van der Walt, N. Smith, public domain), at even distances; and for numbers of both signs
-// straight lines in CIE L*a*b* from a dark blue over nearly white to a dark brown red, which are even to the
-// eye.
+// viridis (S. van der Walt, N. Smith, public domain) at equal intervals; for values of both signs
+// straight lines in CIE L*a*b* from dark blue over near white to dark red, which are perceptually uniform.
 const std::vector<Colour> rising = {{68, 1, 84},    {72, 40, 120},  {62, 74, 137},  {49, 104, 142},
                                     {38, 130, 142}, {31, 158, 137}, {53, 183, 121}, {109, 205, 89},
                                     {180, 222, 44}, {253, 231, 37}};
 constexpr Colour blue = {32, 8, -42}, white = {97, 0, 0}, red = {32, 34, 26};  // L*, a*, b*
 
-// Of red, green and blue under daylight, from 0 to 255.
+// Red, green and blue, from 0 to 255, of a colour in CIE L*a*b*.
 Colour display(const Colour& lab) {
   const double fy = (lab[0] + 16) / 116, fx = fy + lab[1] / 500, fz = fy - lab[2] / 200;
   const auto back = [](double f) { return f > 6.0 / 29 ? f * f * f : (116 * f - 16) * 27 / 24389; };
@@ -32,7 +31,7 @@ Colour display(const Colour& lab) {
   return c;
 }
 
-// From -1, blue, to 1, red.
+// t: from -1 (blue) to 1 (red).
 Colour with_sign(double t) {
   const Colour& end = t < 0 ? blue : red;
   const double s = std::min(std::abs(t), 1.0);

@@ -1,4 +1,4 @@
-// Colours of numbers: even to the eye, in grey print, and for most colour-blind readers.
+// Colour scales that are perceptually uniform and suitable for grey print and most colour-blind readers.
 #pragma once
 #include <array>
 
@@ -6,8 +6,8 @@ namespace fabricsh::render {
 
 using Colour = std::array<double, 3>;  // red, green, blue, from 0 to 1
 
-// On a bar from low to high: from dark violet to yellow, or blue, white at zero, red where the range has both
-// signs.
+// Colour of a value on a bar from low to high: dark violet to yellow, or, if the range has both signs,
+// blue over white at zero to red.
 Colour shade(double low, double high, double value);
 
 }  // namespace fabricsh::render

@@ -17,9 +17,9 @@ struct Sheet {
 
 // Error: the file is missing, or it does not have the field (the message lists those that it has).
 Sheet read_sheet(const std::string& path, const plot::Picture& picture);
-// Numbers of cells become those of points, each the mean of the cells around it.
+// Replaces the values of cells by values of points, each the mean of the adjacent cells.
 void make_smooth(Sheet& sheet);
-// Scales the points, all sheets alike.
+// Scales the points of the sheet.
 void scale(const Sheet& sheet, double factor);
 
 }  // namespace fabricsh::render

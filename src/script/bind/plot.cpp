@@ -73,7 +73,7 @@ plot::CurveStyle style_of(const std::string& word) {
   return word == "line" ? plot::CurveStyle::line : plot::CurveStyle::line_points;
 }
 
-// A list of numbers on top of the stack, or an error that names the field.
+// The list of numbers on top of the stack; errors name the field.
 std::vector<double> numbers_on_top(lua_State* L, const std::string& field) {
   const auto refuse = [&](const std::string& got) {
     throw Error("field '" + field + "': expected a list of numbers, got " + got);
@@ -90,8 +90,8 @@ std::vector<double> numbers_on_top(lua_State* L, const std::string& field) {
   return out;
 }
 
-// The field `name` of every row of the table on top of the stack, which may be a test with a curve, or hold a
-// list for each name.
+// The field `name` of each row of the table on top of the stack. The table may also be a test with a
+// curve, or contain a list for each name.
 std::vector<double> column(lua_State* L, const std::string& path, const std::string& name) {
   luaL_checkstack(L, 10, "rows");
   const int before = lua_gettop(L);
@@ -153,7 +153,7 @@ std::vector<double> ordinates(const Fields& f, const std::string& path, const ch
   return out;
 }
 
-// A list of numbers, or a field of the curve's rows, under a name of the table `ends`.
+// The list of numbers `name` of the table `ends`, or a field of the rows of the curve.
 std::vector<double> one_end(const Fields& curve, const std::string& path, const Fields& ends,
                             const char* name) {
   if (!ends.is(name, LUA_TSTRING)) return listed(ends, name);
@@ -181,7 +181,7 @@ bool has_field(const Fields& f, const char* list, const char* name) {
   return found;
 }
 
-// Error bars: their ends, or half their length on either side of y.
+// Error bars, given by their ends or by half their length.
 plot::Ends error_of(const Fields& f, const std::string& path, const std::vector<double>& y) {
   if (!f.has("error")) return {};
   const bool list = f.is("error", LUA_TTABLE);
@@ -224,7 +224,7 @@ plot::Curve read_curve(lua_State* L, const std::string& path) {
   return curve;
 }
 
-// What is asked of one panel: its own fields, and where it has none those of the call, for all panels.
+// The options of a panel: its own fields, and for missing ones the fields of the call.
 class Asked {
  public:
   Asked(const Call& call, const Fields* panel) : call_(call), panel_(panel) {}
@@ -239,7 +239,7 @@ class Asked {
   const Fields* panel_;
 };
 
-// The size in SI of a unit that the axis is labelled with.
+// The size in SI of the unit in which an axis is labelled.
 double unit_size(const Asked& asked, const std::string& field) {
   const std::string name = asked.text(field);
   if (name.empty()) return 1;
@@ -260,7 +260,7 @@ double unit_size(const Asked& asked, const std::string& field) {
   return size;
 }
 
-// Scales the axis to its unit, and says the unit behind its label.
+// Scales the axis to its unit, and appends the unit to its label.
 plot::Axis read_axis(const Asked& asked, const std::string& name, double unit) {
   plot::Axis axis{asked.text(name + "label"), {}, {}, asked.text("log").find(name) != std::string::npos};
   if (const std::string word = asked.text(name + "unit"); !word.empty())
@@ -300,7 +300,7 @@ void scale(plot::Curve& curve, double x, double y) {
     for (double& value : *list) value /= y;
 }
 
-// A curve for each name of y, by the fields of rows.
+// A curve for each name in y, from the fields of rows.
 void read_rows(const Fields& f, const std::string& path, plot::Figure& figure) {
   if (!f.is("x", LUA_TSTRING)) f.refuse("x", "expected the name of a field of rows");
   lua_State* L = f.L();
@@ -336,7 +336,7 @@ void read_curves(const Fields& f, const std::string& path, plot::Figure& figure)
   lua_pop(L, 1);
 }
 
-// With the curves that `own` holds; path: what stands before the names of its fields.
+// path: prefix of the field names of `own` in messages.
 plot::Figure read_figure(const Asked& asked, const Fields& own, const std::string& path) {
   const double x = unit_size(asked, "xunit"), y = unit_size(asked, "yunit");
   plot::Figure figure{asked.text("title"), read_axis(asked, "x", x), read_axis(asked, "y", y)};
@@ -430,7 +430,7 @@ plot::Page read_page(const Call& call) {
   return page;
 }
 
-// Without gnuplot what was computed is not lost: the figure is missing with a warning, and the deck goes on.
+// A missing gnuplot only gives a warning, because the results of the deck would otherwise be lost.
 bool drawn(const Call& call, const plot::Page& page) {
   const std::string path = call.text("file");
   system::make_folder_for(path);
@@ -458,7 +458,7 @@ int plot(Call& call) {
   return 1;
 }
 
-// What one panel is given, and a call for all of them.
+// Arguments of a panel, and of a call as defaults for all panels.
 std::vector<Argument> panel_rows() {
   const auto range = [](const char* name) {
     return Argument{name, numbers, "", everything, "{low, high} shown, in SI; default: all"}.optional();

@@ -98,7 +98,7 @@ Seen view_at(const Call& call, const char* name, const std::vector<double>& angl
           fabricsh::number(angles[0]) + ", " + fabricsh::number(angles[1]) + " degrees"};
 }
 
-// A view of the list on top of the stack.
+// The view on top of the stack.
 Seen one_view(const Call& call) {
   lua_State* L = call.L();
   if (lua_type(L, -1) == LUA_TSTRING) {
@@ -132,7 +132,7 @@ std::vector<Seen> read_views(const Call& call) {
   return all;
 }
 
-// Pixels of a picture for paper.
+// Size of a picture for paper, in pixels.
 void read_size(const Call& call, plot::Picture& p) {
   if (!call.has("size")) {
     for (const char* name : {"dpi", "font_size"})
@@ -247,7 +247,7 @@ class Frame {
   PrivateFolder folder_;
 };
 
-// A panel for each view of each file, the views of one file side by side.
+// One panel for each view of each file; the views of a file are side by side.
 void add_panels(const Call& call, const std::vector<std::string>& paths, plot::Picture& picture) {
   const std::vector<std::string> labels = word_list(call, "labels");
   const std::vector<Seen> views = read_views(call);

@@ -335,14 +335,13 @@ void Fields::refuse(std::string_view name, const std::string& why) const {
 
 namespace {
 
-// A function with named fields of which the first are rows, x and y takes these without their names as well.
+// A function with named fields accepts the first three without names if they are rows, x and y.
 int leading(const Entry& entry) {
   const auto& all = entry.arguments;
   return all.size() > 3 && all[0].name == "rows" && all[1].name == "x" && all[2].name == "y" ? 3 : 0;
 }
 
-// f(a, b, { c = ... }): the first arguments by their places, the others from a table with named fields behind
-// them.
+// f(a, b, { c = ... }): the first arguments are positional, and a table with named fields follows.
 int gather_led(lua_State* L, const Entry& entry, int first) {
   const int given = lua_gettop(L) - first + 1, most = leading(entry), table = first + most;
   if (given > most + 1)
