@@ -116,7 +116,7 @@ local function made(speed, M, tau, scatter, hold)
   return t
 end
 local inside, of, seen = 0, 0, 0
-for _ = 1, 20 do
+for _ = 1, 12 do
   local v = lab.viscous { tests = { made(0.001, 1e6, 30, 0.03), made(0.05, 1e6, 30, 0.03, 3) }, scatter = 0.03 }
   if v.viscous then
     seen = seen + 1
@@ -126,21 +126,21 @@ for _ = 1, 20 do
     end
   end
 end
-assert(seen == 20 and inside / of > 0.85, ("%d seen, %d of %d inside"):format(seen, inside, of)) -- 57 of 60, three standard errors
+assert(seen == 12 and inside / of > 0.8, ("%d seen, %d of %d inside"):format(seen, inside, of)) -- 34 of 36 that hang together, three standard errors
 -- nothing there: rarely anything found; how specimens differ is found from those of one speed
 local wrongly, scatter = 0, 0
-for _ = 1, 12 do
+for _ = 1, 5 do
   local tests = {}
   for i = 1, 3 do tests[i], tests[3 + i] = made(0.001, 0, 1, 0.03), made(0.05, 0, 1, 0.03) end
   local v = lab.viscous { tests = tests }
-  scatter = scatter + v.scatter ^ 2 / 12
+  scatter = scatter + v.scatter ^ 2 / 5
   if v.viscous or v.contradicts then wrongly = wrongly + 1 end
 end
-assert(wrongly <= 3, wrongly)
-close(math.sqrt(scatter), 0.03, 0.35, "scatter found") -- 48 degrees of freedom: a tenth; the ends of the curves weigh in
+assert(wrongly <= 2, wrongly)
+close(math.sqrt(scatter), 0.03, 0.5, "scatter found") -- 20 degrees of freedom: a sixth; the ends of the curves weigh in
 
 -- --- what tests do not tell ---
-local v = lab.viscous { tests = { made(0.05, 1e6, 2000, 0, 2) } }
+local v = lab.viscous { tests = { made(0.05, 1e6, 100, 0, 2) } }
 assert(v.open_above and not v.viscous and v.text:find "do not determine the time constant: they end before it is over", v.text)
 v = lab.viscous { tests = { made(0.001, 3e9, 1e-3, 0), made(0.05, 3e9, 1e-3, 0) } }
 assert(v.open_below and not v.viscous and v.text:find "only modulus times time is told", v.text)

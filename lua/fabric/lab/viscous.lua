@@ -586,7 +586,7 @@ local function viscous(t)
     local fixed = t.time and at_time(state, t.time)
     positive = fixed and (fixed.sign > 0 and fixed or nil) or not t.time and best_of(state, state.profile, 1) or nil
     negative = fixed and (fixed.sign < 0 and fixed or nil) or not t.time and best_of(state, state.profile, -1) or nil
-    settle(state, positive)
+    settle(state, negative and (not positive or negative.gain > positive.gain) and negative or positive) -- what is left of either is noise
     rms, likeness = noise_of(state)
     if round < rounds then
       find_scatter(state)
