@@ -1,7 +1,8 @@
 -- A folder of measurements, reduced to fits and a card. It contains laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary=, degree=, rule=,
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary= (a table, or the
+--     file in this folder that returns it), degree=, rule=,
 --     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
 --     grips="free"|"clamped" (for the simulation: ends that can contract, such as loops on pins, or jaws; default free) }
@@ -113,11 +114,15 @@ local function paired(record, grid, file)
   return both, kept
 end
 
+-- A record of a bias pull: strains and forces per width count for the specimen's size.
+local function record_of(about, file, width, length)
+  return lab.read { file = file, columns = about.columns, units = about.units, vocabulary = about.vocabulary, width = width, gauge_length = length }
+end
+
 local function in_shear(about, path)
   local tests = {}
   for i, s in ipairs(specimens(path, "^bias%-(%w+)%-frames")) do
-    local record, grid = paired(lab.read { file = s.file, columns = about.columns, units = about.units },
-      grid_of(about, s.stem .. "-markers.csv"), s.file)
+    local record, grid = paired(record_of(about, s.file, about.width, about.gauge_length), grid_of(about, s.stem .. "-markers.csv"), s.file)
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
     tests[i].file = s.file
   end
@@ -129,9 +134,9 @@ end
 local function in_shear_without_markers(about, path)
   local tests, size = {}, about.bias or {}
   for i, s in ipairs(specimens(path, "^bias%-(%w+)")) do
-    local record = lab.read { file = s.file, columns = about.columns, units = about.units, vocabulary = about.vocabulary }
-    local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = size.width or about.width,
-      length = size.length or about.gauge_length, thickness = about.thickness * (about.plies or 1), cut = true }
+    local width, length = size.width or about.width, size.length or about.gauge_length
+    local record = record_of(about, s.file, width, length)
+    local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = width, length = length, thickness = about.thickness * (about.plies or 1), cut = true }
     tests[i] = { E = shear.E12, S = shear.S12, file = s.file, branches = { { kind = "loading", first = 1, last = #shear.E12 } }, without_markers = true }
   end
   if #tests == 0 then return end
@@ -161,6 +166,8 @@ local function about_of(path)
   for _, name in ipairs { "gauge_length", "width", "thickness" } do need(name, "number", "a length in m") end
   if not about.density and not about.mass_per_area then stop(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)") end
   about.file = file
+  -- A file of words may lie beside the records.
+  if type(about.vocabulary) == "string" and exists(path .. "/" .. about.vocabulary) then about.vocabulary = path .. "/" .. about.vocabulary end
   return about
 end
 
