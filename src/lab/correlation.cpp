@@ -22,6 +22,9 @@ constexpr double kFarthest = 4;      // pixels from the start of an iteration: i
 constexpr double kBlurred = 0.02;
 constexpr double kLevel = 1.0 / 255;
 
+// Pixels at the rim that no subset has on the first photograph, so that one that moves by less is not lost.
+constexpr int kRim = 4;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::Map<const Matrix6> matrix(const std::array<double, 36>& values) {
@@ -53,9 +56,10 @@ Correlator::Correlator(const format::Image& first, const CorrelationOptions& opt
     : width_(first.width), height_(first.height), options_(options) {
   const Spline spline(first);
   const int half = options.half, side = 2 * half + 1;
-  // The slope of the spline needs a pixel more all round.
-  const int left = std::max(1, options.region.left), right = std::min(first.width - 1, options.region.right);
-  const int top = std::max(1, options.region.top), bottom = std::min(first.height - 1, options.region.bottom);
+  const int left = std::max(kRim, options.region.left),
+            right = std::min(first.width - kRim, options.region.right);
+  const int top = std::max(kRim, options.region.top),
+            bottom = std::min(first.height - kRim, options.region.bottom);
   if (right - left < side || bottom - top < side)
     throw Error("correlate: expected a region of at least " + std::to_string(side) + " x " +
                 std::to_string(side) + " pixels, one subset, got " + std::to_string(right - left) + " x " +

@@ -18,7 +18,7 @@ struct Region {
 format::Image cropped(const format::Image& image, const Region& region);
 
 struct CorrelationOptions {
-  Region region;  // of the first photograph, in which whole subsets lie
+  Region region;  // of the first photograph, in which whole subsets lie; four pixels at its rim are left out
   int half = 12;  // a subset is 2 half + 1 pixels wide and high
   int step = 12;  // between the middles of neighbours
   int search =
