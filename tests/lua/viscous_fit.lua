@@ -92,6 +92,42 @@ do
   local v = lab.viscous { tests = { slow, fast }, thickness = card.thickness, knots = 16 }
   close(v.modulus, modulus, 2e-3, "modulus from bias pulls")
   close(v.time, time, 5e-3, "time from bias pulls")
+  -- the same from a folder of files, whose laboratory.lua says so; without it nothing relaxes
+  local folder, here = require "fabric.lab.folder", os.tmpname()
+  os.remove(here)
+  assert(os.execute("mkdir '" .. here .. "'"))
+  local function write(name, heading, columns)
+    local f <close> = assert(io.open(here .. "/" .. name, "w"))
+    f:write(heading, "\n")
+    for k = 1, #columns[1] do f:write(("%.12g,%.12g,%.12g\n"):format(columns[1][k], columns[2][k], columns[3] and columns[3][k] or k)) end
+  end
+  write("bias-1.csv", "displacement (m),force (N),time (s)", { slow.displacement, slow.force, slow.time })
+  write("bias-2.csv", "displacement (m),force (N),time (s)", { fast.displacement, fast.force, fast.time })
+  local u, P = {}, {}
+  for k = 1, 50 do u[k], P[k] = 4e-4 * (k - 1), 2 * (k - 1) end
+  write("warp-1.csv", "displacement (m),force (N),number", { u, P })
+  for _, wanted in ipairs { "true", "false", "5" } do
+    local f <close> = assert(io.open(here .. "/laboratory.lua", "w"))
+    f:write(("return { name='mine', gauge_length=%g, width=%g, thickness=%.12g, density=500, plies=1, viscous=%s }"):format(h, w, card.thickness, wanted))
+    f:flush()
+    if wanted == "5" then
+      fails("laboratory.lua: field 'viscous': expected true or false, got 5", folder.reduce, here)
+    else
+      local found = folder.reduce(here)
+      assert((found.card.viscous ~= nil) == (wanted == "true") and (found.shear.viscous ~= nil) == (wanted == "true"))
+      if wanted == "true" then
+        close(found.card.viscous.shear.modulus, modulus, 2e-2, "modulus from a folder")
+        close(found.card.viscous.shear.time, time, 5e-2, "time from a folder")
+        assert(found.card.provenance.viscous:find "^fitted to 2 tests" and found.card.provenance["shear.loading"]:find "beside what relaxes")
+      end
+    end
+  end
+  write("bias-1.csv", "displacement (m),force (N),number", { slow.displacement, slow.force })
+  local f <close> = assert(io.open(here .. "/laboratory.lua", "w"))
+  f:write(("return { name='mine', gauge_length=%g, width=%g, thickness=%.12g, density=500, plies=1, viscous=true }"):format(h, w, card.thickness))
+  f:flush()
+  fails("bias-1.csv: expected a column of the time, since laboratory.lua says viscous=true", folder.reduce, here)
+  assert(os.execute("rm -r '" .. here .. "'"))
   -- the crosshead's speed in place of the time: the same for what only moves
   slow.time, slow.speed = nil, 1e-4
   slow.displacement[0] = nil
