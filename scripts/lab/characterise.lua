@@ -29,6 +29,7 @@ for _, name in ipairs { "warp", "weft", "shear" } do
     expected[#expected + 1] = { name .. ": residual over the peak", figures[name].residual, 0, absolute = 0.1 }
   end
 end
+if result.shear and result.shear.viscous then print(result.shear.viscous.text) end
 for _, further in ipairs(result.further) do print(("to settle %s: %s; %s"):format(further.field, further.test, further.now)) end
 print("written: " .. out .. "/report.html, " .. out .. "/card.lua")
 fabric.expect(expected)

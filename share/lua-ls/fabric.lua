@@ -579,6 +579,7 @@ function fabric.lab.capstan(fields) end
 ---@field poisson? table {warp=, weft=}: numbers, or results of fabric.lab.poisson
 ---@field assume? boolean|table true: what no test shows is taken by rule and marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., ['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error (default false)
 ---@field bending? table as in fabric.woven
+---@field viscous? table result of fabric.lab.viscous (which may tell of none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes
 
 ---A woven card from fits, with bands, tested ranges and, in provenance, where each number comes from: fitted, copied off a card, typed, or assumed; card:write keeps them.
 ---@param fields fabric_lab_card_fields
@@ -600,6 +601,27 @@ function fabric.lab.card(fields) end
 ---@param options? fabric_lab_compare_fields.options what is laid over each other, and where the figure goes
 ---@return table<string, any>
 function fabric.lab.compare(measured, test, options) end
+
+---@class fabric_lab_correlate_fields.region
+---@field left? integer first column, from 0 at the left
+---@field top? integer first row, from 0 at the top
+---@field right? integer column behind the last
+---@field bottom? integer row below the last
+
+---@class fabric_lab_correlate_fields
+---@field files table photographs in order, all of one size: PNG, JPEG, TIFF or BMP
+---@field region? fabric_lab_correlate_fields.region pixels of the photograph, as picture viewers count them; default: all
+---@field subset? integer pixels of a subset's side, odd: three speckles and more (default 25)
+---@field step? integer pixels between subsets; default: half of a side
+---@field search? integer pixels that a subset may have moved since the photograph before, to be found without a neighbour's help (default 20)
+---@field least? number correlation of a subset that is found (default 0.8)
+---@field gauge? integer subsets in a row, odd, whose displacements make a strain (default 5)
+---@field scale? number m: of a pixel
+
+---Follows a speckled surface through photographs by digital image correlation: rows, columns (of subsets in the region of the first), frames, x, y (of their middles on each photograph; m, or pixels without a scale; y upwards; nan: lost, or without texture), E11, E22, E12 (Green-Lagrange), correlation, deviation (of a displacement, from what differs between the photographs), all frames x subsets; found (part of the subsets, by frame). rows, columns, x, y are a grid of markers for poisson and shear_from_bias.
+---@param fields fabric_lab_correlate_fields
+---@return table<string, any>
+function fabric.lab.correlate(fields) end
 
 ---@class fabric_lab_density_fields
 ---@field mass number[] kg: of each weighed piece
@@ -1095,6 +1117,23 @@ function fabric.lab.shear(fields) end
 ---@return table<string, any>
 function fabric.lab.shear_from_bias(fields) end
 
+---@class fabric_lab_speckles_fields
+---@field file string ends in .png
+---@field width integer of the picture, pixels
+---@field height integer of the picture, pixels
+---@field size? number pixels: of a speckle: deviation of its round blot (default 2)
+---@field cover? number blots of one deviation's area over the area of the cloth (default 0.5)
+---@field F? number[] {F11, F12, F21, F22}: the map of the cloth about the middle, y upwards; default: none
+---@field shift? number[] pixels: {x, y}, y upwards, after the map
+---@field noise? number of a pixel, white being 1 (default 0)
+---@field pattern? integer seed of the speckles (default 1)
+---@field seed? integer of the noise (default 1)
+
+---Makes a photograph of speckled cloth under a known map, exact at every place: for trying the correlation.
+---@param fields fabric_lab_speckles_fields
+---@return table<string, any>
+function fabric.lab.speckles(fields) end
+
 ---@class fabric_lab_spread_fields
 ---@field tests table three specimens and more: results of fabric.lab.tensile or shear_from_bias
 ---@field fit? table result of fabric.lab.fit of these tests: strains count from the first contact that it found
@@ -1166,6 +1205,12 @@ function fabric.lab.synthetic(fields) end
 ---@return table<string, any>
 function fabric.lab.tensile(fields) end
 
+---@class fabric_lab_track_fields.region
+---@field left? integer first column, from 0 at the left
+---@field top? integer first row, from 0 at the top
+---@field right? integer column behind the last
+---@field bottom? integer row below the last
+
 ---@class fabric_lab_track_fields.known
 ---@field from integer a marker
 ---@field to integer another
@@ -1175,6 +1220,7 @@ function fabric.lab.tensile(fields) end
 ---@field files table photographs in order: PNG, JPEG, TIFF or BMP
 ---@field rows integer of dots, following each other along the pull (y)
 ---@field columns integer of dots, across
+---@field region? fabric_lab_track_fields.region pixels of the photograph, as picture viewers count them; default: all
 ---@field scale? number m: of a pixel
 ---@field known? fabric_lab_track_fields.known a known distance, instead of the scale
 ---@field dark? boolean dots on lighter cloth (default true)
@@ -1253,6 +1299,20 @@ function fabric.lab.uniaxial(fields) end
 ---@param fields fabric_lab_unloading_fields
 ---@return number
 function fabric.lab.unloading(fields) end
+
+---@class fabric_lab_viscous_fields
+---@field tests table in shear, at several speeds or with holds: { {E=, S=, time=, name=}, ... } (E12, S12 in Pa, s), or bias pulls {displacement=, force=, width=, length=, time=} whose yarns do not stretch; speed= (m/s, of the crosshead) with displacement in place of the time
+---@field thickness? number m: of the cloth, for bias pulls
+---@field time? number s: known from elsewhere; default: found
+---@field scatter? number relative deviation of one specimen; default: found where three and more were tested at speeds that repeat, else 0.04
+---@field knots? integer intervals of the elastic curve (default 10)
+---@field limit? number degrees: shear angle up to which rows count (default 30)
+---@field level? number of confidence (default 0.95)
+
+---The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, elastic {E, S}, shear (for fabric.lab.card), scatter, rms, profile, reason, text.
+---@param fields fabric_lab_viscous_fields
+---@return table<string, any>
+function fabric.lab.viscous(fields) end
 
 ---@class fabric_linear_fields.bending.friction_warp
 ---@field moment number N: friction moment per width

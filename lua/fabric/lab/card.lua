@@ -162,6 +162,24 @@ local function poisson_of(t, name, told)
   return given or rule.poisson.value
 end
 
+-- Shear that relaxes, where a test told of it; and the line of the card's source where the tests that were made tell of none.
+local function viscous_of(t, told, source)
+  local v = t.viscous
+  if not v then return end
+  local made = v.viscous or (v.reason == nil and v or nil)
+  if not made then
+    source[#source + 1] = "viscous: none, " .. v.reason:gsub("^%u", string.lower):gsub("%..*$", "")
+    return
+  end
+  local shear = made.shear
+  if type(shear) ~= "table" or type(shear.modulus) ~= "number" or type(shear.time) ~= "number" then
+    fail "card: field 'viscous': expected a result of fabric.lab.viscous, or { shear={ modulus=, time= } }"
+  end
+  told.viscous = origin.fitted(v, "viscous") or "typed"
+  local engineering = t.shear and t.shear.measure == "engineering"
+  return { shear = { modulus = engineering and shear.modulus / 2 or shear.modulus, time = shear.time } }
+end
+
 -- The line in the card's source that describes a part.
 local function summary(words, name)
   return name .. ": " .. (words:match "^fitted to ([^;]*)" or words:match "^(assumed):" or words)
@@ -184,11 +202,12 @@ local function card(t)
   for _, field in ipairs { "thickness", "density" } do
     if type(t.assume) == "table" and t.assume[field] then told[field] = "assumed: given by the deck" end
   end
+  local viscous = viscous_of(t, told, source)
   made.shear.measure, made.shear.memory = t.shear and t.shear.measure or "tensor", t.shear and t.shear.memory
   return fabric.woven {
     name = t.name, source = table.concat(source, "; "), density = t.density, thickness = t.thickness,
     warp = made.warp, weft = made.weft, shear = made.shear, tested = tested,
-    bands = bands.level and bands or nil, bending = t.bending, provenance = told,
+    bands = bands.level and bands or nil, bending = t.bending, viscous = viscous, provenance = told,
   }
 end
 
@@ -207,6 +226,8 @@ define {
       sentence = "true: what no test shows is taken by rule and marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., "
         .. "['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error" },
     { name = "bending", kind = "table", optional = true, sentence = "as in fabric.woven" },
+    { name = "viscous", kind = "table", optional = true,
+      sentence = "result of fabric.lab.viscous (which may tell of none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes" },
   },
   sentence = "A woven card from fits, with bands, tested ranges and, in provenance, where each number comes from: fitted, copied off a card, "
     .. "typed, or assumed; card:write keeps them.",

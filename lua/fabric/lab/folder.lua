@@ -1,9 +1,11 @@
 -- A folder of measurements, reduced to fits and a card. It contains laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary=, degree=, rule=,
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary= (a table, or the
+--     file in this folder that returns it), degree=, rule=,
 --     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
+--     viscous=true (bias tests at several speeds or with holds, whose records have seconds: the part of shear that relaxes),
 --     grips="free"|"clamped" (for the simulation: ends that can contract, such as loops on pins, or jaws; default free) }
 --
 -- and files whose names give their meaning; K is the specimen:
@@ -100,46 +102,67 @@ local function paired(record, grid, file)
   if not row_of[grid.numbers[1]] then
     stop(("%s: expected a row for frame %g, the first of %s, from which the strain counts"):format(file, grid.numbers[1], grid.file))
   end
-  local both = { displacement = {}, force = {} }
+  local both = { displacement = {}, force = {}, time = record.time and {} or nil }
   local kept = { rows = grid.rows, columns = grid.columns, file = grid.file, frames = 0, numbers = {}, x = {}, y = {} }
   for f, number in ipairs(grid.numbers) do
     local row = row_of[number]
     if row then
       kept.frames = kept.frames + 1
       kept.numbers[kept.frames], both.displacement[kept.frames], both.force[kept.frames] = number, record.displacement[row], record.force[row]
+      if both.time then both.time[kept.frames] = record.time[row] end
       for _, name in ipairs { "x", "y" } do table.move(grid[name], (f - 1) * markers + 1, f * markers, #kept[name] + 1, kept[name]) end
     end
   end
   return both, kept
 end
 
+-- A record of a bias pull: strains and forces per width count for the specimen's size.
+local function record_of(about, file, width, length)
+  return lab.read { file = file, columns = about.columns, units = about.units, vocabulary = about.vocabulary, width = width, gauge_length = length }
+end
+
+-- The seconds of a record from which the part of shear that relaxes is to be found.
+local function seconds_of(record, file)
+  if not record.time then stop(file .. ": expected a column of the time, since laboratory.lua says viscous=true") end
+  return record.time
+end
+
 local function in_shear(about, path)
   local tests = {}
   for i, s in ipairs(specimens(path, "^bias%-(%w+)%-frames")) do
-    local record, grid = paired(lab.read { file = s.file, columns = about.columns, units = about.units },
-      grid_of(about, s.stem .. "-markers.csv"), s.file)
+    local record, grid = paired(record_of(about, s.file, about.width, about.gauge_length), grid_of(about, s.stem .. "-markers.csv"), s.file)
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
     tests[i].file = s.file
+    if about.viscous then
+      tests[i].name, tests[i].time = s.file, {}
+      for k, frame in ipairs(tests[i].frames) do tests[i].time[k] = seconds_of(record, s.file)[frame] end
+    end
   end
   if #tests == 0 then return end
-  return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared, rule = "robust" } }
+  return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared, rule = "robust" },
+    viscous = about.viscous and lab.viscous { tests = tests } or nil }
 end
 
 -- Bias tests without markers, evaluated by the kinematics of inextensible yarns.
 local function in_shear_without_markers(about, path)
-  local tests, size = {}, about.bias or {}
+  local tests, pulls, size = {}, {}, about.bias or {}
   for i, s in ipairs(specimens(path, "^bias%-(%w+)")) do
-    local record = lab.read { file = s.file, columns = about.columns, units = about.units, vocabulary = about.vocabulary }
-    local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = size.width or about.width,
-      length = size.length or about.gauge_length, thickness = about.thickness * (about.plies or 1), cut = true }
+    local width, length = size.width or about.width, size.length or about.gauge_length
+    local record = record_of(about, s.file, width, length)
+    local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = width, length = length,
+      thickness = about.thickness * (about.plies or 1), cut = true }
+    if about.viscous then
+      pulls[i] = { name = s.file, displacement = record.displacement, force = record.force, time = seconds_of(record, s.file), width = width, length = length }
+    end
     tests[i] = { E = shear.E12, S = shear.S12, file = s.file, branches = { { kind = "loading", first = 1, last = #shear.E12 } }, without_markers = true }
   end
   if #tests == 0 then return end
-  return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared }, without_markers = true }
+  return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared }, without_markers = true,
+    viscous = about.viscous and lab.viscous { tests = pulls, thickness = about.thickness * (about.plies or 1) } or nil }
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume" }
+  "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous" }
 
 -- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)
@@ -160,7 +183,10 @@ local function about_of(path)
   need("name", "string", "the fabric's name")
   for _, name in ipairs { "gauge_length", "width", "thickness" } do need(name, "number", "a length in m") end
   if not about.density and not about.mass_per_area then stop(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)") end
+  if about.viscous ~= nil and type(about.viscous) ~= "boolean" then need("viscous", "boolean", "true or false") end
   about.file = file
+  -- A file of words may lie beside the records.
+  if type(about.vocabulary) == "string" and exists(path .. "/" .. about.vocabulary) then about.vocabulary = path .. "/" .. about.vocabulary end
   return about
 end
 
@@ -192,11 +218,13 @@ function folder.reduce(path)
   if not out.warp and not out.weft then
     stop(path .. ": expected files of pulls named warp-1.csv or weft-1.csv, there is none")
   end
+  local viscous = out.shear and out.shear.viscous
   local function fit(name) return out[name] and out[name].fit end
   out.card = lab.card {
     name = about.name, source = about.source, thickness = about.thickness,
     density = about.density or about.mass_per_area / about.thickness,
-    warp = fit "warp", weft = fit "weft", shear = fit "shear", assume = about.assume or true,
+    warp = fit "warp", weft = fit "weft", shear = viscous and viscous.viscous and viscous.shear or fit "shear",
+    viscous = viscous, assume = about.assume or true,
     poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = about.bending,
   }
   out.further = further_of(out.card)

@@ -234,6 +234,8 @@ local function html(result, figures, rows, out)
   parts[#parts + 1] = "<table><tr><th>parameter<th>value<th>95 % band<th>unit<th>from</tr>"
   for _, row in ipairs(rows) do parts[#parts + 1] = "<tr><td>" .. table.concat(row, "<td>") .. "</tr>" end
   parts[#parts + 1] = "</table>"
+  local viscous = result.shear and result.shear.viscous
+  if viscous then parts[#parts + 1] = "<h2>Shear that relaxes</h2><pre>" .. escaped(viscous.text) .. "</pre>" end
   if #(result.further or {}) > 0 then
     parts[#parts + 1] = "<h2>What further tests would settle</h2><table><tr><th>now<th>a test that tells<th></tr>"
     for _, f in ipairs(result.further) do

@@ -21,7 +21,7 @@ words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "i
 -- may be letters, here in lower case).
 words.names = {
   displacement = { "displacement", "extension", "elongation", "crosshead", "stroke", "position", "travel", "weg", "verlangerung", "verlaengerung",
-    "deplacement", "allongement", "spostamento", "allungamento", "corsa", "przemieszczenie", "wydluzenie", "droga",
+    "deplacement", "allongement", "spostamento", "allungamento", "estensione", "corsa", "przemieszczenie", "wydluzenie", "droga",
     "\u{5909}\u{4f4d}", "\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}", "\u{4f38}\u{3073}", "\x95\xcf\x88\xca", "\x83x\x83g\x83\x8d\x81[\x83n" },
   force = { "force", "load", "kraft", "charge", "forza", "carico", "sila", "obciazenie", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
     "\x8e\x8e\x8c\xb1\x97\xcd" },

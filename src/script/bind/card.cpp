@@ -96,6 +96,10 @@ law::Provenance origins_after(const Card& before, const Card& after) {
   changed("warp.unloading", a->warp.unloading == b->warp.unloading);
   changed("weft.unloading", a->weft.unloading == b->weft.unloading);
   changed("shear.unloading", a->shear.unloading == b->shear.unloading);
+  const auto& x = a->viscous;
+  const auto& y = b->viscous;
+  changed("viscous", x.has_value() == y.has_value() &&
+                         (!x || (x->shear.modulus == y->shear.modulus && x->shear.time == y->shear.time)));
   changed("warp.poisson", a->warp.poisson == b->warp.poisson);
   changed("weft.poisson", a->weft.poisson == b->weft.poisson);
   return out;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lab/tracker.hpp"
+#include "script/bind/correlate.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
@@ -12,20 +13,13 @@ namespace fabricsh::script {
 
 namespace {
 
-std::vector<std::string> file_names(const Call& call) {
-  lua_State* L = call.L();
-  std::vector<std::string> out;
-  call.push("files");
-  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= n; ++i) {
-    if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
-      call.refuse("files", "expected names of photographs, got " + describe(L, -1));
-    out.emplace_back(lua_tostring(L, -1));
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
-  if (out.size() < 2) call.refuse("files", "expected at least two photographs");
-  return out;
+// Dots of a photograph within the region, in pixels of the whole.
+std::vector<lab::Dot> dots_of(const Call& call, const std::string& file, const lab::DotOptions& options) {
+  const format::Image image = format::read_image(file);
+  const lab::Region r = region_of(call, image);
+  auto dots = lab::find_dots(lab::cropped(image, r), options);
+  for (lab::Dot& d : dots) d.x += r.left, d.y += r.top;
+  return dots;
 }
 
 // Metres per pixel: given, or from the distance of two markers in the first photograph.
@@ -75,10 +69,8 @@ int track(Call& call) {
                                 call.number("contrast")};
   const auto names = file_names(call);
   lab::Tracker tracker(static_cast<std::size_t>(call.integer("rows")),
-                       static_cast<std::size_t>(call.integer("columns")),
-                       lab::find_dots(format::read_image(names[0]), options));
-  for (std::size_t i = 1; i < names.size(); ++i)
-    tracker.add(lab::find_dots(format::read_image(names[i]), options));
+                       static_cast<std::size_t>(call.integer("columns")), dots_of(call, names[0], options));
+  for (std::size_t i = 1; i < names.size(); ++i) tracker.add(dots_of(call, names[i], options));
   const lab::Tracks& t = tracker.tracks();
   const double scale = scale_of(call, t);
   lua_newtable(L);
@@ -136,7 +128,7 @@ std::vector<Entry> rows() {
       {"fabric.lab.track",
        Style::fields,
        {value_("files", table, "photographs in order: PNG, JPEG, TIFF or BMP"), rows_row, columns_row,
-        number_("scale", "m", positive, "of a pixel").optional(),
+        region_(), number_("scale", "m", positive, "of a pixel").optional(),
         fields_("known",
                 {integer_("from", from_one, "a marker"), integer_("to", from_one, "another"),
                  number_("distance", "m", positive, "between them on the first photograph")},
@@ -176,6 +168,9 @@ std::vector<Entry> rows() {
 
 }  // namespace
 
-void bind_track(Session& session) { install(session, rows()); }
+void bind_track(Session& session) {
+  install(session, rows());
+  install(session, correlation_rows());
+}
 
 }  // namespace fabricsh::script

@@ -267,3 +267,19 @@ wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, processes=2.
   "deck.lua:1: pool: field 'processes': expected an integer of at least 1, got 2.5")
 wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, progress='yes' }",
   "deck.lua:1: pool: field 'progress': expected true or false, got 'yes'")
+
+-- fabric.lab.viscous
+wrong("fabric.lab.viscous", "fabric.lab.viscous{ tesst={} }",
+  "deck.lua:1: viscous: unknown field 'tesst', did you mean 'tests'?")
+wrong("fabric.lab.viscous", "fabric.lab.viscous{ tests=tests_ }",
+  "deck.lua:1: viscous: field 'tests': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.viscous", "fabric.lab.viscous{ tests=5 }",
+  "deck.lua:1: viscous: field 'tests': expected a table, got 5")
+wrong("fabric.lab.viscous", "fabric.lab.viscous{ tests={}, knots=2.5 }",
+  "deck.lua:1: viscous: field 'knots': expected an integer from 3 to 40, got 2.5")
+wrong("fabric.lab.viscous", "fabric.lab.viscous{ tests={}, knots=2 }",
+  "deck.lua:1: viscous: field 'knots': expected an integer from 3 to 40, got 2")
+wrong("fabric.lab.viscous", "fabric.lab.viscous{ tests={}, level='1' }",
+  "deck.lua:1: viscous: field 'level': expected a number above 0 to 0.999, got '1'")
+wrong("fabric.lab.viscous", "fabric.lab.viscous{ tests={ { E={0, 1, 2}, S={0, 1, 2} } } }",
+  "deck.lua:1: viscous: field 'tests[1].time': expected the seconds of each row (or speed= in m/s of the crosshead, with displacement)")

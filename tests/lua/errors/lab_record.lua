@@ -247,3 +247,39 @@ wrong("fabric.lab.ratio", "fabric.lab.ratio{ rows=2, columns=2, x={1, 2}, y={1, 
   "deck.lua:1: ratio: field 'x': expected at least two frames of 4 markers, and as many y, got 2 and 2")
 wrong("fabric.lab.photograph", "fabric.lab.photograph{ file='x.png', rows=2, columns=2, pitch=10, radius=6, width=100, height=100 }",
   "deck.lua:1: photograph: field 'radius': expected less than half of the pitch")
+
+-- fabric.lab.correlate
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ filse={} }",
+  "deck.lua:1: correlate: unknown field 'filse', did you mean 'files'?")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files=files_ }",
+  "deck.lua:1: correlate: field 'files': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files=5 }",
+  "deck.lua:1: correlate: field 'files': expected a table, got 5")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files={ 'a.png' } }",
+  "deck.lua:1: correlate: field 'files': expected at least two photographs")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files={}, region=5 }",
+  "deck.lua:1: correlate: field 'region': expected a table {left, top, right, bottom}, got 5")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files={}, gauge=2.5 }",
+  "deck.lua:1: correlate: field 'gauge': expected an integer from 3 to 99, got 2.5")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files={}, subset=3 }",
+  "deck.lua:1: correlate: field 'subset': expected an integer from 9 to 301, got 3")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files={}, scale='1' }",
+  "deck.lua:1: correlate: field 'scale': expected a positive number in m, got '1'")
+wrong("fabric.lab.correlate", "fabric.lab.correlate{ files={}, scale=0 }",
+  "deck.lua:1: correlate: field 'scale': expected a positive number in m, got 0")
+
+-- fabric.lab.speckles
+wrong("fabric.lab.speckles", "fabric.lab.speckles{ fiel='x' }",
+  "deck.lua:1: speckles: unknown field 'fiel', did you mean 'file'?")
+wrong("fabric.lab.speckles", "fabric.lab.speckles{ file=5 }",
+  "deck.lua:1: speckles: field 'file': expected a string, got 5")
+wrong("fabric.lab.speckles", "fabric.lab.speckles{ file='x.png', width=10 }",
+  "deck.lua:1: speckles: field 'height': expected an integer from 1 to 30000, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.speckles", "fabric.lab.speckles{ file='x.png', width=10, height=10, seed=2.5 }",
+  "deck.lua:1: speckles: field 'seed': expected an integer of at least 0, got 2.5")
+wrong("fabric.lab.speckles", "fabric.lab.speckles{ file='x.png', width=10, height=10, seed=-1 }",
+  "deck.lua:1: speckles: field 'seed': expected an integer of at least 0, got -1")
+wrong("fabric.lab.speckles", "fabric.lab.speckles{ file='x.png', width=10, height=10, noise='1' }",
+  "deck.lua:1: speckles: field 'noise': expected a number from 0 to 1, got '1'")
+wrong("fabric.lab.speckles", "fabric.lab.speckles{ file='x.png', width=10, height=10, shift={1, 'two'} }",
+  "deck.lua:1: speckles: field 'shift': expected a table of numbers in pixels, got 'two' at place 2")

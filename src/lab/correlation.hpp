@@ -1,0 +1,76 @@
+// A speckled surface followed through photographs: subsets of the first are found again on each other one.
+// Positions in pixels: x to the right and y downwards from the middle of the first pixel.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "format/image.hpp"
+#include "lab/spline.hpp"
+
+namespace fabricsh::lab {
+
+// Pixels from `left` to `right` - 1, `top` to `bottom` - 1.
+struct Region {
+  int left = 0, top = 0, right = 0, bottom = 0;
+};
+// The pixels of a region, which must lie in the picture.
+format::Image cropped(const format::Image& image, const Region& region);
+
+struct CorrelationOptions {
+  Region region;  // of the first photograph, in which whole subsets lie; four pixels at its rim are left out
+  int half = 12;  // a subset is 2 half + 1 pixels wide and high
+  int step = 12;  // between the middles of neighbours
+  int search =
+      20;  // how far a subset may have moved since the photograph before where no neighbour leads to it
+  double least = 0.8;  // correlation below which a subset is lost
+  int gauge = 5;       // neighbours in a row whose displacements make a strain
+};
+
+// Where the subset with its middle at X has gone: x = X + u + G (X' - X) for its places X'.
+struct Subset {
+  enum class State : std::uint8_t { found, textureless, lost };
+  double x = 0, y = 0;  // middle on the first photograph
+  State state = State::lost;
+  double u = 0, v = 0;             // displacement
+  std::array<double, 4> G{};       // du/dx, du/dy, dv/dx, dv/dy
+  double correlation = 0;          // zero-mean normalised
+  double deviation = 0;            // of u and v (root mean square), from what differs between the two subsets
+  std::array<double, 3> strain{};  // Green-Lagrange xx, yy, xy of the neighbours' displacements; nan: too few
+};
+
+class Correlator {
+ public:
+  // Error: the region holds no subset, or none with a texture that tells a displacement.
+  Correlator(const format::Image& first, const CorrelationOptions& options);
+  std::size_t rows() const { return rows_; }
+  std::size_t columns() const { return columns_; }
+  // The subsets, row by row from the top, on another photograph of the same size. Each photograph starts from
+  // where the one before left off.
+  const std::vector<Subset>& add(const format::Image& image);
+  const std::vector<Subset>& subsets() const { return subsets_; }
+
+ private:
+  // The first photograph's part of a subset, without its mean and over its norm, with what moving it changes.
+  struct Pattern {
+    std::vector<double> values;                    // zero mean, length one
+    std::vector<std::array<double, 6>> descent;    // by u, G0, G1, v, G2, G3
+    std::array<double, 36> products{}, inverse{};  // of the descent: their sum, and its inverse
+    double norm = 0;
+  };
+  void seed(const Spline& image, const format::Image& pixels, std::size_t subset);
+  bool refine(const Spline& image, Subset& s, std::size_t subset) const;
+  double deviation(const Pattern& p, const Subset& s, double rest) const;
+  bool searched(const format::Image& pixels, Subset& s, std::size_t subset) const;
+  void spread(const Spline& image, std::vector<std::size_t> found);
+  void strains();
+
+  int width_, height_;
+  CorrelationOptions options_;
+  std::size_t rows_ = 0, columns_ = 0;
+  std::vector<Pattern> patterns_;
+  std::vector<std::size_t> order_;  // subsets with texture, the clearest first
+  std::vector<Subset> subsets_;
+};
+
+}  // namespace fabricsh::lab

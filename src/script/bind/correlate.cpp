@@ -1,0 +1,230 @@
+// fabric.lab.correlate and fabric.lab.speckles.
+#include "script/bind/correlate.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "lab/speckle.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+
+namespace fabricsh::script {
+
+std::vector<std::string> file_names(const Call& call) {
+  lua_State* L = call.L();
+  std::vector<std::string> out;
+  call.push("files");
+  const auto n = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= n; ++i) {
+    if (lua_rawgeti(L, -1, i) != LUA_TSTRING)
+      call.refuse("files", "expected names of photographs, got " + describe(L, -1));
+    out.emplace_back(lua_tostring(L, -1));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (out.size() < 2) call.refuse("files", "expected at least two photographs");
+  return out;
+}
+
+Argument region_() {
+  return fields_("region",
+                 {integer_("left", not_negative, "first column, from 0 at the left").optional(),
+                  integer_("top", not_negative, "first row, from 0 at the top").optional(),
+                  integer_("right", from_one, "column behind the last").optional(),
+                  integer_("bottom", from_one, "row below the last").optional()},
+                 "pixels of the photograph, as picture viewers count them; default: all")
+      .optional();
+}
+
+lab::Region region_of(const Call& call, const format::Image& image) {
+  lab::Region r{0, 0, image.width, image.height};
+  if (!call.has("region")) return r;
+  const Fields given = call.fields("region");
+  const auto take = [&](const char* name, int& edge, int most) {
+    if (!given.has(name)) return;
+    edge = given.count(name);
+    if (edge > most)
+      given.refuse(name, "expected a pixel of the photograph, " + std::to_string(most) + " at most, got " +
+                             std::to_string(edge));
+  };
+  take("left", r.left, image.width);
+  take("top", r.top, image.height);
+  take("right", r.right, image.width);
+  take("bottom", r.bottom, image.height);
+  if (r.right <= r.left)
+    given.refuse("right",
+                 "expected more than left, " + std::to_string(r.left) + ", got " + std::to_string(r.right));
+  if (r.bottom <= r.top)
+    given.refuse("bottom",
+                 "expected more than top, " + std::to_string(r.top) + ", got " + std::to_string(r.bottom));
+  lua_pop(call.L(), 1);
+  return r;
+}
+
+namespace {
+
+// Columns of numbers, a photograph's subsets behind those of the one before, row by row from the lowest.
+struct Columns {
+  std::vector<double> x, y, E11, E22, E12, correlation, deviation, found;
+
+  void add(const std::vector<lab::Subset>& subsets, std::size_t rows, std::size_t columns, bool first) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    double count = 0;
+    for (std::size_t r = rows; r-- > 0;)
+      for (std::size_t c = 0; c < columns; ++c) {
+        const lab::Subset& s = subsets[r * columns + c];
+        const bool known =
+            first ? s.state != lab::Subset::State::textureless : s.state == lab::Subset::State::found;
+        count += known ? 1 : 0;
+        const auto put = [&](std::vector<double>& list, double at_first, double later) {
+          list.push_back(!known ? nan : first ? at_first : later);
+        };
+        put(x, s.x, s.x + s.u);
+        put(y, -s.y, -s.y - s.v);
+        put(E11, 0, s.strain[0]);
+        put(E22, 0, s.strain[1]);
+        put(E12, 0, -s.strain[2]);  // the picture's y points downwards
+        put(correlation, 1, s.correlation);
+        put(deviation, 0, s.deviation);
+      }
+    found.push_back(count / static_cast<double>(subsets.size()));
+  }
+};
+
+void set_list(lua_State* L, const char* name, std::vector<double> values, double scale = 1) {
+  for (double& v : values) v *= scale;
+  push_numbers(L, values);
+  lua_setfield(L, -2, name);
+}
+
+int correlate(Call& call) {
+  lua_State* L = call.L();
+  const auto names = file_names(call);
+  const format::Image first = format::read_image(names[0]);
+  lab::CorrelationOptions options;
+  options.region = region_of(call, first);
+  const int side = call.count("subset");
+  if (side % 2 == 0)
+    call.refuse("subset",
+                "expected an odd number of pixels, which has a middle, got " + std::to_string(side));
+  options.half = side / 2;
+  options.step = call.has("step") ? call.count("step") : options.half;
+  options.search = call.count("search");
+  options.least = call.number("least");
+  options.gauge = call.count("gauge");
+  if (options.gauge % 2 == 0)
+    call.refuse("gauge", "expected an odd number of subsets, got " + std::to_string(options.gauge));
+  lab::Correlator correlator(first, options);
+  Columns out;
+  const std::size_t rows = correlator.rows(), columns = correlator.columns();
+  out.add(correlator.subsets(), rows, columns, true);
+  double most = 0;
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    out.add(correlator.add(format::read_image(names[i])), rows, columns, false);
+    most = std::max(most, out.found.back());
+  }
+  if (most == 0)
+    throw Error("correlate: no subset is found again on any photograph: nothing moved by less than " +
+                std::to_string(options.search) + " pixels looks as it did on '" + names[0] +
+                "' (field 'search'; a series follows larger ways in steps)");
+  const double scale = call.has("scale") ? call.number("scale") : 1;
+  lua_newtable(L);
+  set_number(L, "rows", static_cast<double>(rows));
+  set_number(L, "columns", static_cast<double>(columns));
+  set_number(L, "frames", static_cast<double>(names.size()));
+  set_number(L, "scale", scale);
+  set_list(L, "x", out.x, scale);
+  set_list(L, "y", out.y, scale);
+  set_list(L, "E11", out.E11);
+  set_list(L, "E22", out.E22);
+  set_list(L, "E12", out.E12);
+  set_list(L, "correlation", out.correlation);
+  set_list(L, "deviation", out.deviation, scale);
+  set_list(L, "found", out.found);
+  return 1;
+}
+
+int speckles(Call& call) {
+  const std::string file = call.text("file");
+  if (file.size() < 4 || file.substr(file.size() - 4) != ".png")
+    call.refuse("file", "expected a name ending in .png, got '" + file + "'");
+  lab::Speckles s;
+  s.width = call.count("width");
+  s.height = call.count("height");
+  s.size = call.number("size");
+  s.cover = call.number("cover");
+  if (call.has("F")) {
+    const auto F = call.numbers("F");
+    if (F.size() != 4 || F[0] * F[3] - F[1] * F[2] <= 0)
+      call.refuse("F", "expected {F11, F12, F21, F22} of positive determinant");
+    s.F = {F[0], -F[1], -F[2], F[3]};  // the picture's y points downwards
+  }
+  if (call.has("shift")) {
+    const auto shift = call.numbers("shift");
+    if (shift.size() != 2) call.refuse("shift", "expected {x, y} in pixels, y upwards");
+    s.shift = {shift[0], -shift[1]};
+  }
+  s.noise = call.number("noise");
+  s.pattern = static_cast<std::uint64_t>(call.integer("pattern"));
+  s.seed = static_cast<std::uint64_t>(call.integer("seed"));
+  if (!call.session().options().check) format::write_png(file, lab::photograph(s));
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Entry> correlation_rows() {
+  const std::string name =
+      "local name, lab = os.tmpname(), require 'fabric'.lab\nfor i = 1, 2 do\n"
+      "  lab.speckles{ file=name..i..'.png', width=120, height=100, F={1, 0, 0, 1 + 0.02*(i - 1)} }\nend\n";
+  return {
+      {"fabric.lab.correlate",
+       Style::fields,
+       {value_("files", table, "photographs in order, all of one size: PNG, JPEG, TIFF or BMP"), region_(),
+        integer_("subset", Range{9, 301}, "pixels of a subset's side, odd: three speckles and more")
+            .or_else(25.0),
+        integer_("step", Range{1, 1000}, "pixels between subsets; default: half of a side").optional(),
+        integer_("search", Range{1, 500},
+                 "pixels that a subset may have moved since the photograph before, to be found without a "
+                 "neighbour's help")
+            .or_else(20.0),
+        number_("least", "", Range{0, 1}, "correlation of a subset that is found").or_else(0.8),
+        integer_("gauge", Range{3, 99}, "subsets in a row, odd, whose displacements make a strain")
+            .or_else(5.0),
+        number_("scale", "m", positive, "of a pixel").optional()},
+       "Follows a speckled surface through photographs by digital image correlation: rows, columns (of "
+       "subsets in the region of the first), frames, "
+       "x, y (of their middles on each photograph; m, or pixels without a scale; y upwards; nan: lost, or "
+       "without texture), E11, E22, E12 "
+       "(Green-Lagrange), correlation, deviation (of a displacement, from what differs between the "
+       "photographs), all frames x subsets; found "
+       "(part of the subsets, by frame). rows, columns, x, y are a grid of markers for poisson and "
+       "shear_from_bias.",
+       name + "local t = lab.correlate{ files={name..'1.png', name..'2.png'} }\n"
+              "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)\n"
+              "assert(t.found[2] > 0.9 and math.abs(t.E22[#t.E22 - 10] - (1.02^2 - 1)/2) < 1e-3)",
+       correlate},
+      {"fabric.lab.speckles",
+       Style::fields,
+       {value_("file", text, "ends in .png"), integer_("width", Range{1, 30000}, "of the picture, pixels"),
+        integer_("height", Range{1, 30000}, "of the picture, pixels"),
+        number_("size", "pixels", Range{0.5, 100}, "of a speckle: deviation of its round blot").or_else(2.0),
+        number_("cover", "", Range{0.01, 5}, "blots of one deviation's area over the area of the cloth")
+            .or_else(0.5),
+        Argument{"F", numbers, "", everything,
+                 "{F11, F12, F21, F22}: the map of the cloth about the middle, y upwards; default: none"}
+            .optional(),
+        Argument{"shift", numbers, "pixels", everything, "{x, y}, y upwards, after the map"}.optional(),
+        number_("noise", "", Range{0, 1}, "of a pixel, white being 1").or_else(0.0),
+        integer_("pattern", not_negative, "seed of the speckles").or_else(1.0),
+        integer_("seed", not_negative, "of the noise").or_else(1.0)},
+       "Makes a photograph of speckled cloth under a known map, exact at every place: for trying the "
+       "correlation.",
+       name + "for i = 1, 2 do os.remove(name..i..'.png') end\nos.remove(name)",
+       speckles},
+  };
+}
+
+}  // namespace fabricsh::script
