@@ -79,7 +79,7 @@ local function share()
   if step < 1 then fail(("study: the variable SLURM_ARRAY_TASK_STEP: expected a whole number of at least 1, got '%d'"):format(step)) end
   local place = (id - first) // step
   if count < 1 or place < 0 or place >= count then
-    fail(("study: task %d is none of the %d tasks from %d: give the array as a plain range, --array=1-%d"):format(id, count, first, math.max(count, 1)))
+    fail(("study: task %d is outside the array of %d tasks that begins at %d: give the array as a plain range, --array=1-%d"):format(id, count, first, math.max(count, 1)))
   end
   return function(i) return (i - 1) % count == place end
 end

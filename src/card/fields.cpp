@@ -81,7 +81,7 @@ Rows<Shear> shear_rows() {
            "tensor: dS12/dE12 in E12; engineering: dS12/d(2E12) in 2E12")
           .unprinted(),
       word("memory", &Shear::memory, {"printed", "fading"},
-           "what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade")
+           "memory of the branch left at a reversal: printed, as in the published law, erases it at once; fading lets it decay with the slip that follows")
           .on_line("law")
           .said([](const Shear& s) { return s.memory == ShearMemory::fading ? "shear memory fades" : ""; }),
       group(
@@ -167,8 +167,7 @@ Rows<BendingFriction> friction_rows(const std::string& side) {
       number("curvature", &BendingFriction::curvature, "1/m", positive, "curvature over which it builds up")
           .printed("over # 1/m"),
       word("memory", &BendingFriction::memory, {"slip", "fading"},
-           "slip: the moment grows straight until it slips; fading: it forgets where it came from over that "
-           "curvature")
+           "slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature")
           .unless_fallback()
           .said([](const BendingFriction& f) {
             return f.memory == FrictionMemory::fading ? "its memory fades" : "";
@@ -347,16 +346,14 @@ FieldTable table_of(const Rows<Law>& law) {
                        "own bending rigidity instead of integration through the thickness")
                      .written_last());
   rows.push_back(flag("through_thickness", &Card::through_thickness,
-                      "bending by integration through the thickness is meant where the card has no bending "
-                      "of its own, also where it is far stiffer than "
-                      "cloth, and nothing is said of it")
+                      "bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth")
                      .or_else(false)
                      .unless_fallback()
                      .written_last()
                      .on_line("bending")
                      .said([](const Card& c) { return c.through_thickness ? "through the thickness" : ""; }));
   rows.push_back(group("estimate", &Card::estimate, estimate_rows(),
-                       "of what nobody measured: fabric.card(name, { bending='estimated' }) takes it")
+                       "estimates of what was not measured, used by fabric.card(name, { bending='estimated' })")
                      .written_last());
   const auto enter = [](auto& card) -> auto& { return std::get<Law>(card.law); };
   for (const auto& f : law) rows.push_back(lifted<Card>(f, enter));

@@ -136,7 +136,7 @@ void check_criterion(const card::Woven& woven, const Law& law, CheckReport& repo
       broken.empty()
           ? "the printed law keeps 4 D1 D2 >= (nu21 D1 + nu12 D2)^2 on every branch pair"
           : "4 D1 D2 < (nu21 D1 + nu12 D2)^2 breaks the printed law (path warp branch/weft branch): " +
-                broken + (concerned ? "" : "; the law of this card does not mind");
+                broken + (concerned ? "" : "; the law of this card (potential) does not need this condition");
   if (concerned && !broken.empty()) item.severity = Severity::warning;
   report.items.push_back(item);
 }
@@ -173,7 +173,7 @@ void check_bending(const card::Card& card, const Law& law, CheckReport& report) 
     if (odd && !own)
       text += ". Give the card a bending = {warp=, weft=, twist=} of its own where folds matter";
     if (odd && !own && card.estimate)
-      text += ", or take the estimate that it has, fabric.card(name, { bending='estimated' })";
+      text += ", or use its estimated bending, fabric.card(name, { bending='estimated' })";
     report.items.push_back({std::string("bending.") + names[i],
                             odd ? Severity::warning : Severity::note,
                             text,

@@ -62,9 +62,9 @@ void Explicit::choose_step() {
   if (options_.force || now_.step <= usual * (1 + 1e-12)) return;
   if (assembly_->contact() != nullptr)
     throw Error("dynamic: field 'step': expected at most " + number(usual) +
-                " s, which contact carries (0.6 of the stable step of mesh and card, " + number(stable_) +
-                " s, and no more than its stiffness allows), got " + number(now_.step) +
-                " s (a smaller 'stiffness' of m:contact, or force=true, would take it)");
+                " s, the largest step that contact allows (0.6 of the stable step of mesh and card, " + number(stable_) +
+                " s, and less where contact is stiff), got " + number(now_.step) +
+                " s (where contact is stiff, a smaller 'stiffness' of m:contact allows more; force=true uses this step all the same)");
   if (now_.step > stable_)
     throw Error("dynamic: field 'step': expected at most " + number(stable_) +
                 " s, the stable step of this mesh and card, got " + number(now_.step) +
@@ -273,7 +273,7 @@ void Explicit::give_up(const StepReport& report) {
 std::string Explicit::reason() const {
   const bool stuck = assembly_->contact() != nullptr && block_.halved >= kHalvings;
   if (stuck && end_ != End::ran_away)
-    return "contact is pressed to its floor, and more than a step can carry";
+    return "surfaces are pressed together to the smallest distance, and a step adds more force than contact can carry";
   if (end_ == End::ran_away) return "a node moves by more than an element";
   if (end_ == End::limited) return "nodes move farther than is safe for what they meet";
   const std::string& why = assembly_->outcome().why;

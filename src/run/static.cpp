@@ -30,7 +30,7 @@ void check_options(const StaticOptions& o) {
                 number(o.stabilise));
   if (o.control == Control::arc && (o.stabilise > 0 || o.method != Method::newton))
     throw Error(
-        "static: field 'control': \"arc\" goes with Newton alone: leave out 'stabilise' and 'method'");
+        "static: field 'control': \"arc\" works with Newton's method only: leave out 'stabilise' and 'method'");
 }
 
 bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly) {
@@ -305,7 +305,7 @@ void Static::tell(const StepReport& report) {
   if (const auto element = now_.told_inverted ? -1 : assembly_->inverted_element(); element >= 0) {
     now_.told_inverted = true;
     notices_->say("static: element " + std::to_string(element + 1) + " is turned inside out at time " +
-                  number(report.time) + " s: what follows is no answer; it was pushed past zero length");
+                  number(report.time) + " s, compressed past zero length: the results from here on are not valid");
   }
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
   if (lost > 0.01 * work_.largest() && !now_.told_damping) {
@@ -332,7 +332,7 @@ void Static::check() {
   notices_->say(
       "static: the ledger's error is " + number(100 * made / scale) + " % of the external work at time " +
       number(time()) + " s, after " + std::to_string(reports_.size()) +
-      " steps: work is summed by the trapezoid over them; smaller ones would tell whether it is the steps'");
+      " steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether they are the cause");
 }
 
 void Static::give_up(const StepReport& report) {

@@ -53,7 +53,7 @@ local cases = {
   { "a", "<static run, t = 0 of 1 s, 0 steps, ready>" },
   { "a:advance(0.5)", "<static run, t = 0.5 of 1 s, 2 steps, under way>" },
   { "a:every('step', function(run) if run.time == 0.75 then run:stop 'seen enough' end end) a:solve() return a", [[
-static: the ledger's error is 5.78883 % of the external work at time 0.75 s, after 3 steps: work is summed by the trapezoid over them; smaller ones would tell whether it is the steps'
+static: the ledger's error is 5.78883 % of the external work at time 0.75 s, after 3 steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether they are the cause
 <static run, t = 0.75 of 1 s, 3 steps, stopped: seen enough>]] },
   { "a:solve()", "<static run, t = 1 of 1 s, 4 steps, done>" },
   { "a:snapshot()", "<snapshot of t = 1 s>" },

@@ -229,7 +229,7 @@ local ok, e = pcall(a.solve, a)
 assert(not ok and e.kind == "numerical")
 has(e.why, "the supports leave the sheet free to turn about the line through (0.1, 0.1, 0) m along (")
 has(e.why, ", and the loads drive it")
-has(tostring(e), "Try: motion, fabric.dynamic with damping, or a support that takes it away (a small one is m:spring(")
+has(tostring(e), "Try: motion, fabric.dynamic with damping, or a support that prevents it (a small one is m:spring(")
 local axis, stiffness = e.why:match 'm:spring%("all", { ([xyz])=([%d.e+-]+) }%)'
 assert(axis == "z")
 a = hung({}, function(model) model:spring("all", { [axis] = tonumber(stiffness) }) end):solve()

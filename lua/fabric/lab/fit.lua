@@ -114,7 +114,7 @@ local function either(t, curves)
     mean_loading(without)[1] / 1e6)
   if not doubt then return best, text .. line .. (best == with and "there was slack" or "there was none") end
   local beside = best.degree == other.degree and mean_loading(other) or nil
-  return best, text .. line .. "nothing tells which is right" .. (beside and ", the band holds both" or ""), beside
+  return best, text .. line .. "the data do not decide which is right" .. (beside and ", the band holds both" or ""), beside
 end
 
 -- The misfit of a polynomial in the toe (the first fifth of the strain) as a share of the stress, if it exceeds a seventh and the noise,
@@ -172,7 +172,7 @@ local function looseness(out)
   local half = math.max(band.high[1] - band.value[1], band.value[1] - band.low[1])
   if half > loose * math.abs(band.value[1]) then
     out.loose = ("D(0) is loosely determined: %.3g MPa, %.3g to %.3g"):format(band.value[1] / 1e6, band.low[1] / 1e6, band.high[1] / 1e6)
-    out.text = (out.text and out.text .. "\n" or "") .. out.loose .. "; so is the coupling of the yarns, which goes by it"
+    out.text = (out.text and out.text .. "\n" or "") .. out.loose .. "; so is the coupling of the yarns, which depends on it"
   end
 end
 

@@ -370,12 +370,11 @@ std::vector<Entry> driving() {
       {"analysis:reach",
        Style::positional,
        {value_("value", function | text, "function(a) that returns a number, or a field's name for its mean"),
-        number_("target", "", everything, "what the value is to come to"),
+        number_("target", "", everything, "value to reach"),
         value_("set", text, "of the field's mean").or_else("all"),
         number_("tolerance", "", positive, "of the value, over the largest distance from the target")
             .or_else(1e-6)},
-       "Runs until a value has come to a target and lands there; an error where the run ends before. "
-       "Returns the analysis, which solve() takes on.",
+       "Runs until a value reaches a target and ends a step exactly there; an error if the run ends before. Returns the analysis; solve() continues it.",
        sample_run() + "local function force(run) return select(2, run:reaction 'top') end\n"
                       "a:reach(force, 10)\nassert(math.abs(force(a) - 10) < 1e-4 and a.time < 1)\n"
                       "a:reach('E11', 0.1):solve()\nassert(a.time == 1)",
@@ -437,13 +436,7 @@ std::vector<Entry> reading() {
       {"analysis.energy",
        Style::property,
        {},
-       "Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, "
-       "external, "
-       "internal, initial, created; contact and guard: of the stored, of contact and of what holds it off "
-       "its floor; "
-       "friction: of the dissipated, what friction of contact took; rigid: of the kinetic, of free rigid "
-       "bodies; scaled: of the kinetic, in rotary inertia that is scaled up; error: what "
-       "the balance misses over the largest external work.",
+       "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.",
        run + "a:solve()\nassert(a.energy.error < 1)",
        energy},
       {"analysis.beyond",

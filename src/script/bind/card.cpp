@@ -191,8 +191,7 @@ int card_equal(lua_State* L) {
 Argument card_options() {
   Argument bending =
       value_("bending", text,
-             "estimated: the card's own estimate of what nobody measured; thickness: integration "
-             "through the thickness, on purpose and without a word")
+             "estimated: the card's own estimate of what was not measured; thickness: integration through the thickness, without a warning")
           .optional();
   bending.choices = {"estimated", "thickness"};
   Argument options = value_("options", fields, "of a card that is taken otherwise").optional();

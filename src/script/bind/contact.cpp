@@ -243,10 +243,10 @@ std::vector<Entry> model_rows() {
             .optional(),
         value_("self", text, "a set whose cloth touches itself").optional(),
         number_("friction", "", not_negative, "friction coefficient").or_else(0.0),
-        number_("thickness", "m", positive, "of the cloth as contact sees it; default the cloth's own")
+        number_("thickness", "m", positive, "of the cloth in contact; default: the cloth's own")
             .optional(),
         number_("stiffness", "Pa/m", positive,
-                "pressure per gap; default what the cloth's own stable step carries")
+                "pressure per closed gap; default: as stiff as the cloth's own stable step allows")
             .optional()},
        "Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.",
        sample_model() + "local floor = fabric.rigid.plane{ point={0, 0, -0.001}, normal={0, 0, 1} }\n"

@@ -239,7 +239,7 @@ int remove(Call& call) {
   const auto model = call.self<Model>();
   const auto all = declared(*model);
   const Declared& one = all[place_of(call, all)];
-  if (one.number < 0) throw Error("remove: a " + one.kind + " is what the model is made of, it stays");
+  if (one.number < 0) throw Error("remove: a " + one.kind + " is part of the model itself and cannot be removed: make a new model");
   model->remove(one.told, static_cast<std::size_t>(one.number));
   return return_self(call);
 }

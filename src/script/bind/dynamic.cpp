@@ -114,7 +114,7 @@ std::vector<Argument> arguments() {
 
 std::vector<Entry> rows() {
   return {{"fabric.dynamic", Style::fields, arguments(),
-           "A run in motion with Newmark's method, explicit or implicit, and a ledger of its energies.",
+           "A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.",
            sample() + "assert(a:solve().energy.error < 1e-3)", make},
           {"analysis.stable_step",
            Style::property,
@@ -125,7 +125,7 @@ std::vector<Entry> rows() {
           {"analysis.step_size",
            Style::property,
            {},
-           "The step that a run in motion goes by, landings apart, s.",
+           "Usual step of a dynamic run, s; steps that end at a prescribed time are shorter.",
            sample() + "assert(math.abs(a.step_size / a.stable_step - 0.7) < 1e-12)",
            step_size}};
 }

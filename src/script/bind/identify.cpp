@@ -226,8 +226,8 @@ std::vector<Entry> rows() {
                  "that the program may use")
             .optional(),
         value_("done", function, "done(i) is called here as each is finished").optional(),
-        value_("isolated", boolean, "a process of its own even where they come one at a time").or_else(false),
-        value_("progress", text, "led by this word it is said how far the work is").or_else("")},
+        value_("isolated", boolean, "each item in a process of its own, even with processes=1").or_else(false),
+        value_("progress", text, "progress is shown, preceded by this word").or_else("")},
        "Work for items 1 to count in processes side by side: the lists in order; one whose work failed is "
        "empty and has trouble, the message, and died=true when its process ended without an answer.",
        "local r = require 'fabric'.lab.parallel{ count=3, work=function(i) return { i, i*i } end "

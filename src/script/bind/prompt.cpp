@@ -132,7 +132,7 @@ std::vector<Entry> rows() {
       {"fabric.who",
        Style::positional,
        {},
-       "What the globals hold that neither Lua nor fabric put there, objects first: rows of name, class and "
+       "The global variables that were set at the prompt or by the deck, objects first: rows of name, class and "
        "text, "
        "which print as a table.",
        "sheet = require 'fabric'.mesh.rectangle{ width=1, height=1, nx=2, ny=2 }\n"

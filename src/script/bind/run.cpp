@@ -37,8 +37,7 @@ void want_alive(lua_State* L) {
 
 Argument limit_row() {
   return value_("limit", text,
-                "tell: says once where the cloth is strained beyond what the card was tested to; stop: and "
-                "stops there")
+                "tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends the run there")
       .or_else("tell")
       .one_of({"tell", "stop"});
 }
