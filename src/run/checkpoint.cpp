@@ -47,8 +47,9 @@ model::Fingerprint problem_of(const Run& run) {
   const std::string duration = exact_number(run.duration()) + " s";
   add_part(parts, "duration", duration, duration);
   if (const std::string kernels = run.kernels(); !kernels.empty())
-    add_part(parts, "BLAS kernels (the bits of a solve hang on them; OPENBLAS_CORETYPE chooses)", kernels,
-             kernels);
+    add_part(parts,
+             "BLAS kernels (other kernels give other bits; the variable OPENBLAS_CORETYPE selects them)",
+             kernels, kernels);
   const model::Model& m = run.model();
   std::string cards;
   for (const auto& region : m.regions()) {

@@ -106,11 +106,12 @@ Table make_table() {
   t.rows.back().usual = false;
   t.nodal("reference", "m", "where the node was in the reference", {"X", "Y", "Z"}, &NodeValues::X, "X");
   t.rows.back().usual = false;
-  t.touched(
-      "gap", "m",
-      "distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact",
-      &mechanics::Contacts::gap);
-  t.touched("contact_pressure", "Pa", "normal pressure of contact, without friction", &mechanics::Contacts::pressure);
+  t.touched("gap", "m",
+            "distance to the nearest surface that it may touch, less the smallest distance that contact "
+            "allows; at most the reach of contact",
+            &mechanics::Contacts::gap);
+  t.touched("contact_pressure", "Pa", "normal pressure of contact, without friction",
+            &mechanics::Contacts::pressure);
   t.average("E", "", Shape::tensor, "Green-Lagrange strain, tensor components",
             {"E11", "E22", "E23", "E13", "E12"}, {&V::E11, &V::E22, &V::E23, &V::E13, &V::E12},
             {"E11", "E22", "E23", "E13", "E12"});
@@ -124,8 +125,7 @@ Table make_table() {
             {"stored", "dissipated"}, {&V::stored, &V::dissipated}, {"stored", "dissipated"});
   t.direction("warp", "unit vector along the deformed warp", &std::pair<Vec3, Vec3>::first);
   t.direction("weft", "unit vector along the deformed weft", &std::pair<Vec3, Vec3>::second);
-  t.scalar("shear_angle", "degrees",
-           "90 degrees less the angle between warp and weft; has the sign of E12",
+  t.scalar("shear_angle", "degrees", "90 degrees less the angle between warp and weft; has the sign of E12",
            [](const Run& run, mesh::Index e) {
              const auto [warp, weft] = run.assembly().yarns(e);
              return std::asin(std::clamp(warp.dot(weft), -1.0, 1.0)) * (180 / std::numbers::pi);
@@ -154,15 +154,15 @@ Table make_table() {
              const V& v = run.elements()[e];
              return v.S22 * stretch(v.E22);
            });
-  t.scalar("cauchy_11", "Pa",
-           "Cauchy stress along the deformed warp (current width, reference thickness)",
+  t.scalar("cauchy_11", "Pa", "Cauchy stress along the deformed warp (current width, reference thickness)",
            [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[0]; });
   t.scalar("cauchy_22", "Pa", "Cauchy stress across the deformed warp, in the surface",
            [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[1]; });
   t.scalar("cauchy_12", "Pa", "Cauchy shear stress, along and across the deformed warp",
            [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[2]; });
   t.scalar("beyond", "",
-           "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none",
+           "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card "
+           "states none",
            [](const Run& run, mesh::Index e) { return run.assembly().share(e); });
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
            [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });

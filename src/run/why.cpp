@@ -185,8 +185,7 @@ double farthest_move(const mechanics::Assembly& assembly, double from, double to
 
 std::vector<std::string> advice(const Failure& f) {
   std::vector<std::string> all;
-  if (f.broken)
-    return {"a new run after correcting what the message names: a smaller step does not help"};
+  if (f.broken) return {"a new run after correcting what the message names: a smaller step does not help"};
   if (f.turned_back)
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
@@ -239,7 +238,7 @@ std::string touching_text(const mechanics::Assembly& assembly) {
       "\ncontact    " + std::to_string(pairs) + (pairs == 1 ? " pair touches" : " pairs touch");
   if (pairs > 0)
     text += "; the nearest, " + contact->words(nearest.point) + ", is " + number(nearest.gap) +
-            " m above its floor";
+            " m above the smallest distance that contact allows";
   return text;
 }
 

@@ -188,7 +188,7 @@ void drive(Run& run, Drive call) {
   begin_call(run);
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
-  if (is_called_off(run.session)) throw Interrupted("interrupted before this run went on");
+  if (is_called_off(run.session)) throw Interrupted("interrupted before this run continued");
   const bool under_way = run.passing > 0 && run.calls.count == run.passing;
   const bool over = under_way && is_over(run);
   call.from = run.analysis->steps().size();

@@ -454,4 +454,4 @@ end
 -- A deck may catch Ctrl-C as any error, but no run goes on after it, and how the deck ends tells of it.
 code, got = run_program "--quiet term.lua INT"
 assert(code == 130, code)
-says(got, "solve: interrupted before this run went on")
+says(got, "solve: interrupted before this run continued")

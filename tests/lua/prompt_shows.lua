@@ -109,10 +109,10 @@ fabric.ramp(value, duration)
 
   example
     local h = require 'fabric'.ramp(3, 2); assert(h:value(1) == 1.5 and h:value(9) == 3)]] },
-  { "help 'fabric.statik'", "nothing speaks of 'fabric.statik', did you mean 'fabric.static'?" },
-  { "help 'rectangel'", "nothing speaks of 'rectangel', did you mean 'rectangle'?" },
-  { "help 'grips  sag'", "nothing speaks of 'grips  sag'; help() shows what there is" },
-  { "help 'qqqq'", "nothing speaks of 'qqqq'; help() shows what there is" },
+  { "help 'fabric.statik'", "no entry contains 'fabric.statik', did you mean 'fabric.static'?" },
+  { "help 'rectangel'", "no entry contains 'rectangel', did you mean 'rectangle'?" },
+  { "help 'grips  sag'", "no entry contains 'grips  sag'; help() shows what there is" },
+  { "help 'qqqq'", "no entry contains 'qqqq'; help() shows what there is" },
   { "help 'kilby'", [[
 laboratory: from measurement to card
   fabric.lab.kilby             Kilby's relation G = 1/(4/E45 - 1/E1 - 1/E2 + coupling): returns shear and bias, one of which is given]] },

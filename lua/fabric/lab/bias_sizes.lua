@@ -290,7 +290,7 @@ define {
     { name = "scatter", kind = "number", low = 0, high = 0.5, default = 0.04, sentence = "relative deviation of one specimen, for the bands" },
   },
   sentence = "One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), "
-    .. "edge_deviation, edges (whether that is more than two of its deviations and not its bound, a fifth of the width; else the rest does without), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = "
+    .. "edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = "
     .. "{rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high "
     .. "(95 % of specimens), angle}, text.",
   example = "local lab, d = require 'fabric'.lab, {}\nfor i = 1, 20 do d[i] = 1e-3 * i end\nlocal sizes = { {0.1, 0.3}, {0.08, 0.16} }\n"

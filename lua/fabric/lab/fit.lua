@@ -243,7 +243,7 @@ local function check_unloading(out)
     steepest = math.max(steepest, D)
   end
   if out.unloading < steepest then
-    fabric.warn(("fit: the unloading modulus found, %.4g MPa, is below the loading tangent, %.4g MPa: look at the reversal (a hold? noise? rule=\"robust\")"):format(
+    fabric.warn(("fit: the unloading modulus found, %.4g MPa, is below the loading tangent, %.4g MPa: check the reversal (a hold? noise? rule=\"robust\")"):format(
       out.unloading / 1e6, steepest / 1e6))
   end
 end
@@ -297,8 +297,7 @@ define {
     { name = "degree", kind = "integer|text", low = 1, high = 8, choices = { "auto", "monotone" }, default = "auto",
       sentence = "of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve" },
     { name = "find_slack", kind = "boolean|text", choices = { "either" }, default = false,
-      sentence = "first contact is found with the curve; either: only if that fits better by a tenth; if neither does the band holds both, and a polynomial "
-        .. "(auto) that misses the toe makes room for a monotone curve" },
+      sentence = "first contact is fitted with the curve; either: only if that fits better by a tenth; if undecided, the band covers both, and a polynomial (auto) that misses the toe is replaced by a monotone curve" },
     { name = "upto", kind = "text", choices = { "failure", "yield" }, default = "failure", sentence = "rows used" },
     { name = "rule", kind = "text", choices = { "first", "robust" }, default = "first", sentence = "of the unloading modulus" },
     { name = "count", kind = "integer", low = 2, default = 3, sentence = "first points of the unloading" },

@@ -229,7 +229,7 @@ local function html(result, figures, rows, out)
   for _, row in ipairs(rows) do parts[#parts + 1] = "<tr><td>" .. table.concat(row, "<td>") .. "</tr>" end
   parts[#parts + 1] = "</table>"
   if #(result.further or {}) > 0 then
-    parts[#parts + 1] = "<h2>What further tests would settle</h2><table><tr><th>now<th>a test that tells<th></tr>"
+    parts[#parts + 1] = "<h2>What further tests would settle</h2><table><tr><th>at present<th>test that would determine it<th></tr>"
     for _, f in ipairs(result.further) do
       parts[#parts + 1] = ("<tr><td>%s<td>%s<td>%s</tr>"):format(f.field, escaped(f.test), escaped(f.now))
     end

@@ -140,7 +140,7 @@ define {
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips, over the largest force so far" },
     { name = "zero", kind = "boolean", default = false, sentence = "displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell" },
     { name = "pretension", kind = "number", unit = "N", above = 0, optional = true,
-      sentence = "a record that begins with a force up to this was meant to, as under the pretension of a standard" },
+      sentence = "the pretension of a standard: a record may begin with a force up to this" },
     { name = "slack", kind = "number|text", unit = "m", choices = { "none", "contact" }, default = "none",
       sentence = "displacement at first contact, or 'contact': found where the force rises above `contact`" },
     { name = "contact", kind = "number", unit = "N", above = 0, optional = true, sentence = "default 1 % of the largest force" },

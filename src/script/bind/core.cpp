@@ -156,7 +156,7 @@ std::vector<Entry> rows() {
       {"fabric.warn",
        Style::positional,
        {value_("text", text, "what to say")},
-       "Says a warning on stderr with the deck's line, each text once.",
+       "Prints a warning on stderr with the deck's line, each text once.",
        "require 'fabric'.warn 'the strip is narrower than one repeat of the weave'",
        warn},
   };

@@ -106,7 +106,8 @@ Entry read_row() {
   return {
       "fabric.mesh.read",
       Style::positional,
-      {value_("file", text, "ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh that comes along")},
+      {value_("file", text,
+              "ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh shipped with the program")},
       "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
       ".vtk, "
       "Wavefront .obj. Physical groups and groups become node sets; so do integer arrays: those of 0 and 1 "
