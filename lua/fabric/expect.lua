@@ -61,7 +61,7 @@ define {
   name = "fabric.expect",
   positional = true,
   arguments = { { name = "rows", kind = "table", sentence = "{ {label, got, want, relative= or absolute=}, ... }" } },
-  sentence = "A deck's own check: prints what came and what was wanted; an error (exit code 1) on a miss.",
+  sentence = "Checks results of a deck: prints computed and expected values; an error (exit code 1) if one is outside its tolerance.",
   example = "require 'fabric'.expect{ {'a third', 1/3, 0.333333333333, relative=1e-9} }",
   run = expect,
 }

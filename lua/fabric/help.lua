@@ -116,7 +116,7 @@ local function overview()
     "help(fabric.static)     what a function takes, with an example",
     "help(mesh)              what an object is, holds and can do",
     "help \"mesh:set\"         a method by its name",
-    "help \"shear\"            everything that speaks of shear",
+    "help \"shear\"            all entries that contain the word shear",
     "The tutorial is share/doc/tutorial.md, all functions are in share/doc/reference.md.",
   } do lines[#lines + 1] = line end
   return lines
@@ -191,7 +191,7 @@ local function nothing(rows, word)
     names[#names + 1] = row.name:match "[^.:]+$"
   end
   local near = registry.nearest(word, names)
-  return { ("nothing speaks of '%s'%s"):format(word, near and ", did you mean '" .. near .. "'?" or "; help() shows what there is") }
+  return { ("no entry contains '%s'%s"):format(word, near and ", did you mean '" .. near .. "'?" or "; help() shows what there is") }
 end
 
 -- Fields of a run with this name, or with a single value of this name.
@@ -262,7 +262,7 @@ define {
   name = "fabric.help",
   positional = true,
   arguments = { { name = "topic", kind = "any", optional = true, sentence = "a function, an object, a name, or words to look for; nothing: an overview" } },
-  sentence = "Prints what a function takes, what an object holds and can do, or all that speaks of a word, or of each of several.",
+  sentence = "Prints the arguments of a function, the contents and methods of an object, or all entries that contain the given words.",
   example = "local fabric = require 'fabric'\nfabric.help(fabric.ramp)\nfabric.help 'shear'",
   run = function(...)
     local missing = select("#", ...) > 0 and (...) == nil

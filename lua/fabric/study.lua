@@ -79,7 +79,7 @@ local function share()
   if step < 1 then fail(("study: the variable SLURM_ARRAY_TASK_STEP: expected a whole number of at least 1, got '%d'"):format(step)) end
   local place = (id - first) // step
   if count < 1 or place < 0 or place >= count then
-    fail(("study: task %d is none of the %d tasks from %d: give the array as a plain range, --array=1-%d"):format(id, count, first, math.max(count, 1)))
+    fail(("study: task %d is outside the array of %d tasks that begins at %d: give the array as a plain range, --array=1-%d"):format(id, count, first, math.max(count, 1)))
   end
   return function(i) return (i - 1) % count == place end
 end
@@ -171,7 +171,7 @@ local function compute(t, cases)
     work = function(k) return work(t, cases[missing[k]]) end })
   if not good then
     local why = tostring(answers):match "parallel: (.*)" or tostring(answers)
-    fail(("study: %s; %d of %d cases are kept in '%s', the same deck goes on from there"):format(why, kept(t, cases), #cases, t.folder))
+    fail(("study: %s; %d of %d cases are kept in '%s', run the same deck again to continue"):format(why, kept(t, cases), #cases, t.folder))
   end
   for k, answer in ipairs(answers) do troubles[missing[k]] = answer.trouble end
   return troubles
@@ -240,8 +240,7 @@ define {
       sentence = "cases side by side, each in a process with one thread; default: the threads that the program may use" },
     { name = "again", kind = "boolean", default = false, sentence = "runs cases again that failed before" },
   },
-  sentence = "The same run for many parameters, in processes side by side. What is finished is kept and not run again when the deck is; one "
-    .. "that fails leaves its message and the others alone. As a task of a Slurm array job it runs its share. Returns the cases in order, each "
+  sentence = "Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share. Returns the cases in order, each "
     .. "{parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).",
   example = "local folder = os.tmpname()\nos.remove(folder)\n"
     .. "local s = require 'fabric'.study{ parameters={ a={1, 2}, b={10, 20} }, folder=folder, run=function(p) return { sum=p.a + p.b } end }\n"

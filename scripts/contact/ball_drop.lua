@@ -2,7 +2,7 @@
 --
 --   fabricsh scripts/contact/ball_drop.lua                      on screen: the largest of each fabric
 --   fabricsh scripts/contact/ball_drop.lua 0.1 0.2 40 out       0.1 kg from 0.2 m, 40 x 40 elements, curves and series into out/NAME
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local mass, height, cells = tonumber(arg[1] or 0.1), tonumber(arg[2] or 0.1), tonumber(arg[3] or 8)
 local out, friction = arg[4], 0.2

@@ -1,7 +1,7 @@
 -- Capstan: a strip drawn over a cylinder, T2 / T1 against the closed forms of a thread and of a polygon.
 --
 --   fabricsh scripts/contact/capstan.lua          8 and 16 facets over a right angle
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local card = fabric.svk { young = 1e8, poisson = 0, density = 500, thickness = 0.4e-3, name = "tape" }
 local mu, wrap = 0.3, 90

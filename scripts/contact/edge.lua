@@ -2,7 +2,7 @@
 --
 --   fabricsh scripts/contact/edge.lua            10 x 10 elements
 --   fabricsh scripts/contact/edge.lua 30 out     30 x 30, with a series for ParaView in out
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local cells, out = tonumber(arg[1] or 10), arg[2]
 local side, radius, card = 0.2, 0.02, fabric.card "blend"

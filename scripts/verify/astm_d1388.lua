@@ -4,7 +4,7 @@
 -- theta'(l) = 0, found here by shooting.
 --
 --   fabricsh scripts/verify/astm_d1388.lua
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local mm = fabric.units.mm
 local g, areal = 9.81, 0.2 -- m/s^2, kg/m^2

@@ -8,7 +8,7 @@
 --
 --   fabricsh scripts/verify/rates.lua
 -- warns: is far from what cloth is
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local young, nu, thickness = 1e9, 0.3, 0.02
 

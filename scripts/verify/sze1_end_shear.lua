@@ -4,7 +4,7 @@
 --   fabricsh scripts/verify/sze1_end_shear.lua
 -- warns: is far from what cloth is
 -- warns: is far from what cloth is
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local problem = dofile((arg[0]:gsub("[^/]*$", "problem.lua")))
 

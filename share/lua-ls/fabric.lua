@@ -9,8 +9,8 @@
 ---@field thickness number m: of the sheet
 ---@field bending fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
----@field through_thickness boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
----@field estimate fabric_woven_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field through_thickness boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
+---@field estimate fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -43,13 +43,13 @@ local history = {}
 
 ---A run, static or in motion.
 ---@class analysis
----@field beyond any How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the one tested, when the run first went beyond, and the part of the elements that have.
+---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, external, internal, initial, created; contact and guard: of the stored, of contact and of what holds it off its floor; friction: of the dissipated, what friction of contact took; rigid: of the kinetic, of free rigid bodies; scaled: of the kinetic, in rotary inertia that is scaled up; error: what the balance misses over the largest external work.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
 ---@field stable_step number The largest stable step of central differences in the reference configuration, s.
----@field step_size number The step that a run in motion goes by, landings apart, s.
+---@field step_size number Usual step of a dynamic run, s; steps that end at a prescribed time are shorter.
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
@@ -94,15 +94,15 @@ function analysis:body(body) end
 ---@class analysis_checkpoint_fields.options
 ---@field every? number|"step" s: simulated time between two of them, or 'step'; no step is made shorter for it
 ---@field minutes? number min: time on the clock between two of them; 10 where neither it nor 'every' is given
----@field keep? table a table of the deck's (numbers, texts, booleans, tables) that is kept along and filled again on restart
+---@field keep? table a table of the deck (numbers, texts, booleans, tables), saved with the run and filled again on restart
 
----Keeps all of the run in one file as it goes, and when it ends, a step fails or it is interrupted; --restart and analysis:restart go on from there with the same bits.
+---Writes the whole state of the run to one file as it goes, and when it ends, fails or is interrupted; --restart and analysis:restart continue from there bit for bit.
 ---@param path string of the file, which is replaced each time; its folder is made
 ---@param options? analysis_checkpoint_fields.options how often, and what besides the run
 ---@return analysis
 function analysis:checkpoint(path, options) end
 
----Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), shear_angle (by which the angle between warp and weft is less than a right one; of the sign of E12; degrees), tension_warp (force along the warp yarns over the reference width that they come from; N/m), tension_weft (force along the weft yarns over the reference width that they come from; N/m), nominal_strain_warp (change of length along the warp over the length that it had), nominal_strain_weft (change of length along the weft over the length that it had), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (true stress along the warp as it lies now, on the area that is now (the thickness that of the reference); Pa), cauchy_22 (true stress across the warp as it lies now, in the surface; Pa), cauchy_12 (true shear stress, along the warp and across it; Pa), beyond (the largest strain so far over what the card was tested to: 1.2 is 20 % beyond; 0 where it does not say), region (number of the body or region that the element belongs to, in their order).
+---Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
 ---@param number integer of the element
 ---@return table<string, any>
 function analysis:element(number) end
@@ -123,29 +123,29 @@ function analysis:event(fields) end
 ---@return analysis
 function analysis:every(interval, action) end
 
----What every element or node has, in their order: a list of numbers, of a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
+---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
 ---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"gap"|"contact_pressure"|"displacement"|"velocity"|"director"|"position"|"reference"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run
 ---@return number[]
 function analysis:field(name) end
 
----How far the nearest of all that touch is from its floor, m, and which that is; with nothing near what contact reaches, and nil.
+---Smallest distance of surfaces that may touch, less the smallest distance that contact allows, m, and which surfaces these are; where none are near: the reach of contact, and nil.
 ---@return number, string?
 function analysis:gap() end
 
----The average of a value over elements, each of which counts once. Stresses in Pa, energies in J/m^3.
+---The mean of a value over elements, each with the same weight. Stresses in Pa, energies in J/m^3.
 ---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" of a number that elements have, see a:element
 ---@param set? string elements all of whose nodes are in it (default "all")
 ---@return number
 function analysis:mean(name, set) end
 
----Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), gap (to the nearest thing that it touches, above the floor of their contact; what contact reaches at most; m), contact_pressure (of contact, friction apart; Pa).
+---Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; Pa).
 ---@param number integer of the node
 ---@return table<string, any>
 function analysis:node(number) end
 
----Runs until a value has come to a target and lands there; an error where the run ends before. Returns the analysis, which solve() takes on.
+---Runs until a value reaches a target and ends a step exactly there; an error if the run ends before. Returns the analysis; solve() continues it.
 ---@param value string|function function(a) that returns a number, or a field's name for its mean
----@param target number what the value is to come to
+---@param target number value to reach
 ---@param set? string of the field's mean (default "all")
 ---@param tolerance? number of the value, over the largest distance from the target (default 1e-06)
 ---@return any
@@ -168,7 +168,7 @@ function analysis:reaction(set) end
 ---@return analysis
 function analysis:record(path, options) end
 
----Goes to where a checkpoint was written; 'record', 'vtk' and 'checkpoint' called after it go on with their files.
+---Returns to the state of a checkpoint; 'record', 'vtk' and 'checkpoint' called after it continue their files.
 ---@param path string of a checkpoint of the same problem
 ---@return analysis
 function analysis:restart(path) end
@@ -215,7 +215,7 @@ function analysis:stop(reason) end
 ---@return analysis
 function analysis:vtk(stem, options) end
 
----Why the run failed last: the steps tried with their residuals, the node, the element with its strain and the branches of its yarns, and what to try; as text. The error has it as e.why.
+---Why the run last failed: the steps tried with their residuals, the node, the element with its strain and the branches of its yarns, and what to try; as text. The error has it as e.why.
 ---@return string
 function analysis:why() end
 
@@ -227,7 +227,7 @@ function analysis:why() end
 ---@return table[]
 function card:check(element_size) end
 
----Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards that could not be are drawn again.
+---Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards with impossible values are drawn again.
 ---@param n integer of cards
 ---@param seed? integer of the draw (default 1)
 ---@return card[]
@@ -243,11 +243,11 @@ function card:with(changes) end
 function card:write(path) end
 
 ---@class fabric_card_fields.options
----@field bending? "estimated"|"thickness" estimated: the card's own estimate of what nobody measured; thickness: integration through the thickness, on purpose and without a word
+---@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured; thickness: integration through the thickness, without a warning
 
 ---A shipped card by name, or the card that a Lua file returns.
 ---@param name string of a shipped card, or a path (with / or ending in .lua)
----@param options? fabric_card_fields.options of a card that is taken otherwise
+---@param options? fabric_card_fields.options changes to the card
 ---@return card
 function fabric.card(name, options) end
 
@@ -277,20 +277,20 @@ function fabric.columns(rows) end
 ---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
 ---@field hht? number alpha of Hilbert, Hughes and Taylor: damps high frequencies (default 0)
 ---@field damping? fabric_dynamic_fields.damping Rayleigh's damping {mass=a, stiffness=b}; none unless given
----@field inertia? "scaled"|"true" rotary, of the cloth: true, or scaled up where it would limit the explicit step
+---@field inertia? "scaled"|"true" rotary inertia of the cloth: true, or scaled up where it would limit the explicit step
 ---@field force? boolean take the step even above the stable one (default false)
----@field ledger_limit? number energy made, over the external work, at which the run stops (default 0.05)
+---@field ledger_limit? number the run stops when the error of the energy ledger exceeds this part of the external work (default 0.05)
 ---@field tolerance? number implicit: residual over the largest nodal force (default 1e-08)
 ---@field max_iterations? integer implicit: of one step, before it is cut (default 30)
 ---@field max_cuts? integer implicit: halvings of one step (default 12)
----@field limit? "tell"|"stop" tell: says once where the cloth is strained beyond what the card was tested to; stop: and stops there (default "tell")
+---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends the run there (default "tell")
 
----A run in motion with Newmark's method, explicit or implicit, and a ledger of its energies.
+---A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.
 ---@param fields fabric_dynamic_fields
 ---@return analysis
 function fabric.dynamic(fields) end
 
----A deck's own check: prints what came and what was wanted; an error (exit code 1) on a miss.
+---Checks results of a deck: prints computed and expected values; an error (exit code 1) if one is outside its tolerance.
 ---@param rows table { {label, got, want, relative= or absolute=}, ... }
 function fabric.expect(rows) end
 
@@ -325,10 +325,10 @@ function fabric.export.mesh(fields) end
 ---@field to? "ls-dyna"|"openradioss"|"abaqus" the solver; default: by the file's name
 ---@field material? string as for fabric.export.card
 ---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the deck is written in (default "mm-t-s")
----@field histories? table { ['top.y']={{t, v}, ...} }: corners, s and SI, of what moves or pulls a set along an axis, where it is more than a ramp
+---@field histories? table { ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, of the motion or force of a set along an axis, where it is more than a ramp
 ---@field duration? number s: of the run; default: the last corner of a history, at least 1 s
 
----A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what fabric.export.card returns, with the losses), and notes on what was written otherwise than said. Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for *ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.
+---A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what fabric.export.card returns, with the losses), and notes on what the deck states differently. Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for *ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.
 ---@param fields fabric_export_model_fields
 ---@return any
 function fabric.export.model(fields) end
@@ -338,10 +338,10 @@ function fabric.export.model(fields) end
 ---@return string[]
 function fabric.folder(path) end
 
----Makes the fields of fabric and fabric.units global, without covering what is there.
+---Makes the fields of fabric and fabric.units global, except where a global of that name exists.
 function fabric.globals() end
 
----Prints what a function takes, what an object holds and can do, or all that speaks of a word, or of each of several.
+---Prints the arguments of a function, the contents and methods of an object, or all entries that contain the given words.
 ---@param topic? any a function, an object, a name, or words to look for; nothing: an overview
 function fabric.help(topic) end
 
@@ -373,7 +373,7 @@ function fabric.import.card(fields) end
 ---@class fabric_lab_backbone_fields
 ---@field curves table { {E=, S=}, ... }, one per specimen
 ---@field degrees? number[] of the stress polynomials to try; default {2, 4}
----@field find_slack? boolean the stretch of first contact is found besides (default false)
+---@field find_slack? boolean the stretch at first contact is fitted too (default false)
 
 ---Stress polynomials through zero, one per specimen and degree: a list of {degree, criterion, initial, least, admissible, specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the best, nil if none has a positive tangent.
 ---@param fields fabric_lab_backbone_fields
@@ -429,17 +429,17 @@ function fabric.lab.band(fields) end
 ---@field grips? "clamped"|"free"|fabric_lab_bias_fields.grips clamped ends keep their width, free ends contract, {lateral=k}: springs across, k in N/m per metre of edge (default "free")
 ---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
 ---@field unload? boolean without a path: back again (default true)
----@field unilateral? boolean the grip lets go where the pull is zero; else it goes on to push (default true)
----@field release? number that zero, over the largest force (default 1e-06)
+---@field unilateral? boolean the grip lets go where the pull is zero; false: it pushes beyond that (default true)
+---@field release? number force that counts as zero, over the largest force (default 1e-06)
 ---@field out_of_plane? "held"|"free" free: the strip, bowed by a tenth of its thickness, may buckle (default "held")
 ---@field stabilise? number|boolean as for fabric.static: a buckling strip needs it (default false)
 ---@field cells? number[] {across, along}; default {3, 9}
 ---@field steps? integer for the whole history (default 80)
----@field rows? integer of the curve, at equal times on which steps land, besides the first; default: one a step, wherever cuts put it
+---@field rows? integer of the curve, at equal times, besides the first; default: one for each step
 ---@field tolerance? number as for fabric.static (default 1e-10)
 ---@field max_iterations? integer as for fabric.static (default 50)
 ---@field max_cuts? integer as for fabric.static (default 12)
----@field most_steps? integer ends a run that cuts its steps again and again
+---@field most_steps? integer the run stops after so many steps
 ---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
 ---@field width? number m: of the strip (default 0.0254)
 ---@field length? number m: between the grips (default 0.0762)
@@ -476,7 +476,7 @@ function fabric.lab.bias_extension(fields) end
 ---@field limit? number degrees: angle up to which yarns are believed not to slip or stretch (default 30)
 ---@field cut? boolean the record ends at the limit and at a reversal (default false)
 
----Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid (true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.
+---Bias extension without markers, for yarns that do not stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid (true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.
 ---@param fields fabric_lab_bias_shear_fields
 ---@return table<string, any>
 function fabric.lab.bias_shear(fields) end
@@ -486,20 +486,20 @@ function fabric.lab.bias_shear(fields) end
 ---@field thickness number m: of the cloth
 ---@field limit? number degrees: angle up to which rows count (default 30)
 ---@field knots? integer of the curve, at equal angles, straight between them (default 10)
----@field edges? boolean the free edges play a part, if the sizes tell it (default true)
+---@field edges? boolean the free edges are accounted for, if the sizes determine them (default true)
 ---@field scatter? number relative deviation of one specimen, for the bands (default 0.04)
 
----One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (whether that is more than two of its deviations and not its bound, a fifth of the width; else the rest does without), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high (95 % of specimens), angle}, text.
+---One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high (95 % of specimens), angle}, text.
 ---@param fields fabric_lab_bias_sizes_fields
 ---@return table<string, any>
 function fabric.lab.bias_sizes(fields) end
 
 ---@class fabric_lab_biaxial_fields
 ---@field card card the fabric
----@field displacement? number m: by which left and right part (default 0.03)
----@field ratio? number by which bottom and top part, over that (default 1)
+---@field displacement? number m: by which left and right edges move apart (default 0.03)
+---@field ratio? number displacement of bottom and top over that of left and right (default 1)
 ---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
----@field release? number a force that small, over the largest, ends the test (default 1e-06)
+---@field release? number the test ends at this force, over the largest (default 1e-06)
 ---@field cells? integer along an edge (default 3)
 ---@field steps? integer for the whole history (default 80)
 ---@field size? number m: of the square (default 0.254)
@@ -539,7 +539,7 @@ function fabric.lab.branches(fields) end
 ---@field angle? number degrees: of the plane that the tip is to touch (default 41.5)
 ---@field overhang? number m: one overhang, in place of the one whose tip touches the plane
 ---@field cells? integer along the strip; default: 40, of a loop 80
----@field steps? integer in which the weight comes, at least (default 5)
+---@field steps? integer steps in which the weight is applied, at least (default 5)
 ---@field gravity? number m/s^2: of the place (default 9.80665)
 ---@field tolerance? number as for fabric.static (default 1e-09)
 
@@ -577,7 +577,7 @@ function fabric.lab.capstan(fields) end
 ---@field weft? table likewise
 ---@field shear? table result of fabric.lab.fit of shear tests (tensor measure), or likewise
 ---@field poisson? table {warp=, weft=}: numbers, or results of fabric.lab.poisson
----@field assume? boolean|table true: what no test shows is taken by rule and marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., ['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error (default false)
+---@field assume? boolean|table true: values without a test follow a rule and are marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., ['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error (default false)
 ---@field bending? table as in fabric.woven
 ---@field viscous? table result of fabric.lab.viscous (which may tell of none), or { shear={ modulus=, time= } } in S12 over E12; default: nothing relaxes
 
@@ -598,7 +598,7 @@ function fabric.lab.card(fields) end
 ---A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text.
 ---@param measured table result of fabric.lab.tensile or shear_from_bias, or a record with lists of the columns
 ---@param test table result of a virtual test (fabric.lab.uniaxial and so on), its curve, or lists likewise
----@param options? fabric_lab_compare_fields.options what is laid over each other, and where the figure goes
+---@param options? fabric_lab_compare_fields.options what is compared, and the file of the figure
 ---@return table<string, any>
 function fabric.lab.compare(measured, test, options) end
 
@@ -646,7 +646,7 @@ function fabric.lab.density(fields) end
 ---@field damping? number 1/s: of the masses (default 0)
 ---@field every? number s: time between rows and frames (default 0.005)
 ---@field force? boolean as for fabric.dynamic (default false)
----@field strict? boolean a run that stops by itself is an error; false: it comes back with `trouble` (default true)
+---@field strict? boolean a run that fails is an error; false: its rows so far are returned, with `trouble` (default true)
 ---@field ledger_limit? number as for fabric.dynamic (default 0.05)
 ---@field out? string folder for curve.csv and the VTK series
 
@@ -667,7 +667,7 @@ function fabric.lab.drape(fields) end
 ---@field processes? integer side by side (default 1)
 ---@field seed? integer of all that is random (default 1)
 
----Draws from what the data say of parameters, for bands that are wide, skew or bent, by the ensemble sampler of Goodman and Weare: samples (lists by name), mean, median, low, high (by name), deviation, correlation, best (the likeliest draw, by name), log (there), taken, time (autocorrelation, steps), independent (draws that they are worth), failed, text.
+---Samples of the parameters' probability density given the data, for bands that are wide, skew or curved, by the ensemble sampler of Goodman and Weare: samples (lists by name), mean, median, low, high (by name), deviation, correlation, best (the likeliest draw, by name), log (of the density there), taken, time (autocorrelation, steps), independent (number of independent draws they are worth), failed, text.
 ---@param fields fabric_lab_ensemble_fields
 ---@return table<string, any>
 function fabric.lab.ensemble(fields) end
@@ -715,7 +715,7 @@ function fabric.lab.fast(fields) end
 ---@field poisson fabric_lab_fast_card_fields.poisson FAST does not measure them
 ---@field unloading_ratio? number unloading modulus over the largest tangent: FAST does not measure it (default 2)
 
----A card that shows the given FAST numbers; of EB5 the part of the yarns is not taken for shear. Unloading is assumed by its ratio; twist is half of the mean bending rigidity.
+---A card that reproduces the given FAST numbers; the part of EB5 that comes from the yarns is not taken for shear. Unloading is assumed by its ratio; twist is half of the mean bending rigidity.
 ---@param fields fabric_lab_fast_card_fields
 ---@return card
 function fabric.lab.fast_card(fields) end
@@ -723,7 +723,7 @@ function fabric.lab.fast_card(fields) end
 ---@class fabric_lab_fit_fields
 ---@field tests table replicates: results of fabric.lab.tensile or shear_from_bias
 ---@field degree? integer|"auto"|"monotone" of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve (default "auto")
----@field find_slack? "either"|boolean first contact is found with the curve; either: only if that fits better by a tenth; if neither does the band holds both, and a polynomial (auto) that misses the toe makes room for a monotone curve (default false)
+---@field find_slack? "either"|boolean first contact is fitted with the curve; either: only if that fits better by a tenth; if undecided, the band covers both, and a polynomial (auto) that misses the toe is replaced by a monotone curve (default false)
 ---@field upto? "failure"|"yield" rows used (default "failure")
 ---@field rule? "first"|"robust" of the unloading modulus (default "first")
 ---@field count? integer first points of the unloading (default 3)
@@ -744,7 +744,7 @@ function fabric.lab.fit(fields) end
 ---@field length? number m: of the strip, between the grips (default 0.15)
 ---@field width? number m: of the strip (default 0.025)
 ---@field cells? integer along the strip; default: 40, of a loop 80
----@field steps? integer in which the weight comes, at least (default 5)
+---@field steps? integer steps in which the weight is applied, at least (default 5)
 ---@field gravity? number m/s^2: of the place (default 9.80665)
 ---@field tolerance? number as for fabric.static (default 1e-09)
 
@@ -757,7 +757,7 @@ function fabric.lab.heart_loop(fields) end
 ---@field jacobian number[] of residuals in units of their deviation, by rows
 ---@field scale number[] a size of each parameter
 
----What data fix: deviation of each parameter, correlation (by rows), weakest (the combination fixed least, of length one in units of scale) and weakest_deviation.
+---What data determine: deviation of each parameter, correlation (by rows), weakest (the combination determined least, of length one in units of scale) and weakest_deviation.
 ---@param fields fabric_lab_identifiability_fields
 ---@return table<string, any>
 function fabric.lab.identifiability(fields) end
@@ -767,13 +767,13 @@ function fabric.lab.identifiability(fields) end
 ---@field tests table { {name=, measured={numbers}, predict=function(p) return numbers end, noise=}, ... }; p by parameter name; noise: one standard deviation, or one per number; default 1 % of the largest
 ---@field further? table tests that could be made: {name=, predict=, noise=}; ranked by what they would add
 ---@field processes? integer side by side, for the differences (default 2)
----@field checkpoint? string file of what was simulated so far; taken up when it is there, after one of its points has been simulated again
+---@field checkpoint? string file of the simulations so far; used if it exists, after one of its points has been simulated again
 ---@field key? number|string what predict depends on beside the parameters: a checkpoint of another key is refused
 ---@field iterations? integer at most (default 30)
 ---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
 ---@field difference? number step of the differences over high - low (default 0.001)
----@field settle? integer rounds at the end, with differences over a standard deviation to both sides along combinations of parameters (default 8)
----@field progress? boolean says on stderr how far it is (default false)
+---@field settle? integer rounds at the end, with central differences over a standard deviation along combinations of parameters (default 8)
+---@field progress? boolean prints the progress on stderr (default false)
 
 ---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text.
 ---@param fields fabric_lab_identify_fields
@@ -796,13 +796,13 @@ function fabric.lab.kes_bending(fields) end
 ---@field EMT number per cent: stretch at 500 gf/cm
 ---@field WT? number gf cm/cm^2: work; or LT
 ---@field LT? number work over that of a straight line, in place of WT
----@field RT number per cent: of it that comes back
+---@field RT number per cent: of the work that is recovered
 
 ---@class fabric_lab_kes_card_fields.weft
 ---@field EMT number per cent: stretch at 500 gf/cm
 ---@field WT? number gf cm/cm^2: work; or LT
 ---@field LT? number work over that of a straight line, in place of WT
----@field RT number per cent: of it that comes back
+---@field RT number per cent: of the work that is recovered
 
 ---@class fabric_lab_kes_card_fields.shear
 ---@field G number gf/(cm deg): slope
@@ -826,7 +826,7 @@ function fabric.lab.kes_bending(fields) end
 ---@class fabric_lab_kes_card_fields.compression
 ---@field LC number linearity
 ---@field WC number gf cm/cm^2: work
----@field RC number per cent: of it that comes back
+---@field RC number per cent: of the work that is recovered
 
 ---@class fabric_lab_kes_card_fields.poisson
 ---@field warp number as in fabric.woven
@@ -845,7 +845,7 @@ function fabric.lab.kes_bending(fields) end
 ---@field compression? fabric_lab_kes_card_fields.compression kept in the card's source: no law of a sheet carries it
 ---@field poisson fabric_lab_kes_card_fields.poisson KES does not measure them
 
----A card that shows the given KES numbers; its source says what it carries, and what not. fabric.lab.kes_sheet reads them back.
+---A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back.
 ---@param fields fabric_lab_kes_card_fields
 ---@return card
 function fabric.lab.kes_card(fields) end
@@ -901,7 +901,7 @@ function fabric.lab.kilby(fields) end
 ---@field iterations? integer at most (default 50)
 ---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-08)
 ---@field difference? number step of the differences, over high - low (default 1e-04)
----@field settle? integer rounds of differences to both sides along combinations that the data fix independently; for residuals in units of their deviation (default 0)
+---@field settle? integer rounds of central differences along combinations that the data determine independently; for residuals in units of their deviation (default 0)
 
 ---Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, converged, reason.
 ---@param fields fabric_lab_least_squares_fields
@@ -940,12 +940,12 @@ function fabric.lab.monotone(fields) end
 ---@class fabric_lab_parallel_fields
 ---@field count integer of items
 ---@field work function work(i) returns a list of numbers
----@field processes? integer at a time, each a copy of this one with one thread; default: the threads that the program may use
----@field done? function done(i) is called here as each is finished
----@field isolated? boolean a process of its own even where they come one at a time (default false)
----@field progress? string led by this word it is said how far the work is (default "")
+---@field processes? integer parallel processes, each with one thread; default: the threads that the program may use
+---@field done? function done(i) is called in this process after each item
+---@field isolated? boolean each item in a process of its own, even with processes=1 (default false)
+---@field progress? string progress is shown, preceded by this word (default "")
 
----Work for items 1 to count in processes side by side: the lists in order; one whose work failed is empty and has trouble, the message, and died=true when its process ended without an answer.
+---Calls work(i) for items 1 to count in parallel processes. Returns the lists in order; that of a failed item is empty and has trouble, the message, and died=true when its process ended without an answer.
 ---@param fields fabric_lab_parallel_fields
 ---@return table[]
 function fabric.lab.parallel(fields) end
@@ -1010,7 +1010,7 @@ function fabric.lab.poisson(fields) end
 ---@field damping? number 1/s: of the masses (default 0)
 ---@field every? number s: time between rows and frames (default 0.005)
 ---@field force? boolean as for fabric.dynamic (default false)
----@field strict? boolean a run that stops by itself is an error; false: it comes back with `trouble` (default true)
+---@field strict? boolean a run that fails is an error; false: its rows so far are returned, with `trouble` (default true)
 ---@field ledger_limit? number as for fabric.dynamic (default 0.05)
 ---@field out? string folder for curve.csv and the VTK series
 
@@ -1026,13 +1026,13 @@ function fabric.lab.poke(fields) end
 ---@class fabric_lab_pool_fields
 ---@field parameters table { {name=, start=, low=, high=}, ... } as of fabric.lab.identify
 ---@field tests table one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=}, ... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one
----@field rate? fabric_lab_pool_fields.rate the speed plays a part: predictions times 1 + p.rate ln(rate / reference)
----@field order? number with which the simulation's error goes with the size of its cells (default 2)
+---@field rate? fabric_lab_pool_fields.rate accounts for the speed: predictions times 1 + p.rate ln(rate / reference)
+---@field order? number order of the simulation's error in the size of its cells (default 2)
 ---@field level? number of confidence (default 0.95)
 ---@field processes? integer side by side, for the differences (default 2)
 ---@field iterations? integer at most, of each fit (default 30)
 ---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
----@field progress? boolean says on stderr how far it is (default false)
+---@field progress? boolean prints the progress on stderr (default false)
 
 ---Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, text.
 ---@param fields fabric_lab_pool_fields
@@ -1192,12 +1192,12 @@ function fabric.lab.synthetic(fields) end
 ---@field compliance? number m/N: of frame and load cell (default 0)
 ---@field slip? number m/N: in the grips, over the largest force so far (default 0)
 ---@field zero? boolean displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell (default false)
----@field pretension? number N: a record that begins with a force up to this was meant to, as under the pretension of a standard
+---@field pretension? number N: the pretension of a standard: a record may begin with a force up to this
 ---@field slack? number|"none"|"contact" m: displacement at first contact, or 'contact': found where the force rises above `contact` (default "none")
 ---@field contact? number N: default 1 % of the largest force
 ---@field tolerance? number m: smallest way back that is a reversal; default 1 % of the largest displacement
 ---@field kept? number failed below this part of the peak, if the force stays there (default 0.8)
----@field outliers? "tell"|"drop"|"keep" readings of the force that stand alone (a display that drops a digit): left out and told, left out without a word, or kept (default "tell")
+---@field outliers? "tell"|"drop"|"keep" single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept (default "tell")
 ---@field softening? number yielded below this part of the largest tangent (default 0.5)
 
 ---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil).
@@ -1248,10 +1248,10 @@ function fabric.lab.tracks(fields) end
 ---@field weft number N.m: likewise
 ---@field bias number N.m: likewise, of the strip at 45 degrees
 ---@field areal_mass? number kg/m^2: then the three are bending lengths c, B = 9.80665 areal_mass c^3
----@field simulate? boolean until a simulated cantilever of that width shows the bias, some seconds (default false)
+---@field simulate? boolean fits the twist until a simulated cantilever of that width shows the bias; takes some seconds (default false)
 ---@field width? number m: of the strips (default 0.025)
 
----The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where only a twist of nothing or less would do) and words.
+---The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where the twist would have to be zero or less) and words.
 ---@param fields fabric_lab_twist_fields
 ---@return table<string, any>
 function fabric.lab.twist(fields) end
@@ -1266,17 +1266,17 @@ function fabric.lab.twist(fields) end
 ---@field grips? "clamped"|"free"|fabric_lab_uniaxial_fields.grips clamped ends keep their width, free ends contract, {lateral=k}: springs across, k in N/m per metre of edge (default "clamped")
 ---@field path? number[] displacements visited in turn, as parts of the largest; default {1, 0}
 ---@field unload? boolean without a path: back again (default true)
----@field unilateral? boolean the grip lets go where the pull is zero; else it goes on to push (default true)
----@field release? number that zero, over the largest force (default 1e-06)
+---@field unilateral? boolean the grip lets go where the pull is zero; false: it pushes beyond that (default true)
+---@field release? number force that counts as zero, over the largest force (default 1e-06)
 ---@field out_of_plane? "held"|"free" free: the strip, bowed by a tenth of its thickness, may buckle (default "held")
 ---@field stabilise? number|boolean as for fabric.static: a buckling strip needs it (default false)
 ---@field cells? number[] {across, along}; default {3, 9}
 ---@field steps? integer for the whole history (default 80)
----@field rows? integer of the curve, at equal times on which steps land, besides the first; default: one a step, wherever cuts put it
+---@field rows? integer of the curve, at equal times, besides the first; default: one for each step
 ---@field tolerance? number as for fabric.static (default 1e-10)
 ---@field max_iterations? integer as for fabric.static (default 50)
 ---@field max_cuts? integer as for fabric.static (default 12)
----@field most_steps? integer ends a run that cuts its steps again and again
+---@field most_steps? integer the run stops after so many steps
 ---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
 ---@field width? number m: of the strip (default 0.0254)
 ---@field length? number m: between the grips (default 0.0762)
@@ -1317,12 +1317,12 @@ function fabric.lab.viscous(fields) end
 ---@class fabric_linear_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_linear_fields.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_linear_fields.bending
 ---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
@@ -1330,17 +1330,17 @@ function fabric.lab.viscous(fields) end
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_linear_fields.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_linear_fields.bending.friction_weft bending hysteresis along the weft
----@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they are constant; 0: not stated (default 0)
 
 ---@class fabric_linear_fields.estimate.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_linear_fields.estimate.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_linear_fields.estimate.bending
 ---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
@@ -1348,11 +1348,11 @@ function fabric.lab.viscous(fields) end
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_linear_fields.estimate.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_linear_fields.estimate.bending.friction_weft bending hysteresis along the weft
----@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they are constant; 0: not stated (default 0)
 
 ---@class fabric_linear_fields.estimate
 ---@field bending fabric_linear_fields.estimate.bending of the bending
----@field source string what it is drawn from
+---@field source string where the estimate comes from
 
 ---@class fabric_linear_fields
 ---@field name? string of the fabric (default "")
@@ -1361,8 +1361,8 @@ function fabric.lab.viscous(fields) end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_linear_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
----@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
----@field estimate? fabric_linear_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
+---@field estimate? fabric_linear_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field warp number Pa: modulus along the warp
 ---@field weft number Pa: modulus along the weft
 ---@field shear number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1421,7 +1421,7 @@ function fabric.mesh.disk(fields) end
 function fabric.mesh.hemisphere(fields) end
 
 ---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj. Physical groups and groups become node sets; so do integer arrays: those of 0 and 1 by their name, others as name_value. Nodes in no element are left out; the sets all and boundary are added.
----@param file string ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh that comes along
+---@param file string ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh shipped with the program
 ---@return mesh
 function fabric.mesh.read(file) end
 
@@ -1442,11 +1442,11 @@ function fabric.mesh.rectangle(fields) end
 ---@field mesh? mesh the surface
 ---@field card? card the fabric
 ---@field layers? table { {card=, warp=, thickness=}, ... }: plies from below, in place of a card
----@field thickness? number m: wins over the card's; mass per area follows
+---@field thickness? number m: replaces the card's; mass per area changes with it
 ---@field warp? number|function|number[] degrees: warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) returning either; default 0 on a flat generated mesh
 ---@field points? integer integration points through the thickness (default 3)
 ---@field offset? number reference surface: -1 lower face, 0 middle, 1 upper face (default 0)
----@field regions? table { set = {card=, thickness=, warp=, ...}, ... }: sets of elements made of something else
+---@field regions? table { set = {card=, thickness=, warp=, ...}, ... }: sets of elements with a card or section of their own
 ---@field bodies? table { {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; their sets are then name.left
 
 ---The declared problem: a mesh of a fabric, or several, to be held, moved and loaded.
@@ -1559,7 +1559,7 @@ function fabric.rigid.disc(fields) end
 ---@field times number[] s: at which it has these shapes, ascending
 ---@field name? string for messages and files; default the shape's
 
----A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time and after the last it stands.
+---A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time and after the last it is at rest.
 ---@param fields fabric_rigid_motion_fields
 ---@return body
 function fabric.rigid.motion(fields) end
@@ -1580,7 +1580,7 @@ function fabric.rigid.plane(fields) end
 ---@field mass? number kg: with it the body moves freely under contact and gravity
 ---@field name? string for messages and files; default the shape's
 
----A rigid ball, that cloth may touch: it stands, is moved (m:move), or has a mass and is free.
+---A rigid ball that cloth may touch: fixed, moved (m:move), or free, with a mass.
 ---@param fields fabric_rigid_sphere_fields
 ---@return body
 function fabric.rigid.sphere(fields) end
@@ -1588,7 +1588,7 @@ function fabric.rigid.sphere(fields) end
 ---@class fabric_rigid_surface_fields
 ---@field mesh? mesh its facets, counter-clockwise from outside
 ---@field file? string a mesh file in its place
----@field closed? boolean is it the border of a solid: then a hole in it is an error (default false)
+---@field closed? boolean the surface bounds a solid; a hole in it is an error (default false)
 ---@field mass? number kg: with it the body moves freely under contact and gravity
 ---@field name? string for messages and files; default the shape's
 
@@ -1618,8 +1618,8 @@ function fabric.show(rows, options) end
 ---@field min_step? number s: smallest step that cuts go down to
 ---@field linear? "auto"|"symmetric"|"unsymmetric" direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
----@field method? "newton"|"relaxation"|"either" newton; relaxation: every step by dynamic relaxation; either: it for a step that Newton can't do (default "newton")
----@field limit? "tell"|"stop" tell: says once where the cloth is strained beyond what the card was tested to; stop: and stops there (default "tell")
+---@field method? "newton"|"relaxation"|"either" newton; relaxation: every step by dynamic relaxation; either: relaxation for steps in which Newton fails (default "newton")
+---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends the run there (default "tell")
 ---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
 
 ---A quasi-static run: Newton's method through the histories' time.
@@ -1634,7 +1634,7 @@ function fabric.static(fields) end
 ---@field workers? integer cases side by side, each in a process with one thread; default: the threads that the program may use
 ---@field again? boolean runs cases again that failed before (default false)
 
----The same run for many parameters, in processes side by side. What is finished is kept and not run again when the deck is; one that fails leaves its message and the others alone. As a task of a Slurm array job it runs its share. Returns the cases in order, each {parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).
+---Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share. Returns the cases in order, each {parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).
 ---@param fields fabric_study_fields
 ---@return table
 function fabric.study(fields) end
@@ -1642,12 +1642,12 @@ function fabric.study(fields) end
 ---@class fabric_svk_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_svk_fields.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_svk_fields.bending
 ---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
@@ -1655,17 +1655,17 @@ function fabric.study(fields) end
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_svk_fields.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_svk_fields.bending.friction_weft bending hysteresis along the weft
----@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they are constant; 0: not stated (default 0)
 
 ---@class fabric_svk_fields.estimate.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_svk_fields.estimate.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_svk_fields.estimate.bending
 ---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
@@ -1673,11 +1673,11 @@ function fabric.study(fields) end
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_svk_fields.estimate.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_svk_fields.estimate.bending.friction_weft bending hysteresis along the weft
----@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they are constant; 0: not stated (default 0)
 
 ---@class fabric_svk_fields.estimate
 ---@field bending fabric_svk_fields.estimate.bending of the bending
----@field source string what it is drawn from
+---@field source string where the estimate comes from
 
 ---@class fabric_svk_fields
 ---@field name? string of the fabric (default "")
@@ -1686,8 +1686,8 @@ function fabric.study(fields) end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_svk_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
----@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
----@field estimate? fabric_svk_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
+---@field estimate? fabric_svk_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field warp? number Pa: modulus along the warp
 ---@field weft? number Pa: modulus along the weft
 ---@field shear? number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1695,7 +1695,7 @@ function fabric.study(fields) end
 ---@field young? number Pa: modulus of an isotropic sheet, instead of warp, weft, shear
 ---@field transverse? number[] Pa: {G13, G23}; default 5/6 of shear
 
----A St. Venant-Kirchhoff sheet: the comparator with constant moduli; S12 = 2 shear E12.
+---A St. Venant-Kirchhoff sheet: for comparison, with constant moduli; S12 = 2 shear E12.
 ---@param fields fabric_svk_fields
 ---@return card
 function fabric.svk(fields) end
@@ -1711,30 +1711,30 @@ function fabric.svk(fields) end
 ---@return table[]
 function fabric.table(fields) end
 
----Keeps the session as a deck that can be run; without an argument, the file's name or false. The file is whole at any moment; inputs that failed are comments in it.
----@param file? string|boolean a new Lua file that holds all that was typed at the prompt so far and will be; false ends it
+---Writes the session as a deck that can be run; without an argument returns the file's name or false. The file is complete at any moment; inputs that failed are comments in it.
+---@param file? string|boolean a new Lua file that holds all input at the prompt, from the start of the session on; false ends it
 function fabric.transcript(file) end
 
----Says a warning on stderr with the deck's line, each text once.
+---Prints a warning on stderr with the deck's line, each text once.
 ---@param text string what to say
 function fabric.warn(text) end
 
----What the globals hold that neither Lua nor fabric put there, objects first: rows of name, class and text, which print as a table.
+---The global variables that were set at the prompt or by the deck, objects first: rows of name, class and text, which print as a table.
 function fabric.who() end
 
----Why the last run that failed did: what analysis:why() of it says.
+---Why the last failed run failed: the text of its analysis:why().
 ---@return string
 function fabric.why() end
 
 ---@class fabric_woven_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_woven_fields.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_woven_fields.bending
 ---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
@@ -1742,17 +1742,17 @@ function fabric.why() end
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_woven_fields.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_woven_fields.bending.friction_weft bending hysteresis along the weft
----@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they are constant; 0: not stated (default 0)
 
 ---@class fabric_woven_fields.estimate.bending.friction_warp
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_woven_fields.estimate.bending.friction_weft
 ---@field moment number N: friction moment per width
 ---@field curvature number 1/m: curvature over which it builds up
----@field memory? "slip"|"fading" slip: the moment grows straight until it slips; fading: it forgets where it came from over that curvature (default "slip")
+---@field memory? "slip"|"fading" slip: the friction moment grows linearly until it slips; fading: it approaches its limit exponentially over that curvature (default "slip")
 
 ---@class fabric_woven_fields.estimate.bending
 ---@field warp number|number[]|table N.m: bending rigidity along the warp: a number, or as it changes with the curvature k, B = b0 + b1 k + ..., {b0, b1, ...}, or measured points {{k, M}, ...} of curvature, 1/m, and moment per width, N, from {0, 0} on
@@ -1760,11 +1760,11 @@ function fabric.why() end
 ---@field twist number N.m: twisting rigidity, multiplies 2 kappa12
 ---@field friction_warp? fabric_woven_fields.estimate.bending.friction_warp bending hysteresis along the warp
 ---@field friction_weft? fabric_woven_fields.estimate.bending.friction_weft bending hysteresis along the weft
----@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they stay; 0: not stated (default 0)
+---@field tested? number 1/m: curvature up to which the rigidities were measured: beyond it they are constant; 0: not stated (default 0)
 
 ---@class fabric_woven_fields.estimate
 ---@field bending fabric_woven_fields.estimate.bending of the bending
----@field source string what it is drawn from
+---@field source string where the estimate comes from
 
 ---@class fabric_woven_fields.warp
 ---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
@@ -1777,15 +1777,15 @@ function fabric.why() end
 ---@field poisson number nu21: contraction along warp when pulled along weft
 
 ---@class fabric_woven_fields.shear.friction
----@field stress number Pa: that friction slips at, at no strain
----@field growth? number Pa: of it with the strain, in shear's measure: a loop that widens (default 0)
+---@field stress number Pa: stress at which friction slips at zero strain
+---@field growth? number Pa: increase of this stress with the strain, in shear's measure: the loop widens (default 0)
 
 ---@class fabric_woven_fields.shear
 ---@field loading number[]|table Pa: tangent modulus in the measure's strain, Pa, as {g0, g1, ...}; or measured points
 ---@field unloading number Pa: unloading modulus, in the same measure
 ---@field measure? "tensor"|"engineering" tensor: dS12/dE12 in E12; engineering: dS12/d(2E12) in 2E12 (default "tensor")
----@field memory? "printed"|"fading" what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade (default "printed")
----@field friction? fabric_woven_fields.shear.friction elastic-frictional shear: loading is elastic, beside it friction that sticks with unloading less the initial modulus and slips at stress + growth |strain|; law potential only
+---@field memory? "printed"|"fading" memory of the branch left at a reversal: printed, as in the published law, erases it at once; fading lets it decay with the slip that follows (default "printed")
+---@field friction? fabric_woven_fields.shear.friction elastic-frictional shear: loading is elastic; in parallel, friction sticks with the modulus unloading less the initial modulus and slips at stress + growth |strain|; law potential only
 
 ---@class fabric_woven_fields.tested
 ---@field warp? number largest E11 tested (default 0)
@@ -1799,8 +1799,8 @@ function fabric.why() end
 ---@field unloading number Pa: unloading modulus
 
 ---@class fabric_woven_fields.viscous.shear
----@field modulus number Pa: of what relaxes, in shear's measure
----@field time number s: in which its stress falls to 1/e at rest
+---@field modulus number Pa: of the part that relaxes, in shear's measure
+---@field time number s: relaxation time: at constant strain its stress falls to 1/e
 
 ---@class fabric_woven_fields.viscous
 ---@field shear fabric_woven_fields.viscous.shear a spring and a dashpot in series beside in-plane shear
@@ -1833,8 +1833,8 @@ function fabric.why() end
 ---@field thickness number m: of the sheet
 ---@field bending? fabric_woven_fields.bending own bending rigidity instead of integration through the thickness
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
----@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
----@field estimate? fabric_woven_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
+---@field estimate? fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -1851,7 +1851,7 @@ function fabric.why() end
 ---@return card
 function fabric.woven(fields) end
 
----Writes a file as a whole, with the folders it lies in: whoever reads it sees the old one or the new one, never a part.
+---Writes a file as a whole and makes its folders: a reader sees the old file or the new one, never a part.
 ---@param path string of the file
 ---@param content string all of it
 function fabric.write(path, content) end
@@ -1896,8 +1896,8 @@ function mesh:write(file) end
 ---@field between? table { body or set, ... }: every two of them touch ("all": the whole cloth)
 ---@field self? string a set whose cloth touches itself
 ---@field friction? number friction coefficient (default 0)
----@field thickness? number m: of the cloth as contact sees it; default the cloth's own
----@field stiffness? number Pa/m: pressure per gap; default what the cloth's own stable step carries
+---@field thickness? number m: of the cloth in contact; default: the cloth's own
+---@field stiffness? number Pa/m: pressure per closed gap; default: as stiff as the cloth's own stable step allows
 
 ---Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.
 ---@param fields model_contact_fields
@@ -1905,7 +1905,7 @@ function mesh:write(file) end
 function model:contact(fields) end
 
 ---@class model_fix_fields.options
----@field frame? table {e1, e2}: x and y of the call count along them
+---@field frame? table {e1, e2}: directions of x and y in this call
 
 ---Holds freedoms of a node set; fixing twice is harmless.
 ---@param set string name of a node set
@@ -1920,7 +1920,7 @@ function model:fix(set, freedoms, options) end
 ---@field z? number|function|history N: history along z
 
 ---@class model_force_fields.options
----@field frame? table {e1, e2}: x and y of the call count along them
+---@field frame? table {e1, e2}: directions of x and y in this call
 
 ---Loads a node set with a total force; a single node takes it whole.
 ---@param set string name of a node set
@@ -1934,7 +1934,7 @@ function model:force(set, components, options) end
 ---@return model
 function model:gravity(acceleration) end
 
----What it was told, supports first (bodies and regions before them, where there are any): rows of kind (the call's name), set and what, which print as a table.
+---Its supports and loads (before them bodies and regions, if any): rows of kind (the call's name), set and what, which print as a table.
 ---@return model
 function model:list() end
 
@@ -1944,7 +1944,7 @@ function model:list() end
 ---@field z? number|function|history N m: history along z
 
 ---@class model_moment_fields.options
----@field frame? table {e1, e2}: x and y of the call count along them
+---@field frame? table {e1, e2}: directions of x and y in this call
 
 ---Loads the directors of a node set with a moment, shared by length or area.
 ---@param set string name of a node set
@@ -1965,7 +1965,7 @@ function model:moment(set, components, options) end
 ---@field turn? model_move_fields.components.turn of a rigid body: {axis=, angle=, centre=}
 
 ---@class model_move_fields.options
----@field frame? table {e1, e2}: x and y of the call count along them
+---@field frame? table {e1, e2}: directions of x and y in this call
 
 ---Prescribes displacements of a node set, or of a rigid body, as histories (number, function(t), fabric.history, fabric.ramp).
 ---@param set string|body name of a node set, or a rigid body
@@ -1996,7 +1996,7 @@ function model:remove(row) end
 ---@field z? number N/m: along z
 
 ---@class model_spring_fields.options
----@field frame? table {e1, e2}: x and y of the call count along them
+---@field frame? table {e1, e2}: directions of x and y in this call
 
 ---Ties a node set to its reference position by springs.
 ---@param set string name of a node set
@@ -2012,7 +2012,7 @@ function model:spring(set, stiffness, options) end
 function model:symmetry(set, normal) end
 
 ---Ties nodes to each other exactly, by elimination.
----@param kind string "equal": the set's nodes share displacements; "straight": they stay on the line between its ends; "rigid": nodes and directors move as one body; "periodic": two sets with one displacement between the pairs, led by the first
+---@param kind string "equal": the set's nodes share displacements; "straight": they stay on the line between its ends; "rigid": nodes and directors move as one body; "periodic": two sets whose pairs of nodes keep one common relative displacement; the second follows the first
 ---@param set string name of a node set
 ---@param second? string periodic: the set that follows; else freedoms, some of x y z
 ---@param freedoms? string periodic: some of x y z rotation; default all
@@ -2025,7 +2025,7 @@ function model:tie(kind, set, second, freedoms) end
 ---@field z? number|function|history N/m^2 | N/m: history along z
 
 ---@class model_traction_fields.options
----@field frame? table {e1, e2}: x and y of the call count along them
+---@field frame? table {e1, e2}: directions of x and y in this call
 
 ---Loads a node set with a dead traction on its reference area, or a line load on its reference edges.
 ---@param set string name of a node set
@@ -2049,7 +2049,7 @@ function model:turn(set, motion) end
 ---@field x? number m/s: along x
 ---@field y? number m/s: along y
 ---@field z? number m/s: along z
----@field spin? number[] {wx, wy, wz}, degrees/s: beside it a rigid rotation
+---@field spin? number[] {wx, wy, wz}, degrees/s: in addition, a rigid rotation
 ---@field centre? number[] {x, y, z}, m: a point of its axis; default {0, 0, 0}
 
 ---Velocity of a node set, or of a free rigid body, at time 0, for fabric.dynamic: one for all, or a function of place that returns it for each node.

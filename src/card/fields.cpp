@@ -55,11 +55,12 @@ Rows<Yarn> yarn_rows(const std::string& strain, const std::string& ratio) {
 }
 
 Rows<ShearFriction> shear_friction_rows() {
-  return {number("stress", &ShearFriction::stress, "Pa", not_negative, "that friction slips at, at no strain")
+  return {number("stress", &ShearFriction::stress, "Pa", not_negative,
+                 "stress at which friction slips at zero strain")
               .on_line("shear friction")
               .printed("# kPa", 1e-3),
           number("growth", &ShearFriction::growth, "Pa", everything,
-                 "of it with the strain, in shear's measure: a loop that widens")
+                 "increase of this stress with the strain, in shear's measure: the loop widens")
               .or_else(0.0)
               .on_line("shear friction")
               .printed("growing by # kPa", 1e-3)};
@@ -82,13 +83,13 @@ Rows<Shear> shear_rows() {
            "tensor: dS12/dE12 in E12; engineering: dS12/d(2E12) in 2E12")
           .unprinted(),
       word("memory", &Shear::memory, {"printed", "fading"},
-           "what the branch left at a reversal keeps: printed forgets it at once, fading lets it fade")
+           "memory of the branch left at a reversal: printed, as in the published law, erases it at once; "
+           "fading lets it decay with the slip that follows")
           .on_line("law")
           .said([](const Shear& s) { return s.memory == ShearMemory::fading ? "shear memory fades" : ""; }),
-      group(
-          "friction", &Shear::friction, shear_friction_rows(),
-          "elastic-frictional shear: loading is elastic, beside it friction that sticks with unloading less "
-          "the initial modulus and slips at stress + growth |strain|; law potential only")};
+      group("friction", &Shear::friction, shear_friction_rows(),
+            "elastic-frictional shear: loading is elastic; in parallel, friction sticks with the modulus "
+            "unloading less the initial modulus and slips at stress + growth |strain|; law potential only")};
 }
 
 FieldOf<Tested> tested(std::string name, double Tested::*place, const std::string& strain,
@@ -116,9 +117,10 @@ Rows<Biaxial> biaxial_rows() {
 }
 
 Rows<Relaxation> relaxation_rows() {
-  return {modulus("modulus", &Relaxation::modulus, "of what relaxes, in shear's measure")
+  return {modulus("modulus", &Relaxation::modulus, "of the part that relaxes, in shear's measure")
               .printed("shear # MPa", per_MPa),
-          number("time", &Relaxation::time, "s", positive, "in which its stress falls to 1/e at rest")
+          number("time", &Relaxation::time, "s", positive,
+                 "relaxation time: at constant strain its stress falls to 1/e")
               .printed("over # s")};
 }
 
@@ -168,8 +170,8 @@ Rows<BendingFriction> friction_rows(const std::string& side) {
       number("curvature", &BendingFriction::curvature, "1/m", positive, "curvature over which it builds up")
           .printed("over # 1/m"),
       word("memory", &BendingFriction::memory, {"slip", "fading"},
-           "slip: the moment grows straight until it slips; fading: it forgets where it came from over that "
-           "curvature")
+           "slip: the friction moment grows linearly until it slips; fading: it approaches its limit "
+           "exponentially over that curvature")
           .unless_fallback()
           .said([](const BendingFriction& f) {
             return f.memory == FrictionMemory::fading ? "its memory fades" : "";
@@ -202,19 +204,20 @@ FieldOf<Bending> rigidity(const std::string& name, double Bending::*place, Curve
 }
 
 Rows<Bending> bending_rows() {
-  return {rigidity("warp", &Bending::warp, &Bending::warp_curve),
-          rigidity("weft", &Bending::weft, &Bending::weft_curve),
-          number("twist", &Bending::twist, "N.m", not_negative, "twisting rigidity, multiplies 2 kappa12")
-              .printed("twist # uN.m", 1e6),
-          group("friction_warp", &Bending::friction_warp, friction_rows("warp"),
-                "bending hysteresis along the warp"),
-          group("friction_weft", &Bending::friction_weft, friction_rows("weft"),
-                "bending hysteresis along the weft"),
-          number("tested", &Bending::tested, "1/m", not_negative,
-                 "curvature up to which the rigidities were measured: beyond it they stay; 0: not stated")
-              .or_else(0.0)
-              .unless_fallback()
-              .printed("tested to # 1/m")};
+  return {
+      rigidity("warp", &Bending::warp, &Bending::warp_curve),
+      rigidity("weft", &Bending::weft, &Bending::weft_curve),
+      number("twist", &Bending::twist, "N.m", not_negative, "twisting rigidity, multiplies 2 kappa12")
+          .printed("twist # uN.m", 1e6),
+      group("friction_warp", &Bending::friction_warp, friction_rows("warp"),
+            "bending hysteresis along the warp"),
+      group("friction_weft", &Bending::friction_weft, friction_rows("weft"),
+            "bending hysteresis along the weft"),
+      number("tested", &Bending::tested, "1/m", not_negative,
+             "curvature up to which the rigidities were measured: beyond it they are constant; 0: not stated")
+          .or_else(0.0)
+          .unless_fallback()
+          .printed("tested to # 1/m")};
 }
 
 // Marks rows as not printed.
@@ -230,7 +233,7 @@ Rows<Owner> silent(Rows<Owner> rows) {
 
 Rows<Estimate> estimate_rows() {
   return silent<Estimate>({group("bending", &Estimate::bending, bending_rows(), "of the bending"),
-                           text("source", &Estimate::source, "what it is drawn from")});
+                           text("source", &Estimate::source, "where the estimate comes from")});
 }
 
 Rows<Woven> woven_rows() {
@@ -356,17 +359,17 @@ FieldTable table_of(const Rows<Law>& law) {
                        "own bending rigidity instead of integration through the thickness")
                      .written_last());
   rows.push_back(flag("through_thickness", &Card::through_thickness,
-                      "bending by integration through the thickness is meant where the card has no bending "
-                      "of its own, also where it is far stiffer than "
-                      "cloth, and nothing is said of it")
+                      "bending by integration through the thickness is intended where the card has no "
+                      "bending of its own: no warning, even if that is far stiffer than cloth")
                      .or_else(false)
                      .unless_fallback()
                      .written_last()
                      .on_line("bending")
                      .said([](const Card& c) { return c.through_thickness ? "through the thickness" : ""; }));
-  rows.push_back(group("estimate", &Card::estimate, estimate_rows(),
-                       "of what nobody measured: fabric.card(name, { bending='estimated' }) takes it")
-                     .written_last());
+  rows.push_back(
+      group("estimate", &Card::estimate, estimate_rows(),
+            "estimates of what was not measured, used by fabric.card(name, { bending='estimated' })")
+          .written_last());
   rows.push_back(points("compression", &Card::compression, {"gap", "pressure"}, compression_fault,
                         "one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its "
                         "thickness then, which is also how far apart the middles of two such sheets are, "

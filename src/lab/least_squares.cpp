@@ -88,9 +88,9 @@ std::string words(Eigen::LevenbergMarquardtSpace::Status status) {
     case RelativeErrorTooSmall:
       return "the parameters no longer move";
     case RelativeErrorAndReductionTooSmall:
-      return "sum of squares and parameters have come to rest";
+      return "neither the sum of squares nor the parameters change any more";
     case CosinusTooSmall:
-      return "the residuals are at right angles to what the parameters can do";
+      return "no change of the parameters reduces the residuals";
     case FtolTooSmall:
     case XtolTooSmall:
     case GtolTooSmall:

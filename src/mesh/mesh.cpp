@@ -70,7 +70,7 @@ Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>
     if (name.empty() || name.find('.') != std::string::npos)
       throw Error("bodies: expected a name without a full stop for every body, got '" + name + "'");
     for (const auto& before : joined.parts)
-      if (before.name == name) throw Error("bodies: the name '" + name + "' stands there twice");
+      if (before.name == name) throw Error("bodies: expected different names, got '" + name + "' twice");
     const auto first = static_cast<Index>(joined.nodes.size());
     joined.parts.push_back({name, mesh, first, static_cast<Index>(joined.elements.size())});
     joined.nodes.insert(joined.nodes.end(), mesh->nodes.begin(), mesh->nodes.end());

@@ -222,8 +222,8 @@ std::vector<std::vector<int>> group(const Sides& sides, const mesh::Mesh& mesh, 
       if (owner[n] >= 0 && owner[n] != surface)
         throw Error("contact: node " + std::to_string(n + 1) + " belongs to the cloth of " +
                     sides.names(named[owner[n]]) + " and to that of " + sides.names(named[surface]) +
-                    ": expected sides that are the same, or whole sheets that share no node (\"all\" takes "
-                    "the whole)");
+                    ": expected sides that are the same, or whole sheets that share no node (\"all\" is the "
+                    "whole cloth)");
       owner[n] = surface;
     }
   }
@@ -274,9 +274,9 @@ Surfaces work_out_surfaces(const Interactions& interactions, const mesh::Mesh& m
         for (const int a : mine)
           for (const int b : surfaces_of(between[j])) {
             if (a == b)
-              throw Error("contact: field 'between': " + quoted(between[i].set) + " and " +
-                          quoted(between[j].set) +
-                          " have cloth in common: expected sides apart; self= lets a cloth touch itself");
+              throw Error(
+                  "contact: field 'between': " + quoted(between[i].set) + " and " + quoted(between[j].set) +
+                  " share elements: expected sets without common elements; self= lets a cloth touch itself");
             meet(a, b, c);
           }
     }

@@ -31,7 +31,7 @@ std::shared_ptr<Checkpoint> checkpoint_from(const std::string& path, std::string
   } catch (const Error& error) {
     refuse(error.what());
   }
-  if (!archive.at_end()) refuse("it is damaged: there is more in it than belongs there");
+  if (!archive.at_end()) refuse("it is damaged: data follow after its end");
   if (c->instructions != name(best_isa()))
     refuse("it was written with the instructions " + c->instructions + ", this machine has " +
            name(best_isa()) + ": its bits would not be the same");
@@ -47,8 +47,9 @@ model::Fingerprint problem_of(const Run& run) {
   const std::string duration = exact_number(run.duration()) + " s";
   add_part(parts, "duration", duration, duration);
   if (const std::string kernels = run.kernels(); !kernels.empty())
-    add_part(parts, "BLAS kernels (the bits of a solve hang on them; OPENBLAS_CORETYPE chooses)", kernels,
-             kernels);
+    add_part(parts,
+             "BLAS kernels (other kernels give other bits; the variable OPENBLAS_CORETYPE selects them)",
+             kernels, kernels);
   const model::Model& m = run.model();
   std::string cards;
   for (const auto& region : m.regions()) {
@@ -130,7 +131,7 @@ void Claims::check() {
     const auto& part = from_->parts[i];
     if (claimed_.count(i) == 0)
       throw Error("checkpoint '" + from_->path + "': it has the " + part_text(part.kind, part.path) +
-                  ", which nothing of this run goes on with");
+                  ", which this run does not continue: repeat the call that wrote it, after the restart");
   }
   went_on_ = true;
 }

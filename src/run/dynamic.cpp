@@ -183,9 +183,10 @@ void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<doub
     const double moved = std::abs(to[i] - from[i]);
     if (motions[i].component > 2 || !(moved > most)) continue;
     now_.told_jump = true;
-    return say("dynamic: the motion of node " + std::to_string(motions[i].node + 1) + " jumps by " +
-               number(moved) + " m within the step that ends at time " + number(time) +
-               " s: it hits the cloth rather than moves it, and the ledger will show it; a ramp would not");
+    return say(
+        "dynamic: the motion of node " + std::to_string(motions[i].node + 1) + " jumps by " + number(moved) +
+        " m within the step that ends at time " + number(time) +
+        " s: this is an impact, and the energy ledger will show it; use fabric.ramp for a gradual motion");
   }
 }
 
@@ -261,7 +262,7 @@ std::string Dynamic::remedy(const Energy& e) const {
     return "step=\"auto\" (the step of " + number(now_.step) + " s is above the stable one, " +
            number(stable_) + " s, of the cloth at rest)";
   return "a smaller step (now " + number(now_.step) + " s)" +
-         (e.created > 0 ? "; or law=\"potential\", which makes no energy" : "") +
+         (e.created > 0 ? "; or law=\"potential\", which creates no energy" : "") +
          "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on";
 }
 
@@ -323,7 +324,7 @@ void Dynamic::check() {
     now_.began = suspect();
     say("dynamic: the ledger's error is " + share + " at time " + number(time()) +
         " s, most of it about element " + std::to_string(now_.began + 1) +
-        ": a smaller step would tell whether it is the step's");
+        ": repeat with a smaller step to see whether the step is the cause");
   }
   const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
   now_.was_over = over;

@@ -65,13 +65,14 @@ void Explicit::choose_step() {
   if (options_.force || now_.step <= usual * (1 + 1e-12)) return;
   if (assembly_->contact() != nullptr)
     throw Error("dynamic: field 'step': expected at most " + number(usual) +
-                " s, which contact carries (0.6 of the stable step of mesh and card, " + number(stable_) +
-                " s, and no more than its stiffness allows), got " + number(now_.step) +
-                " s (a smaller 'stiffness' of m:contact, or force=true, would take it)");
+                " s, the largest step that contact allows (0.6 of the stable step of mesh and card, " +
+                number(stable_) + " s, and less where contact is stiff), got " + number(now_.step) +
+                " s (where contact is stiff, a smaller 'stiffness' of m:contact allows more; force=true uses "
+                "this step all the same)");
   if (now_.step > stable_)
     throw Error("dynamic: field 'step': expected at most " + number(stable_) +
                 " s, the stable step of this mesh and card, got " + number(now_.step) +
-                " s (step=\"auto\" takes " + number(usual) + " s; force=true takes it all the same)");
+                " s (step=\"auto\" takes " + number(usual) + " s; force=true uses this step all the same)");
   say("dynamic: the step of " + number(now_.step) + " s is above 0.7 of the stable one, " + number(stable_) +
       " s");
 }
@@ -173,8 +174,10 @@ void Explicit::tell_guard() {
   block_.told = true;
   const auto nearest = contact.nearest();
   say("dynamic: at time " + number(time()) + " s " + contact.words(nearest.point) +
-      " are pressed into the last quarter above the floor of their contact (" + number(nearest.gap) +
-      " m above it): the guard holds them, its energy is a.energy.guard; the step is halved meanwhile");
+      " are pressed into the last quarter above the smallest distance that contact allows (" +
+      number(nearest.gap) +
+      " m above it): a barrier keeps them apart (its energy: a.energy.guard) and the step is halved "
+      "meanwhile");
 }
 
 void Explicit::split() {
@@ -282,7 +285,8 @@ void Explicit::give_up(const StepReport& report) {
 std::string Explicit::reason() const {
   const bool stuck = assembly_->contact() != nullptr && block_.halved >= kHalvings;
   if (stuck && end_ != End::ran_away)
-    return "contact is pressed to its floor, and more than a step can carry";
+    return "surfaces are pressed together to the smallest distance, and a step adds more force than contact "
+           "can carry";
   if (end_ == End::ran_away) return "a node moves by more than an element";
   if (end_ == End::limited) return "nodes move farther than is safe for what they meet";
   const std::string& why = assembly_->outcome().why;

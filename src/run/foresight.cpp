@@ -56,7 +56,7 @@ class Jumps {
     if (all_.size() > most) text += " and " + std::to_string(all_.size() - most) + " more";
     const std::string value = number(largest_);
     return text + (all_.size() > 1 ? " are" : " is") +
-           " there whole at time 0 and applied in the first step; fabric.ramp(" + value + ", " +
+           " at full value at time 0 and applied in the first step; fabric.ramp(" + value + ", " +
            number(duration_) + ") in place of " + value + " brings it up step by step";
   }
 

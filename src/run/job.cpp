@@ -132,7 +132,7 @@ void Job::restart(const std::string& path) { begin_from(read_checkpoint(path)); 
 void Job::begin_from(std::shared_ptr<const Checkpoint> from) {
   if (!outputs_.empty() || !keepers_.empty())
     throw Error(
-        "expected to be called before 'record', 'vtk' and 'checkpoint', which then go on with their files");
+        "expected to be called before 'record', 'vtk' and 'checkpoint', which then continue their files");
   if (const std::string differs = difference(*from, *run_); !differs.empty())
     throw Error("checkpoint '" + from->path + "' is of another problem: it differs in " + differs);
   claims_ = Claims(std::move(from));
@@ -292,8 +292,8 @@ void Keeper::write() {
       if (number != job_.number()) c.finished.push_back(bytes);
     write_checkpoint(path_, c);
   } catch (const Error& error) {
-    throw Error("checkpoint: " + std::string(error.what()) + " (the run is alive at " +
-                exact_number(run.time()) + " s, solve() goes on)");
+    throw Error("checkpoint: " + std::string(error.what()) + " (the run is kept at " +
+                exact_number(run.time()) + " s; solve() continues it)");
   }
   written_ = step;
   forced_ = false;

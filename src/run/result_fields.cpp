@@ -123,11 +123,12 @@ Table make_table() {
   t.nodal("reference", "m", "where the node was in the reference", {"X", "Y", "Z"}, &NodeValues::X, "X");
   t.rows.back().usual = false;
   t.supports("reaction", "N", "force of the supports on the node, which a:reaction sums over a set");
-  t.touched(
-      "gap", "m",
-      "to the nearest thing that it touches, above the floor of their contact; what contact reaches at most",
-      &mechanics::Contacts::gap);
-  t.touched("contact_pressure", "Pa", "of contact, friction apart", &mechanics::Contacts::pressure);
+  t.touched("gap", "m",
+            "distance to the nearest surface that it may touch, less the smallest distance that contact "
+            "allows; at most the reach of contact",
+            &mechanics::Contacts::gap);
+  t.touched("contact_pressure", "Pa", "normal pressure of contact, without friction",
+            &mechanics::Contacts::pressure);
   t.average("E", "", Shape::tensor, "Green-Lagrange strain, tensor components",
             {"E11", "E22", "E23", "E13", "E12"}, {&V::E11, &V::E22, &V::E23, &V::E13, &V::E12},
             {"E11", "E22", "E23", "E13", "E12"});
@@ -139,27 +140,26 @@ Table make_table() {
             {"slack1", "slack2"}, {&V::slack1, &V::slack2}, {"warp", "weft"});
   t.average("energy", "J/m^3", Shape::pair, "per reference volume: stored, and dissipated so far",
             {"stored", "dissipated"}, {&V::stored, &V::dissipated}, {"stored", "dissipated"});
-  t.direction("warp", "unit vector along the warp as it lies now", &std::pair<Vec3, Vec3>::first);
-  t.direction("weft", "unit vector along the weft as it lies now", &std::pair<Vec3, Vec3>::second);
-  t.scalar("shear_angle", "degrees",
-           "by which the angle between warp and weft is less than a right one; of the sign of E12",
+  t.direction("warp", "unit vector along the deformed warp", &std::pair<Vec3, Vec3>::first);
+  t.direction("weft", "unit vector along the deformed weft", &std::pair<Vec3, Vec3>::second);
+  t.scalar("shear_angle", "degrees", "90 degrees less the angle between warp and weft; has the sign of E12",
            [](const Run& run, mesh::Index e) {
              const auto [warp, weft] = run.assembly().yarns(e);
              return std::asin(std::clamp(warp.dot(weft), -1.0, 1.0)) * (180 / std::numbers::pi);
            });
-  t.scalar("tension_warp", "N/m", "force along the warp yarns over the reference width that they come from",
+  t.scalar("tension_warp", "N/m", "force along the warp yarns per reference width",
            [](const Run& run, mesh::Index e) {
              const V& v = run.elements()[e];
              return tension(run, e, v.S11, v.E11);
            });
-  t.scalar("tension_weft", "N/m", "force along the weft yarns over the reference width that they come from",
+  t.scalar("tension_weft", "N/m", "force along the weft yarns per reference width",
            [](const Run& run, mesh::Index e) {
              const V& v = run.elements()[e];
              return tension(run, e, v.S22, v.E22);
            });
-  t.scalar("nominal_strain_warp", "", "change of length along the warp over the length that it had",
+  t.scalar("nominal_strain_warp", "", "change of length along the warp over the reference length",
            [](const Run& run, mesh::Index e) { return stretch(run.elements()[e].E11) - 1; });
-  t.scalar("nominal_strain_weft", "", "change of length along the weft over the length that it had",
+  t.scalar("nominal_strain_weft", "", "change of length along the weft over the reference length",
            [](const Run& run, mesh::Index e) { return stretch(run.elements()[e].E22) - 1; });
   t.scalar("nominal_stress_warp", "Pa", "force along the warp yarns over the reference area",
            [](const Run& run, mesh::Index e) {
@@ -171,17 +171,15 @@ Table make_table() {
              const V& v = run.elements()[e];
              return v.S22 * stretch(v.E22);
            });
-  t.scalar("cauchy_11", "Pa",
-           "true stress along the warp as it lies now, on the area that is now (the thickness that of the "
-           "reference)",
+  t.scalar("cauchy_11", "Pa", "Cauchy stress along the deformed warp (current width, reference thickness)",
            [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[0]; });
-  t.scalar("cauchy_22", "Pa", "true stress across the warp as it lies now, in the surface",
+  t.scalar("cauchy_22", "Pa", "Cauchy stress across the deformed warp, in the surface",
            [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[1]; });
-  t.scalar("cauchy_12", "Pa", "true shear stress, along the warp and across it",
+  t.scalar("cauchy_12", "Pa", "Cauchy shear stress, along and across the deformed warp",
            [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[2]; });
   t.scalar("beyond", "",
-           "the largest strain so far over what the card was tested to: 1.2 is 20 % beyond; 0 where it does "
-           "not say",
+           "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card "
+           "states none",
            [](const Run& run, mesh::Index e) { return run.assembly().share(e); });
   t.scalar("region", "", "number of the body or region that the element belongs to, in their order",
            [](const Run& run, mesh::Index e) { return run.model().region_of(e) + 1.0; });

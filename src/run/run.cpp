@@ -192,9 +192,10 @@ void Run::watch_strain() {
     stop("strain beyond what was tested: " + beyond_text(beyond_));
   if (told_beyond_ || before > told || share <= told) return;
   told_beyond_ = true;
-  notices_->say("warning: " + std::string(kind()) + ": at time " + number(time()) + " s " +
-                beyond_text(beyond_) + ", about " + place_text(assembly_->centre(most.element)) +
-                ": from here on the card is a guess; said once, a.beyond and run.json have the farthest");
+  notices_->say(
+      "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
+      ", about " + place_text(assembly_->centre(most.element)) +
+      ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json");
 }
 
 double Run::elements_beyond() const {

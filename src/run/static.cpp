@@ -30,7 +30,8 @@ void check_options(const StaticOptions& o) {
                 number(o.stabilise));
   if (o.control == Control::arc && (o.stabilise > 0 || o.method != Method::newton))
     throw Error(
-        "static: field 'control': \"arc\" goes with Newton alone: leave out 'stabilise' and 'method'");
+        "static: field 'control': \"arc\" works with Newton's method only: leave out 'stabilise' and "
+        "'method'");
 }
 
 bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly) {
@@ -64,7 +65,8 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
                                                       : linear::make_unsymmetric_solver();
   if (options_.control == Control::arc && assembly_->hangs_on_time())
     throw Error(
-        "static: field 'control': \"arc\" walks along loads, not through time: expected \"load\" with a card "
+        "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
+        "with a card "
         "whose stress relaxes (viscous)");
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
@@ -84,8 +86,7 @@ void Static::check_bodies() const {
         "static: the model has a rigid body with a mass, which moves freely: expected fabric.dynamic, or a "
         "body without a mass");
   if (options_.control == Control::arc && contact->bodies().any_driven())
-    throw Error(
-        "static: field 'control': \"arc\" does not go with rigid bodies that are moved: expected \"load\"");
+    throw Error("static: field 'control': \"arc\" does not work with moved rigid bodies: expected \"load\"");
 }
 
 std::string Static::method() const {
@@ -306,14 +307,15 @@ void Static::tell(const StepReport& report) {
   if (const auto element = now_.told_inverted ? -1 : assembly_->inverted_element(); element >= 0) {
     now_.told_inverted = true;
     notices_->say("static: element " + std::to_string(element + 1) + " is turned inside out at time " +
-                  number(report.time) + " s: what follows is no answer; it was pushed past zero length");
+                  number(report.time) +
+                  " s, compressed past zero length: the results from here on are not valid");
   }
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
   if (lost > 0.01 * work_.largest() && !now_.told_damping) {
     now_.told_damping = true;
     notices_->say("static: stabilisation has taken " + number(100 * lost / work_.largest()) +
                   " % of the external work by time " + number(report.time) +
-                  " s: smaller steps or a smaller 'stabilise' would take less");
+                  " s: use smaller steps or a smaller 'stabilise'");
   }
 }
 
@@ -330,10 +332,11 @@ void Static::check() {
   const double made = std::abs(e.surplus() - now_.jumped), scale = work_.largest();
   if (!end || !(scale > 0) || made <= kLedger * scale) return;
   now_.told_error = true;
-  notices_->say(
-      "static: the ledger's error is " + number(100 * made / scale) + " % of the external work at time " +
-      number(time()) + " s, after " + std::to_string(reports_.size()) +
-      " steps: work is summed by the trapezoid over them; smaller ones would tell whether it is the steps'");
+  notices_->say("static: the ledger's error is " + number(100 * made / scale) +
+                " % of the external work at time " + number(time()) + " s, after " +
+                std::to_string(reports_.size()) +
+                " steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether "
+                "they are the cause");
 }
 
 void Static::give_up(const StepReport& report) {

@@ -24,7 +24,8 @@ void TableSeries::keep_place(Archive& archive) {
 format::CsvPlace TableSeries::place(Archive& from) const {
   format::CsvPlace place;
   from(place);
-  if (place.ends.size() != frames() + 1) throw Error("rows of a table were lost count of");
+  if (place.ends.size() != frames() + 1)
+    throw Error("the number of rows of a table differs from what was counted");
   return place;
 }
 

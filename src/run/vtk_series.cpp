@@ -11,7 +11,7 @@ format::PvdSeries continued(const std::string& stem, std::size_t frames, Archive
   format::PvdPlace place;
   from(place);
   if (place.frames.size() != frames)
-    throw Error("cannot go on with '" + stem + "': frames were lost count of");
+    throw Error("cannot go on with '" + stem + "': the number of its frames differs from what was counted");
   return {stem, place};
 }
 

@@ -99,7 +99,7 @@ void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
                   "), or fabric.dynamic with damping");
     return;
   }
-  std::string support = "a support that takes it away";
+  std::string support = "a support that prevents it";
   if (m.driven) {
     std::ostringstream stiffness;
     stiffness.precision(1);
@@ -156,12 +156,12 @@ void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
         " (" + std::to_string(f.blame.switching) + " of " + std::to_string(f.blame.elements) +
         " elements switch branches, the residual swings)");
   if (last.status == solver::NewtonStatus::law_failed && f.blame.reason.empty())
-    all.push_back("a smaller step, and a look at the units of loads and motions (a strain is not finite)");
+    all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
 }
 
 void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
   if (beyond(f) > kBeyond)
-    all.push_back("a look at the card, card:check(), and at the units of the stroke (strained " +
+    all.push_back("a check of the card, card:check(), and of the units of the stroke (strained " +
                   number(beyond(f)) + " times as far as it was tested)");
   if (f.blame.stiffness_ratio > kWideRatio)
     all.push_back("method=\"relaxation\" or fabric.dynamic (one direction of element " +
@@ -185,12 +185,11 @@ double farthest_move(const mechanics::Assembly& assembly, double from, double to
 
 std::vector<std::string> advice(const Failure& f) {
   std::vector<std::string> all;
-  if (f.broken)
-    return {"a start from before, with what the message names put right: a smaller step does not help"};
+  if (f.broken) return {"a new run after correcting what the message names: a smaller step does not help"};
   if (f.turned_back)
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
-        "step, so that the path is not walked the way it came");
+        "step, so that the path is not followed backwards");
   if (f.mechanism.driven) advise_on_mechanism(f, all);
   advise_on_tangent(f, all);
   if (!f.tries.empty()) advise_on_iterations(f, all);
@@ -239,7 +238,7 @@ std::string touching_text(const mechanics::Assembly& assembly) {
       "\ncontact    " + std::to_string(pairs) + (pairs == 1 ? " pair touches" : " pairs touch");
   if (pairs > 0)
     text += "; the nearest, " + contact->words(nearest.point) + ", is " + number(nearest.gap) +
-            " m above its floor";
+            " m above the smallest distance that contact allows";
   return text;
 }
 

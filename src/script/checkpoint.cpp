@@ -66,7 +66,7 @@ run::Journal journal_of(const Options& options) {
 std::shared_ptr<const run::Checkpoint> load_checkpoint(const std::string& path) {
   if (system::Gate::of_process().closed())
     throw Error("checkpoint '" + path +
-                "': not read under --safe: a file made up for it could make the run write where it must not");
+                "': not read under --safe: a manipulated file could make the run write where it must not");
   return run::read_checkpoint(path);
 }
 
@@ -86,7 +86,7 @@ void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint)
   const std::string differs = run::difference(*checkpoint, *run.analysis);
   if (!differs.empty())
     return run.session.notices().say("restart: analysis " + std::to_string(run.number()) +
-                                     " is done anew: it differs from the finished one in '" +
+                                     " is run again: it differs from the finished one in '" +
                                      checkpoint->path + "' in " + differs);
   run.job.journal().finished[run.number()] = checkpoint->bytes();
   begin(run, std::move(checkpoint));

@@ -37,7 +37,7 @@ class Watch {
         (run_.session.terminated() != 0 ? ended_by(run_.session) + " at " : "interrupted at ") +
         fabricsh::number(
             run_.analysis->steps().empty() ? run_.analysis->time() : run_.analysis->steps().back().time, 7) +
-        " s; the run is alive, solve() goes on");
+        " s; the run is kept, solve() continues it");
   }
 
   // After a step, but only several times a second.
@@ -188,7 +188,7 @@ void drive(Run& run, Drive call) {
   begin_call(run);
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
-  if (is_called_off(run.session)) throw Interrupted("interrupted before this run went on");
+  if (is_called_off(run.session)) throw Interrupted("interrupted before this run continued");
   const bool under_way = run.passing > 0 && run.calls.count == run.passing;
   const bool over = under_way && is_over(run);
   call.from = run.analysis->steps().size();
@@ -233,7 +233,7 @@ void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot
   if (passes_over(run) || (run.passing > 0 && run.calls.count == run.passing)) return;
   const auto& gone = run.passed_snapshots;
   if (std::find(gone.begin(), gone.end(), snapshot) != gone.end())
-    throw Error("this snapshot belongs to a part of the run that the restart passed over");
+    throw Error("this snapshot was taken in a part of the run that the restart skips");
   run.job.journal().finished.erase(run.number());
   run.analysis->restore(*snapshot);
   for (const auto& keeper : run.job.keepers()) keeper->force();

@@ -160,7 +160,7 @@ TEST_CASE("Ctrl-C ends a script with its outputs whole, and a restart gives the 
     if (code == 0) break;
     CHECK(said.find("interrupted") != std::string::npos);
     check_folder("stopped");
-    if (fs::exists("stopped/run.json") && said.find("the run is alive") != std::string::npos) {
+    if (fs::exists("stopped/run.json") && said.find("the run is kept") != std::string::npos) {
       CHECK(content_of("stopped/run.json").find("\"status\": \"interrupted\"") != std::string::npos);
       ++stopped;
     }

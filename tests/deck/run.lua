@@ -1,5 +1,5 @@
 -- Runs a deck as a user does, and looks at what it shows and says on the way:
---   no warning, and no word of the solver that what follows is no answer, but those that the deck announces, a line "-- warns: words of it" each, and each of those is said;
+--   no warning, and no word of the solver that results are not valid, but those that the deck announces, a line "-- warns: words of it" each, and each of those is said;
 --   no file named that is not there;
 --   every figure asked for is drawn, and an SVG is one that viewers open, with all its curves and the labels asked for.
 --
@@ -67,7 +67,7 @@ end
 
 local function check_said(text, announced)
   for line in text:gmatch "[^\r\n]+" do
-    if not line:find("warning:", 1, true) and not line:find("is no answer", 1, true) then
+    if not line:find("warning:", 1, true) and not line:find("are not valid", 1, true) then
       check_paths(line)
     elseif not awaited(line, announced) then
       fault("a warning that the deck does not announce: %s", line)

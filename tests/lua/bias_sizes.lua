@@ -65,14 +65,14 @@ for _, factor in ipairs { 1.04, 0.96 } do
   local f = lab.bias_sizes { specimens = two, thickness = 1e-3, scatter = 0.02, knots = 6 }
   local deviations = math.abs(f.edge) / f.edge_deviation
   assert(not f.edges and deviations > 1 and deviations < 1.9, f.text)
-  assert(f.text:find "these sizes do not tell them from how specimens and laboratories differ; taken as none", f.text)
+  assert(f.text:find "these sizes cannot separate them from the scatter of specimens and laboratories; taken as none", f.text)
 end
 -- one laboratory that shows a third more is no edge
 b = lab.bias_sizes { specimens = { pull(0.05, 0.15, 0, 0, 1.6), pull(0.15, 0.45, 0) }, thickness = 1e-3 }
-assert(not b.edges and b.edge_on_bound and b.text:find "the bound; no edge of a fifth of the width explains", b.text)
+assert(not b.edges and b.edge_on_bound and b.text:find "at the bound, a fifth of the width, which does not explain", b.text)
 -- and sizes that are alike in shape cannot
 b = lab.bias_sizes { specimens = { sizes[1], sizes[1] }, thickness = 1e-3 }
-assert(not b.edges and not b.edge_deviation and b.text:find "edges: not told apart from the curve by specimens so alike in shape; taken as none", b.text)
+assert(not b.edges and not b.edge_deviation and b.text:find "edges: specimens of such similar shape cannot separate them from the curve; taken as none", b.text)
 -- what goes beyond the limit is left out
 assert(#lab.bias_sizes({ specimens = { pull(0.1, 0.3, 0, 0, 1, 45) }, thickness = 1e-3 }).specimens[1].predicted.force < 30)
 

@@ -103,5 +103,5 @@ wrong(function() fabric.model { mesh = strip(), card = blend }:remove(1) end, "r
 wrong(function() fabric.model { mesh = strip(), card = blend }:remove { kind = "fix", set = "top" } end,
   "remove: the model has no fix of 'top' (m:list() shows what it has)")
 assert(n == 10)
-wrong(function() m:remove(1) end, "remove: a body is what the model is made of, it stays")
+wrong(function() m:remove(1) end, "remove: a body is part of the model itself and cannot be removed: make a new model")
 wrong(function() m:remove(3) end, "remove: the model is in use by an analysis and can't be changed any more")

@@ -143,7 +143,7 @@ wrong("field 'file': expected a name that ends in .k for ls-dyna, got 'strip.inp
 wrong("field 'warp'", { model = m, file = "strip.inp" })
 wrong("/proc/nowhere", { model = m, warp = 90, file = "/proc/nowhere/strip.inp" })
 local sprung = pulled(blend):spring("right", { x = 10 })
-wrong("model: field 'model': a spring ('right') is among what no deck is written for; expected fix, move, force and gravity of one sheet",
+wrong("model: field 'model': a spring ('right') cannot be exported; expected fix, move, force and gravity of one sheet",
   { model = sprung, warp = 90, to = "abaqus" })
 local moved = fabric.model { mesh = strip(), card = blend, warp = 90 }:move("top", { y = function(t) return t end })
 wrong("the move of 'top' along y is a function; expected histories={ ['top.y']={{t, v}, ...} }", { model = moved, warp = 90, to = "abaqus" })

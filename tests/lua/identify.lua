@@ -119,7 +119,7 @@ os.remove(path)
 search { parameters = { { name = "size", start = 1, low = 0.1, high = 10 }, { name = "rate", start = 2.899, low = 0, high = 3 } }, difference = 1e-2, iterations = 1,
   settle = 0, tests = { { name = "decay", measured = truth, predict = function(p) return p.rate > 2.9 and { 0 / 0 } or decay(p) end } } }
 os.remove(path)
-fails("the start cannot be simulated: test 'decay': expected finite numbers of predict, got ", search,
+fails("the start cannot be simulated: test 'decay': expected predict to return finite numbers, got ", search,
   { tests = { { name = "decay", measured = truth, predict = function() local out = decay { size = 1, rate = 1 } out[3] = 0 / 0 return out end } } })
 fails("expected 20 predicted numbers, got 1", search, { tests = { { name = "decay", measured = truth, predict = function() return { 1 } end } } })
 os.remove(path)

@@ -226,7 +226,7 @@ code, got = run_program "--restart again/run.ckpt stages.lua again lives"
 assert(code == 0 and not got:find "third " and got:match "[^\n]*\n$" == wanted:match "[^\n]*\n$", got)
 write("changed.lua", (text_of "stages.lua":gsub('stage%("first", 0.004, 8%)', 'stage("first", 0.0041, 8)')))
 code, got = run_program "--restart again/run.ckpt changed.lua again lives"
-says(got, "restart: analysis 1 is done anew: it differs from the finished one in 'again/run.ckpt' in the motions")
+says(got, "restart: analysis 1 is run again: it differs from the finished one in 'again/run.ckpt' in the motions")
 assert(select(2, got:gsub("first ", "")) == 9, got)
 
 -- --- frames: one that is not as it was written is refused, one that was deleted is told and passed over ---
@@ -419,7 +419,7 @@ assert(got:match "raised.*" == wanted:match "raised.*", got .. wanted)
 same_files("one", "two", { "pull.csv", "pull.pvd", "pull_00002.vtu" })
 code, got = run_program "--quiet --restart part/run.ckpt moved.lua part lives none"
 assert(code == 1)
-says(got, "checkpoint 'part/run.ckpt': it has the table 'part/pull.csv', which nothing of this run goes on with")
+says(got, "checkpoint 'part/run.ckpt': it has the table 'part/pull.csv', which this run does not continue: repeat the call that wrote it, after the restart")
 code, got = run_program "--quiet --restart part/run.ckpt moved.lua part lives more"
 assert(code == 1)
 says(got, "checkpoint 'part/run.ckpt': the run that wrote it had no table 'part/more.csv'")
@@ -454,4 +454,4 @@ end
 -- A deck may catch Ctrl-C as any error, but no run goes on after it, and how the deck ends tells of it.
 code, got = run_program "--quiet term.lua INT"
 assert(code == 130, code)
-says(got, "solve: interrupted before this run went on")
+says(got, "solve: interrupted before this run continued")

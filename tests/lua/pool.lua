@@ -110,7 +110,7 @@ for i = 1, 4 do
   for k = 1, 20 do cubic[i].measured[k] = (1 + 0.01 * i) * 3e4 * (k / 100) ^ 4 + noise * draw.normal() end
 end
 f = pool(cubic)
-assert(f.chi2 > 4 and f.text:find "^The data contradict the model: what is left differs by", f.text)
+assert(f.chi2 > 4 and f.text:find "^The data contradict the model: the residuals are", f.text)
 local told = lab.identify { parameters = parameters, tests = cubic, processes = 1 }
 assert(told.text:find "^The data contradict the model: they differ by more than the noise", told.text)
 

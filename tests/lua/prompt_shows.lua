@@ -53,7 +53,7 @@ local cases = {
   { "a", "<static run, t = 0 of 1 s, 0 steps, ready>" },
   { "a:advance(0.5)", "<static run, t = 0.5 of 1 s, 2 steps, under way>" },
   { "a:every('step', function(run) if run.time == 0.75 then run:stop 'seen enough' end end) a:solve() return a", [[
-static: the ledger's error is 5.78883 % of the external work at time 0.75 s, after 3 steps: work is summed by the trapezoid over them; smaller ones would tell whether it is the steps'
+static: the ledger's error is 5.78883 % of the external work at time 0.75 s, after 3 steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether they are the cause
 <static run, t = 0.75 of 1 s, 3 steps, stopped: seen enough>]] },
   { "a:solve()", "<static run, t = 1 of 1 s, 4 steps, done>" },
   { "a:snapshot()", "<snapshot of t = 1 s>" },
@@ -109,10 +109,10 @@ fabric.ramp(value, duration)
 
   example
     local h = require 'fabric'.ramp(3, 2); assert(h:value(1) == 1.5 and h:value(9) == 3)]] },
-  { "help 'fabric.statik'", "nothing speaks of 'fabric.statik', did you mean 'fabric.static'?" },
-  { "help 'rectangel'", "nothing speaks of 'rectangel', did you mean 'rectangle'?" },
-  { "help 'grips  sag'", "nothing speaks of 'grips  sag'; help() shows what there is" },
-  { "help 'qqqq'", "nothing speaks of 'qqqq'; help() shows what there is" },
+  { "help 'fabric.statik'", "no entry contains 'fabric.statik', did you mean 'fabric.static'?" },
+  { "help 'rectangel'", "no entry contains 'rectangel', did you mean 'rectangle'?" },
+  { "help 'grips  sag'", "no entry contains 'grips  sag'; help() shows what there is" },
+  { "help 'qqqq'", "no entry contains 'qqqq'; help() shows what there is" },
   { "help 'kilby'", [[
 laboratory: from measurement to card
   fabric.lab.kilby             Kilby's relation G = 1/(4/E45 - 1/E1 - 1/E2 + coupling): returns shear and bias, one of which is given]] },

@@ -146,7 +146,7 @@ local a = fabric.static { model = strip(nil, fabric.ramp(0.001, 1)), duration = 
 a:record("out/inside.csv", { columns = { f = function(run) return 0 end } }):solve()]])
 has(text_of "out/run.json", '"beyond": null')
 
--- --- loads that are there whole at time 0 ---
+-- --- loads that are at full value at time 0 ---
 local function loaded(load, options)
   local talk, exit = talk_of("loaded", ([[
 local m = sheet():fix("all", "z rotation"):fix("bottom", "x y")
@@ -155,7 +155,7 @@ fabric.static { model = m, duration = 2, step = 0.5 %s }:solve()]]):format(load,
   assert(exit == 0, talk)
   return talk
 end
-local jump = " there whole at time 0 and applied in the first step; fabric.ramp("
+local jump = " at full value at time 0 and applied in the first step; fabric.ramp("
 local talk = loaded "m:gravity { 0, -9.81, 0 }"
 has(talk, "warning: static: gravity (y = -9.81 m/s^2) is" .. jump .. "-9.81, 2) in place of -9.81 brings it up step by step")
 times(talk, jump, 1)
@@ -229,7 +229,7 @@ local ok, e = pcall(a.solve, a)
 assert(not ok and e.kind == "numerical")
 has(e.why, "the supports leave the sheet free to turn about the line through (0.1, 0.1, 0) m along (")
 has(e.why, ", and the loads drive it")
-has(tostring(e), "Try: motion, fabric.dynamic with damping, or a support that takes it away (a small one is m:spring(")
+has(tostring(e), "Try: motion, fabric.dynamic with damping, or a support that prevents it (a small one is m:spring(")
 local axis, stiffness = e.why:match 'm:spring%("all", { ([xyz])=([%d.e+-]+) }%)'
 assert(axis == "z")
 a = hung({}, function(model) model:spring("all", { [axis] = tonumber(stiffness) }) end):solve()

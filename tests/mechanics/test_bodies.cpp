@@ -107,7 +107,7 @@ TEST_CASE("bodies and regions that cannot be are refused") {
   };
   CHECK(refusal({}) == "model: field 'bodies': expected at least one body, got none");
   CHECK(refusal({{"a", mesh, card, {}, {}}, {"a", mesh, card, {}, {}}}) ==
-        "bodies: the name 'a' stands there twice");
+        "bodies: expected different names, got 'a' twice");
   CHECK(refusal({{"a", mesh, card, {}, {}}, {"", mesh, card, {}, {}}}) ==
         "bodies: expected a name without a full stop for every body, got ''");
   CHECK(refusal({{"", mesh, card, {}, {{"left", card, {}}}}}) ==

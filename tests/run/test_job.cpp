@@ -90,7 +90,7 @@ TEST_CASE("a checkpoint is refused by another problem, and by outputs that it do
   CHECK(message_of([&] {
           job.record(scratch / "more.csv", {}, 1e-4);
         }).find("the run that wrote it had no table '") != std::string::npos);
-  CHECK(message_of([&] { job.solve(); }).find("which nothing of this run goes on with") != std::string::npos);
+  CHECK(message_of([&] { job.solve(); }).find("which this run does not continue") != std::string::npos);
   run::Job late(falling());
   late.record(scratch / "late.csv", {}, 1e-4);
   CHECK(message_of([&] { late.restart(scratch / "fall.ckpt"); }).find("expected to be called before") !=

@@ -29,7 +29,7 @@ cmp once/study.csv whole/study.csv || fail "the table of tasks side by side is a
 
 # Numbers of tasks that are no plain range.
 SLURM_ARRAY_TASK_ID=9 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=1 "$program" --quiet "$deck" no >said 2>&1 && fail "task 9 of 3"
-grep -q 'task 9 is none of the 3 tasks from 1' said || fail "task 9 says $(cat said)"
+grep -q 'task 9 is outside the array of 3 tasks that begins at 1' said || fail "task 9 says $(cat said)"
 
 SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_STEP=0 "$program" --quiet "$deck" no >said 2>&1 && fail "steps of 0"
 grep -q 'SLURM_ARRAY_TASK_STEP: expected a whole number of at least 1' said || fail "steps of 0: $(cat said)"
@@ -53,7 +53,7 @@ for signal in INT TERM KILL; do
   done
   kill -$signal $process
   wait $process && fail "$signal did not end it"
-  [ $signal != INT ] || grep -q "study: interrupted; [2-7] of 8 cases are kept in 'slow-INT', the same deck goes on from there" said ||
+  [ $signal != INT ] || grep -q "study: interrupted; [2-7] of 8 cases are kept in 'slow-INT', run the same deck again to continue" said ||
     fail "INT says $(cat said)"
   sleep 0.2
   workers=$(pgrep -f "slow.lua slow-$signal" | wc -l)

@@ -72,7 +72,7 @@ local function header(t, target, p, u, rows, sentences)
   wrapped(out, "Measures: " .. (p.words or target.measure) .. ". The section's thickness is " .. ("%.6g"):format(t.card.thickness * u.length))
   if t.card.kind == "woven" then
     local tested = t.card.tested
-    wrapped(out, ("Tested up to E11 = %.4g, E22 = %.4g, E12 = %.4g; what lies beyond goes on as the card does"):format(tested.warp, tested.weft, tested.shear))
+    wrapped(out, ("Tested up to E11 = %.4g, E22 = %.4g, E12 = %.4g; beyond that the curves continue as those of the card do"):format(tested.warp, tested.weft, tested.shear))
   end
   out[#out + 1] = "What is lost, this law beside the card's:"
   for _, l in ipairs(loss.lines(rows)) do out[#out + 1] = "  " .. l end

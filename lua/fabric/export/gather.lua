@@ -24,7 +24,7 @@ end
 local function components(row, unit, histories, notes)
   local out = {}
   local words = row.what
-  if words:find " along {" then fail(("model: the %s of '%s' is along axes of its own, which no deck is written for"):format(row.kind, row.set)) end
+  if words:find " along {" then fail(("model: the %s of '%s' is along axes of its own, which cannot be exported"):format(row.kind, row.set)) end
   for axis, rest in (words .. ", "):gmatch "([xyz]) (.-), " do
     local given = histories and histories[row.set .. "." .. axis]
     local a, b, t = rest:match "^(%S+) to (%S+) .- at (%S+) s$"
@@ -32,10 +32,10 @@ local function components(row, unit, histories, notes)
       out[axes[axis]] = given
     elseif a then
       out[axes[axis]] = { { 0, tonumber(a) }, { tonumber(t), tonumber(b) } }
-      notes[#notes + 1] = ("%s of %s along %s: written straight from %s at 0 s to %s %s at %s s; histories={ ['%s.%s']={{t, v}, ...} } says corners between")
+      notes[#notes + 1] = ("%s of %s along %s: written straight from %s at 0 s to %s %s at %s s; histories={ ['%s.%s']={{t, v}, ...} } gives points between")
         :format(row.kind, row.set, axis, a, b, unit, t, row.set, axis)
     elseif rest:find "function of time" then
-      fail(("model: the %s of '%s' along %s is a function; expected histories={ ['%s.%s']={{t, v}, ...} } with its corners"):format(row.kind, row.set, axis,
+      fail(("model: the %s of '%s' along %s is a function; expected histories={ ['%s.%s']={{t, v}, ...} } with its points"):format(row.kind, row.set, axis,
         row.set, axis))
     else
       out[axes[axis]] = tonumber(rest:match "^%S+")
@@ -89,7 +89,7 @@ function gather.model(t)
   for _, name in ipairs(mesh.sets) do out.sets[#out.sets + 1] = { name = name, nodes = mesh:set(name) } end
   for _, row in ipairs(model:list()) do
     if row.kind == "fix" then
-      if row.what:find " along {" then fail(("model: the fix of '%s' is along axes of its own, which no deck is written for"):format(row.set)) end
+      if row.what:find " along {" then fail(("model: the fix of '%s' is along axes of its own, which cannot be exported"):format(row.set)) end
       out.fixed[#out.fixed + 1] = { set = row.set, freedoms = freedoms(row.what) }
     elseif row.kind == "move" then
       for axis, value in pairs(components(row, "m", t.histories, out.notes)) do
@@ -101,11 +101,11 @@ function gather.model(t)
       end
     elseif row.kind == "gravity" then
       for axis, value in pairs(components(row, "m/s^2", t.histories, out.notes)) do
-        if type(value) ~= "number" then fail "model: gravity that changes with time: no deck is written for it" end
+        if type(value) ~= "number" then fail "model: gravity that changes with time cannot be exported" end
         out.gravity[axis] = value
       end
     else
-      fail(("model: field 'model': a %s ('%s') is among what no deck is written for; expected fix, move, force and gravity of one sheet"):format(row.kind, row.set))
+      fail(("model: field 'model': a %s ('%s') cannot be exported; expected fix, move, force and gravity of one sheet"):format(row.kind, row.set))
     end
   end
   local function by(a, b) return a.set .. a.axis < b.set .. b.axis end

@@ -38,11 +38,11 @@ define {
     { name = "to", kind = "text", choices = targets.solvers, optional = true, sentence = "the solver; default: by the file's name" },
     { name = "material", kind = "text", optional = true, sentence = "as for fabric.export.card" },
     card.arguments[1],
-    { name = "histories", kind = "table", optional = true, sentence = "{ ['top.y']={{t, v}, ...} }: corners, s and SI, of what moves or pulls a set along an axis, where it is more than a ramp" },
+    { name = "histories", kind = "table", optional = true, sentence = "{ ['top.y']={{t, v}, ...} }: points {t, v}, in s and SI, of the motion or force of a set along an axis, where it is more than a ramp" },
     { name = "duration", kind = "number", unit = "s", above = 0, optional = true, sentence = "of the run; default: the last corner of a history, at least 1 s" },
   },
   sentence = "A model as a deck of another solver: nodes, elements, sets, supports, loads, section and material. Returns text, material, card (what "
-    .. "fabric.export.card returns, with the losses), and notes on what was written otherwise than said. Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for "
+    .. "fabric.export.card returns, with the losses), and notes on what the deck states differently. Abaqus and CalculiX: shells S4 and *STATIC with NLGEOM for "
     .. "*ELASTIC, membranes and *DYNAMIC, EXPLICIT for *FABRIC.",
   example = "local fabric = require 'fabric'\n"
     .. "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=3, ny=9 }\n"

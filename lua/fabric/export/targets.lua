@@ -58,7 +58,7 @@ local function curves_58(card)
   return p
 end
 
-local one_direction = "every shear angle starts from the unsheared state; a return to zero stress is no new beginning there"
+local one_direction = "every shear angle counts from the unsheared state, also after a return to zero stress"
 
 targets.list = {
   { name = "MAT_034", solver = "ls-dyna", kinds = { woven = true }, comment = dyna.comment, write = dyna.mat_034, law = laws.mat_034,

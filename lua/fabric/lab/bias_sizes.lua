@@ -200,9 +200,9 @@ local function text_of(out)
   local lines = {}
   if out.edge_deviation then
     lines[1] = ("edges (slip of edge yarns, pull-out): %+.3g mm on either side carry nothing, deviation %.2g"):format(out.edge * 1e3, out.edge_deviation * 1e3)
-      .. (out.edges and "" or out.edge_on_bound and ": the bound; no edge of a fifth of the width explains how these sizes differ; taken as none" or ": these sizes do not tell them from how specimens and laboratories differ; taken as none")
+      .. (out.edges and "" or out.edge_on_bound and ": at the bound, a fifth of the width, which does not explain how these sizes differ; taken as none" or ": these sizes cannot separate them from the scatter of specimens and laboratories; taken as none")
   else
-    lines[1] = "edges: not told apart from the curve by specimens so alike in shape; taken as none"
+    lines[1] = "edges: specimens of such similar shape cannot separate them from the curve; taken as none"
   end
   for i, s in ipairs(out.specimens) do
     lines[#lines + 1] = ("%s: rms %.2f %% of the peak with edges, %.2f %% without; at the end %+.1f %%, %+.1f %%%s"):format(s.name, 100 * s.rms,
@@ -286,11 +286,11 @@ define {
     { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of the cloth" },
     { name = "limit", kind = "number", unit = "degrees", above = 0, high = 60, default = 30, sentence = "angle up to which rows count" },
     { name = "knots", kind = "integer", low = 3, high = 40, default = 10, sentence = "of the curve, at equal angles, straight between them" },
-    { name = "edges", kind = "boolean", default = true, sentence = "the free edges play a part, if the sizes tell it" },
+    { name = "edges", kind = "boolean", default = true, sentence = "the free edges are accounted for, if the sizes determine them" },
     { name = "scatter", kind = "number", low = 0, high = 0.5, default = 0.04, sentence = "relative deviation of one specimen, for the bands" },
   },
   sentence = "One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), "
-    .. "edge_deviation, edges (whether that is more than two of its deviations and not its bound, a fifth of the width; else the rest does without), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = "
+    .. "edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = "
     .. "{rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high "
     .. "(95 % of specimens), angle}, text.",
   example = "local lab, d = require 'fabric'.lab, {}\nfor i = 1, 20 do d[i] = 1e-3 * i end\nlocal sizes = { {0.1, 0.3}, {0.08, 0.16} }\n"

@@ -70,10 +70,10 @@ define {
   name = "fabric.lab.biaxial",
   arguments = {
     { name = "card", of = "card", sentence = "the fabric" },
-    { name = "displacement", kind = "number", unit = "m", above = 0, default = 30 * u.mm, sentence = "by which left and right part" },
-    { name = "ratio", kind = "number", low = 0, default = 1, sentence = "by which bottom and top part, over that" },
+    { name = "displacement", kind = "number", unit = "m", above = 0, default = 30 * u.mm, sentence = "by which left and right edges move apart" },
+    { name = "ratio", kind = "number", low = 0, default = 1, sentence = "displacement of bottom and top over that of left and right" },
     { name = "path", kind = "numbers", optional = true, sentence = "displacements visited in turn, as parts of the largest; default {1, 0}" },
-    { name = "release", kind = "number", above = 0, default = 1e-6, sentence = "a force that small, over the largest, ends the test" },
+    { name = "release", kind = "number", above = 0, default = 1e-6, sentence = "the test ends at this force, over the largest" },
     { name = "cells", kind = "integer", low = 1, default = 3, sentence = "along an edge" },
     { name = "steps", kind = "integer", low = 2, default = 80, sentence = "for the whole history" },
     { name = "size", kind = "number", unit = "m", above = 0, default = 254 * u.mm, sentence = "of the square" },

@@ -115,7 +115,7 @@ local function missing_part(t, name, told)
   end
   local twin = other[name] and t[other[name]]
   if twin then
-    told[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since nothing was pulled along it"
+    told[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since no test was made along it"
     return { loading = twin.loading, tested = twin.tested, unloading = twin.unloading }
   end
   if other[name] then fail(("card: field '%s': expected a result of fabric.lab.fit for one direction at least"):format(name)) end
@@ -145,7 +145,7 @@ local function unloading_of(t, fit, name, told)
   end
   local given = assumed(t, field, "expected a fit with an unloading modulus (a cyclic test), got one of loading alone")
   told[field] = given and "assumed: given by the deck"
-    or ("assumed: %g times the steepest tangent of the loading (%s on the shipped cloths), since no test came back"):format(rule.unloading[name],
+    or ("assumed: %g times the steepest tangent of the loading (%s on the shipped cloths), since no test includes unloading"):format(rule.unloading[name],
       rule.unloading.said[name])
   return given or rule.unloading[name] * tangents(fit.loading, fit.tested)
 end
@@ -223,7 +223,7 @@ define {
     { name = "shear", kind = "table", optional = true, sentence = "result of fabric.lab.fit of shear tests (tensor measure), or likewise" },
     { name = "poisson", kind = "table", optional = true, sentence = "{warp=, weft=}: numbers, or results of fabric.lab.poisson" },
     { name = "assume", kind = "boolean|table", default = false,
-      sentence = "true: what no test shows is taken by rule and marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., "
+      sentence = "true: values without a test follow a rule and are marked assumed in card.provenance; a table gives values, {['warp.unloading']=..., "
         .. "['weft.poisson']=...}, and {thickness=true} marks an argument; false: an error" },
     { name = "bending", kind = "table", optional = true, sentence = "as in fabric.woven" },
     { name = "viscous", kind = "table", optional = true,

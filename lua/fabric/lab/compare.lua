@@ -167,7 +167,7 @@ define {
   arguments = {
     { name = "measured", kind = "table", sentence = "result of fabric.lab.tensile or shear_from_bias, or a record with lists of the columns" },
     { name = "test", kind = "table", sentence = "result of a virtual test (fabric.lab.uniaxial and so on), its curve, or lists likewise" },
-    { name = "options", kind = "fields", optional = true, sentence = "what is laid over each other, and where the figure goes", rows = {
+    { name = "options", kind = "fields", optional = true, sentence = "what is compared, and the file of the figure", rows = {
       { name = "x", kind = "text", optional = true, sentence = "column of both; default E, else displacement" },
       { name = "y", kind = "text", optional = true, sentence = "column of both; default S, else force" },
       { name = "slack", kind = "number|text", choices = { "find" }, optional = true,

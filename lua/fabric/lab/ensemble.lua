@@ -175,7 +175,7 @@ local function text_of(t, out, told)
     lines[#lines + 1] = ("%-16s %12.6g   %g %%: %.6g to %.6g (mean %.6g, deviation %.3g)"):format(p.name, out.median[p.name], 100 * t.level, out.low[p.name],
       out.high[p.name], out.mean[p.name], out.deviation[i])
   end
-  lines[#lines + 1] = ("%d walkers, %d steps, %.0f %% of the moves taken, autocorrelation time %.1f steps: worth %.0f independent draws"):format(t.walkers,
+  lines[#lines + 1] = ("%d walkers, %d steps, %.0f %% of the moves accepted, autocorrelation time %.1f steps: worth %.0f independent draws"):format(t.walkers,
     out.steps, 100 * out.taken, out.time, out.independent)
   if told.failed > 0 then lines[#lines + 1] = ("%d simulations failed and count as impossible; the last: %s"):format(told.failed, told.trouble) end
   return table.concat(lines, "\n")
@@ -254,9 +254,8 @@ define {
     { name = "processes", kind = "integer", low = 1, default = 1, sentence = "side by side" },
     { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of all that is random" },
   },
-  sentence = "Draws from what the data say of parameters, for bands that are wide, skew or bent, by the ensemble sampler of Goodman and Weare: samples "
-    .. "(lists by name), mean, median, low, high (by name), deviation, correlation, best (the likeliest draw, by name), log (there), taken, time "
-    .. "(autocorrelation, steps), independent (draws that they are worth), failed, text.",
+  sentence = "Samples of the parameters' probability density given the data, for bands that are wide, skew or curved, by the ensemble sampler of Goodman and Weare: samples "
+    .. "(lists by name), mean, median, low, high (by name), deviation, correlation, best (the likeliest draw, by name), log (of the density there), taken, time (autocorrelation, steps), independent (number of independent draws they are worth), failed, text.",
   example = "local e = require 'fabric'.lab.ensemble{ parameters={ {name='x', start=0, low=-9, high=9} }, steps=400,\n"
     .. "  log=function(p) return -p.x^2/2 end }\nassert(math.abs(e.deviation[1] - 1) < 0.15 and math.abs(e.mean.x) < 0.15)",
   run = ensemble,

@@ -69,7 +69,7 @@ local function yarn_of(f, thickness, ratio, poisson, name)
   local e2, S2 = point(f.E100, E100)
   local d1 = 2 * (S2 / e2 - S1 / e1) / (e2 - e1)
   local d0 = S1 / e1 - d1 * e1 / 2
-  if d0 <= 0 then define.fail(("fast_card: field '%s': the curve through E20 and E100 starts downwards; expected E20 below E100/5 or so"):format(name)) end
+  if d0 <= 0 then define.fail(("fast_card: field '%s': the curve through E20 and E100 starts downwards; expected E20 below about a fifth of E100"):format(name)) end
   return { loading = { d0, d1 }, unloading = ratio * (d0 + math.max(0, d1) * e2), poisson = poisson }, e2
 end
 
@@ -114,7 +114,7 @@ define {
       rows = { { name = "warp", kind = "number", sentence = "as in fabric.woven" }, { name = "weft", kind = "number", sentence = "as in fabric.woven" } } },
     { name = "unloading_ratio", kind = "number", low = 1, default = 2, sentence = "unloading modulus over the largest tangent: FAST does not measure it" },
   },
-  sentence = "A card that shows the given FAST numbers; of EB5 the part of the yarns is not taken for shear. Unloading is assumed by its ratio; twist is half "
+  sentence = "A card that reproduces the given FAST numbers; the part of EB5 that comes from the yarns is not taken for shear. Unloading is assumed by its ratio; twist is half "
     .. "of the mean bending rigidity.",
   example = "local c = require 'fabric'.lab.fast_card{ name='suit', thickness=5e-4, density=400, warp={E20=0.9, E100=2.5, B=8}, weft={E20=1.2, E100=4, B=6},\n"
     .. "  EB5=4, poisson={warp=0.2, weft=0.2} }\nassert(c:check().ok and c.bending.warp == 8e-6)",

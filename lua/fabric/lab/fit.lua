@@ -114,7 +114,7 @@ local function either(t, curves)
     mean_loading(without)[1] / 1e6)
   if not doubt then return best, text .. line .. (best == with and "there was slack" or "there was none") end
   local beside = best.degree == other.degree and mean_loading(other) or nil
-  return best, text .. line .. "nothing tells which is right" .. (beside and ", the band holds both" or ""), beside
+  return best, text .. line .. "the data do not decide which is right" .. (beside and ", the band holds both" or ""), beside
 end
 
 -- The misfit of a polynomial in the toe (the first fifth of the strain) as a share of the stress, if it exceeds a seventh and the noise,
@@ -172,7 +172,7 @@ local function looseness(out)
   local half = math.max(band.high[1] - band.value[1], band.value[1] - band.low[1])
   if half > loose * math.abs(band.value[1]) then
     out.loose = ("D(0) is loosely determined: %.3g MPa, %.3g to %.3g"):format(band.value[1] / 1e6, band.low[1] / 1e6, band.high[1] / 1e6)
-    out.text = (out.text and out.text .. "\n" or "") .. out.loose .. "; so is the coupling of the yarns, which goes by it"
+    out.text = (out.text and out.text .. "\n" or "") .. out.loose .. "; so is the coupling of the yarns, which depends on it"
   end
 end
 
@@ -243,7 +243,7 @@ local function check_unloading(out)
     steepest = math.max(steepest, D)
   end
   if out.unloading < steepest then
-    fabric.warn(("fit: the unloading modulus found, %.4g MPa, is below the loading tangent, %.4g MPa: look at the reversal (a hold? noise? rule=\"robust\")"):format(
+    fabric.warn(("fit: the unloading modulus found, %.4g MPa, is below the loading tangent, %.4g MPa: check the reversal (a hold? noise? rule=\"robust\")"):format(
       out.unloading / 1e6, steepest / 1e6))
   end
 end
@@ -297,8 +297,7 @@ define {
     { name = "degree", kind = "integer|text", low = 1, high = 8, choices = { "auto", "monotone" }, default = "auto",
       sentence = "of the stress polynomial; auto: 2 or 4 by the criterion; monotone: points of a rising curve" },
     { name = "find_slack", kind = "boolean|text", choices = { "either" }, default = false,
-      sentence = "first contact is found with the curve; either: only if that fits better by a tenth; if neither does the band holds both, and a polynomial "
-        .. "(auto) that misses the toe makes room for a monotone curve" },
+      sentence = "first contact is fitted with the curve; either: only if that fits better by a tenth; if undecided, the band covers both, and a polynomial (auto) that misses the toe is replaced by a monotone curve" },
     { name = "upto", kind = "text", choices = { "failure", "yield" }, default = "failure", sentence = "rows used" },
     { name = "rule", kind = "text", choices = { "first", "robust" }, default = "first", sentence = "of the unloading modulus" },
     { name = "count", kind = "integer", low = 2, default = 3, sentence = "first points of the unloading" },

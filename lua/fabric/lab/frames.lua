@@ -213,7 +213,7 @@ define {
     { name = "limit", kind = "number", unit = "degrees", above = 0, high = 90, default = 30, sentence = "angle up to which yarns are believed not to slip or stretch" },
     { name = "cut", kind = "boolean", default = false, sentence = "the record ends at the limit and at a reversal" },
   },
-  sentence = "Bias extension without markers, yarns taken not to stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid "
+  sentence = "Bias extension without markers, for yarns that do not stretch: angle (degrees) of the middle zone, normal_force (N/m), E12, S12, valid "
     .. "(true up to the limit), rows (places in the record); or the force that a card gives. An error where the shear force turns negative.",
   example = "local r = require 'fabric'.lab.bias_shear{ displacement={0.01, 0.02}, force={1, 1.5}, width=0.1, length=0.3, thickness=1e-3 }\n"
     .. "assert(r.angle[2] > r.angle[1] and r.S12[1] > 0)",

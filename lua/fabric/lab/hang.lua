@@ -65,7 +65,7 @@ local shared = {
 }
 local rest = {
   { name = "cells", kind = "integer", low = 4, optional = true, sentence = "along the strip; default: 40, of a loop 80" },
-  { name = "steps", kind = "integer", low = 1, default = 5, sentence = "in which the weight comes, at least" },
+  { name = "steps", kind = "integer", low = 1, default = 5, sentence = "steps in which the weight is applied, at least" },
   { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.80665, sentence = "of the place" },
   { name = "tolerance", kind = "number", above = 0, default = 1e-9, sentence = "as for fabric.static" },
 }
@@ -180,12 +180,11 @@ define {
     { name = "weft", kind = "number", unit = "N.m", above = 0, sentence = "likewise" },
     { name = "bias", kind = "number", unit = "N.m", above = 0, sentence = "likewise, of the strip at 45 degrees" },
     { name = "areal_mass", kind = "number", unit = "kg/m^2", above = 0, optional = true, sentence = "then the three are bending lengths c, B = 9.80665 areal_mass c^3" },
-    { name = "simulate", kind = "boolean", default = false, sentence = "until a simulated cantilever of that width shows the bias, some seconds" },
+    { name = "simulate", kind = "boolean", default = false, sentence = "fits the twist until a simulated cantilever of that width shows the bias; takes some seconds" },
     { name = "width", kind = "number", unit = "m", above = 0, default = 0.025, sentence = "of the strips" },
   },
   sentence = "The twisting rigidity of cloth from cantilevers in three directions: that of a sheet bent to a cylinder, bias = (warp + weft) / 4 + twist. "
-    .. "Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where only a twist of nothing or "
-    .. "less would do) and words.",
+    .. "Returns bending (warp, weft, twist, N.m, as cards take it), bias (what that shows, N.m), reached (false where the twist would have to be zero or less) and words.",
   example = "local r = require 'fabric'.lab.twist{ warp=16e-6, weft=8e-6, bias=10e-6 }\nassert(r.reached and math.abs(r.bending.twist - 4e-6) < 1e-15)",
   run = function(t)
     if t.areal_mass then

@@ -30,11 +30,11 @@ end
 -- The prediction of a test; a result other than finite numbers means that the simulation failed.
 local function predicted_by(test, p, count)
   local values = test.predict(p)
-  if type(values) ~= "table" then error(("test '%s': expected a list of numbers of predict, got %s"):format(test.name, tostring(values)), 0) end
+  if type(values) ~= "table" then error(("test '%s': expected predict to return a list of numbers, got %s"):format(test.name, tostring(values)), 0) end
   if count and #values ~= count then error(("test '%s': expected %d predicted numbers, got %d"):format(test.name, count, #values), 0) end
   for i, y in ipairs(values) do
     if type(y) ~= "number" or y ~= y or math.abs(y) == math.huge then
-      error(("test '%s': expected finite numbers of predict, got %s at place %d"):format(test.name, tostring(y), i), 0)
+      error(("test '%s': expected predict to return finite numbers, got %s at place %d"):format(test.name, tostring(y), i), 0)
     end
   end
   return values
@@ -268,14 +268,14 @@ define {
     { name = "further", kind = "table", optional = true, sentence = "tests that could be made: {name=, predict=, noise=}; ranked by what they would add" },
     { name = "processes", kind = "integer", low = 1, default = 2, sentence = "side by side, for the differences" },
     { name = "checkpoint", kind = "text", optional = true,
-      sentence = "file of what was simulated so far; taken up when it is there, after one of its points has been simulated again" },
+      sentence = "file of the simulations so far; used if it exists, after one of its points has been simulated again" },
     { name = "key", kind = "text|number", optional = true, sentence = "what predict depends on beside the parameters: a checkpoint of another key is refused" },
     { name = "iterations", kind = "integer", low = 1, default = 30, sentence = "at most" },
     { name = "tolerance", kind = "number", above = 0, default = 1e-6, sentence = "relative, of the sum of squares and of the parameters" },
     { name = "difference", kind = "number", above = 0, default = 1e-3, sentence = "step of the differences over high - low" },
     { name = "settle", kind = "integer", low = 0, default = 8,
-      sentence = "rounds at the end, with differences over a standard deviation to both sides along combinations of parameters" },
-    { name = "progress", kind = "boolean", default = false, sentence = "says on stderr how far it is" },
+      sentence = "rounds at the end, with central differences over a standard deviation along combinations of parameters" },
+    { name = "progress", kind = "boolean", default = false, sentence = "prints the progress on stderr" },
   },
   sentence = "Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), "
     .. "on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, "

@@ -204,7 +204,7 @@ local function loading_of(E, S, U, Du, name, LT)
       return points
     end
   end
-  define.fail(("kes_card: field '%s': no curve has the work of LT %.3g and gives back RT of it: it would come back softer than it went"):format(name, LT))
+  define.fail(("kes_card: field '%s': no curve has the work of LT %.3g and gives back RT of it: unloading would be softer than loading"):format(name, LT))
 end
 
 -- A yarn with the largest load F (N/m) at EMT and the work WT, or LT over that of a straight line: force (1+e) t S, work t int S dE.
@@ -294,7 +294,7 @@ local function row(name, unit, sentence, more)
   for key, value in pairs(more or {}) do out[key] = value end
   return out
 end
-local pull_rows = { row("EMT", "per cent", "stretch at 500 gf/cm"), row("WT", "gf cm/cm^2", "work; or LT", { optional = true }), row("LT", "", "work over that of a straight line, in place of WT", { optional = true, high = 2 }), row("RT", "per cent", "of it that comes back", { high = 100 }) }
+local pull_rows = { row("EMT", "per cent", "stretch at 500 gf/cm"), row("WT", "gf cm/cm^2", "work; or LT", { optional = true }), row("LT", "", "work over that of a straight line, in place of WT", { optional = true, high = 2 }), row("RT", "per cent", "of the work that is recovered", { high = 100 }) }
 local bend_rows = { row("B", "gf cm^2/cm", "rigidity"), row("2HB", "gf cm/cm", "height of the loop", { optional = true }) }
 
 define {
@@ -314,11 +314,11 @@ define {
       rows = { { name = "warp", kind = "fields", rows = bend_rows, sentence = "along the warp" }, { name = "weft", kind = "fields", rows = bend_rows, sentence = "along the weft" },
         row("twist", "N.m", "rigidity; default: half of the mean", { optional = true }), row("build_up", "1/m", "curvature over which friction builds up", { default = 10 }) } },
     { name = "compression", kind = "fields", optional = true, sentence = "kept in the card's source: no law of a sheet carries it",
-      rows = { row("LC", "", "linearity"), row("WC", "gf cm/cm^2", "work"), row("RC", "per cent", "of it that comes back", { high = 100 }) } },
+      rows = { row("LC", "", "linearity"), row("WC", "gf cm/cm^2", "work"), row("RC", "per cent", "of the work that is recovered", { high = 100 }) } },
     { name = "poisson", kind = "fields", sentence = "KES does not measure them",
       rows = { { name = "warp", kind = "number", sentence = "as in fabric.woven" }, { name = "weft", kind = "number", sentence = "as in fabric.woven" } } },
   },
-  sentence = "A card that shows the given KES numbers; its source says what it carries, and what not. fabric.lab.kes_sheet reads them back.",
+  sentence = "A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back.",
   example = "local c = require 'fabric'.lab.kes_card{ name='shirt', thickness=4e-4, density=400, warp={EMT=4, WT=9, RT=55}, weft={EMT=6, WT=13, RT=50},\n"
     .. "  shear={G=0.8, ['2HG']=1.5}, poisson={warp=0.2, weft=0.2} }\nassert(c:check().ok)",
   run = function(t)

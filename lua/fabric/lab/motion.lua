@@ -59,7 +59,7 @@ motion.arguments = {
   { name = "damping", kind = "number", unit = "1/s", low = 0, default = 0, sentence = "of the masses" },
   { name = "every", kind = "number", unit = "s", above = 0, default = 5 * u.ms, sentence = "time between rows and frames" },
   { name = "force", kind = "boolean", default = false, sentence = "as for fabric.dynamic" },
-  { name = "strict", kind = "boolean", default = true, sentence = "a run that stops by itself is an error; false: it comes back with `trouble`" },
+  { name = "strict", kind = "boolean", default = true, sentence = "a run that fails is an error; false: its rows so far are returned, with `trouble`" },
   { name = "ledger_limit", kind = "number", above = 0, default = 0.05, sentence = "as for fabric.dynamic" },
   { name = "out", kind = "text", optional = true, sentence = "folder for curve.csv and the VTK series" },
 }

@@ -271,8 +271,7 @@ end
 local function text_of(t, out)
   local lines = {}
   if out.chi2 > 4 then
-    lines[1] = ("The data contradict the model: what is left differs by %.3g times the noise that was stated, beside how specimens differ; bands are widened "
-      .. "by that, and may mean little."):format(math.sqrt(out.chi2))
+    lines[1] = ("The data contradict the model: the residuals are %.3g times the stated noise, beyond the scatter of specimens; bands are widened by this factor, and may mean little."):format(math.sqrt(out.chi2))
   end
   for _, p in ipairs(t.parameters) do
     lines[#lines + 1] = ("%-16s %12.6g   %g %%: %.6g to %.6g"):format(p.name, out.parameters[p.name], 100 * t.level, out.low[p.name], out.high[p.name])
@@ -373,16 +372,16 @@ define {
     { name = "parameters", kind = "table", sentence = "{ {name=, start=, low=, high=}, ... } as of fabric.lab.identify" },
     { name = "tests", kind = "table", sentence = "one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=}, "
       .. "... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one" },
-    { name = "rate", kind = "fields", optional = true, sentence = "the speed plays a part: predictions times 1 + p.rate ln(rate / reference)", rows = {
+    { name = "rate", kind = "fields", optional = true, sentence = "accounts for the speed: predictions times 1 + p.rate ln(rate / reference)", rows = {
       { name = "reference", kind = "number", above = 0, sentence = "speed at which the parameters hold, in the unit of the tests' rate" },
       { name = "most", kind = "number", above = 0, high = 1, optional = true, sentence = "largest part for a factor e in the speed, either way; default 0.2" },
     } },
-    { name = "order", kind = "number", above = 0, high = 8, default = 2, sentence = "with which the simulation's error goes with the size of its cells" },
+    { name = "order", kind = "number", above = 0, high = 8, default = 2, sentence = "order of the simulation's error in the size of its cells" },
     { name = "level", kind = "number", above = 0, high = 0.999, default = 0.95, sentence = "of confidence" },
     { name = "processes", kind = "integer", low = 1, default = 2, sentence = "side by side, for the differences" },
     { name = "iterations", kind = "integer", low = 1, default = 30, sentence = "at most, of each fit" },
     { name = "tolerance", kind = "number", above = 0, default = 1e-6, sentence = "relative, of the sum of squares and of the parameters" },
-    { name = "progress", kind = "boolean", default = false, sentence = "says on stderr how far it is" },
+    { name = "progress", kind = "boolean", default = false, sentence = "prints the progress on stderr" },
   },
   sentence = "Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the "
     .. "noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, "

@@ -237,7 +237,7 @@ local function html(result, figures, rows, out)
   local viscous = result.shear and result.shear.viscous
   if viscous then parts[#parts + 1] = "<h2>Shear that relaxes</h2><pre>" .. escaped(viscous.text) .. "</pre>" end
   if #(result.further or {}) > 0 then
-    parts[#parts + 1] = "<h2>What further tests would settle</h2><table><tr><th>now<th>a test that tells<th></tr>"
+    parts[#parts + 1] = "<h2>What further tests would settle</h2><table><tr><th>at present<th>test that would determine it<th></tr>"
     for _, f in ipairs(result.further) do
       parts[#parts + 1] = ("<tr><td>%s<td>%s<td>%s</tr>"):format(f.field, escaped(f.test), escaped(f.now))
     end

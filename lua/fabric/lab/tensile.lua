@@ -67,7 +67,7 @@ local function without_outliers(record, t)
   end
   if t.outliers == "drop" then return out, bad end
   local first = bad[1]
-  fabric.warn(("tensile: %s%d of %d readings of the force stand alone and are left out (place %d: %.4g N between %.4g and %.4g); outliers='keep' leaves them in")
+  fabric.warn(("tensile: %s%d of %d readings of the force are outliers and are left out (place %d: %.4g N between %.4g and %.4g); outliers='keep' leaves them in")
     :format(t.file and t.file .. ": " or "", #bad, n, first, record.force[first], record.force[first - 1], record.force[first + 1]))
   return out, bad
 end
@@ -140,7 +140,7 @@ define {
     { name = "slip", kind = "number", unit = "m/N", low = 0, default = 0, sentence = "in the grips, over the largest force so far" },
     { name = "zero", kind = "boolean", default = false, sentence = "displacement and force of the first row are taken off: a crosshead's position, an offset of the load cell" },
     { name = "pretension", kind = "number", unit = "N", above = 0, optional = true,
-      sentence = "a record that begins with a force up to this was meant to, as under the pretension of a standard" },
+      sentence = "the pretension of a standard: a record may begin with a force up to this" },
     { name = "slack", kind = "number|text", unit = "m", choices = { "none", "contact" }, default = "none",
       sentence = "displacement at first contact, or 'contact': found where the force rises above `contact`" },
     { name = "contact", kind = "number", unit = "N", above = 0, optional = true, sentence = "default 1 % of the largest force" },
@@ -148,7 +148,7 @@ define {
       sentence = "smallest way back that is a reversal; default 1 % of the largest displacement" },
     { name = "kept", kind = "number", above = 0, high = 1, default = 0.8, sentence = "failed below this part of the peak, if the force stays there" },
     { name = "outliers", kind = "text", choices = { "tell", "drop", "keep" }, default = "tell",
-      sentence = "readings of the force that stand alone (a display that drops a digit): left out and told, left out without a word, or kept" },
+      sentence = "single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept" },
     { name = "softening", kind = "number", above = 0, high = 1, default = 0.5,
       sentence = "yielded below this part of the largest tangent" },
   },

@@ -1,7 +1,7 @@
 -- Poke [williams2010, figs. 7-33 to 7-36] of all four fabrics; shear hysteresis on. Minutes.
 --
 --   fabricsh scripts/long/thesis/poke.lua
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 -- warns: the card was tested to
 local here = arg[0]:gsub("[^/]*$", "") .. "../../thesis/"
 local chapter = dofile(here .. "chapter.lua")

@@ -120,7 +120,7 @@ int reach(Call& call) {
   const bool passed = run->calls.count < run->passing;  // true in a restarted deck before its checkpoint
   if (std::exchange(*sought, false) && !passed) {
     const run::Run& a = *run->analysis;
-    throw Error("reach: the value did not come to " + exact_number(target) + "; it is " +
+    throw Error("reach: the value did not reach " + exact_number(target) + "; it is " +
                 fabricsh::number(value(a), 7) + " at " + fabricsh::number(a.time(), 7) +
                 " s, where the run " + (a.stopped() ? "was stopped: " + a.stop_reason() : "ends"));
   }
@@ -370,12 +370,12 @@ std::vector<Entry> driving() {
       {"analysis:reach",
        Style::positional,
        {value_("value", function | text, "function(a) that returns a number, or a field's name for its mean"),
-        number_("target", "", everything, "what the value is to come to"),
+        number_("target", "", everything, "value to reach"),
         value_("set", text, "of the field's mean").or_else("all"),
         number_("tolerance", "", positive, "of the value, over the largest distance from the target")
             .or_else(1e-6)},
-       "Runs until a value has come to a target and lands there; an error where the run ends before. "
-       "Returns the analysis, which solve() takes on.",
+       "Runs until a value reaches a target and ends a step exactly there; an error if the run ends before. "
+       "Returns the analysis; solve() continues it.",
        sample_run() + "local function force(run) return select(2, run:reaction 'top') end\n"
                       "a:reach(force, 10)\nassert(math.abs(force(a) - 10) < 1e-4 and a.time < 1)\n"
                       "a:reach('E11', 0.1):solve()\nassert(a.time == 1)",
@@ -424,36 +424,34 @@ std::vector<Entry> reading() {
        Style::positional,
        {name_row(run::scalar_names(run::Place::element), "of a number that elements have, see a:element"),
         value_("set", text, "elements all of whose nodes are in it").or_else("all")},
-       "The average of a value over elements, each of which counts once. Stresses in Pa, energies in J/m^3.",
+       "The mean of a value over elements, each with the same weight. Stresses in Pa, energies in J/m^3.",
        run + "assert(a:solve():mean('E11') > 0.2)",
        mean},
       {"analysis:field",
        Style::positional,
        {name_row(run::field_names(), "of a number, or of a field: see the table of fields of a run")},
-       "What every element or node has, in their order: a list of numbers, of a whole field a list of lists. "
+       "Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of "
+       "lists. "
        "Units are SI: stresses in Pa, energies in J/m^3.",
        run + "assert(#a:field 'S11' == 3 and #a:field 'displacement'[1] == 3)",
        field},
       {"analysis.energy",
        Style::property,
        {},
-       "Energies in J: kinetic, stored, dissipated (and dissipated_warp, _weft, _shear, _bending), damping, "
-       "external, "
-       "internal, initial, created; contact and guard: of the stored, of contact and of what holds it off "
-       "its floor; "
-       "friction: of the dissipated, what friction of contact took; rigid: of the kinetic, of free rigid "
-       "bodies; scaled: of the kinetic, in rotary inertia that is scaled up; error: what "
-       "the balance misses over the largest external work.",
+       "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of "
+       "stored: contact, guard (the barrier that keeps surfaces from passing). Parts of dissipated: "
+       "dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid "
+       "bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external "
+       "work.",
        run + "a:solve()\nassert(a.energy.error < 1)",
        energy},
       {"analysis.beyond",
        Style::property,
        {},
-       "How far the run has gone beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), "
-       "yarn "
-       "(warp, weft or shear), element and time of the farthest point, its strain (E11, E22 or E12) and the "
-       "one "
-       "tested, when the run first went beyond, and the part of the elements that have.",
+       "The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn "
+       "(warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested "
+       "(the strain tested), first (time at which the run first went beyond) and elements (fraction of the "
+       "elements beyond).",
        run + "assert(a:advance(0.5).beyond == nil)",
        beyond},
       {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},

@@ -193,13 +193,12 @@ int card_equal(lua_State* L) {
 }
 
 Argument card_options() {
-  Argument bending =
-      value_("bending", text,
-             "estimated: the card's own estimate of what nobody measured; thickness: integration "
-             "through the thickness, on purpose and without a word")
-          .optional();
+  Argument bending = value_("bending", text,
+                            "estimated: the card's own estimate of what was not measured; thickness: "
+                            "integration through the thickness, without a warning")
+                         .optional();
   bending.choices = {"estimated", "thickness"};
-  Argument options = value_("options", fields, "of a card that is taken otherwise").optional();
+  Argument options = value_("options", fields, "changes to the card").optional();
   options.rows = {bending};
   return options;
 }
@@ -219,7 +218,7 @@ std::vector<Entry> constructors() {
        "shear.",
        woven_example, construct},
       {"fabric.svk", Style::fields, card_rows("svk"),
-       "A St. Venant-Kirchhoff sheet: the comparator with constant moduli; S12 = 2 shear E12.",
+       "A St. Venant-Kirchhoff sheet: for comparison, with constant moduli; S12 = 2 shear E12.",
        "local c = require 'fabric'.svk{ young=1.2e6, poisson=0.3, density=500, thickness=0.5e-3 }\n"
        "assert(c.warp == 1.2e6 and c.poisson[2] == 0.3)",
        construct},

@@ -185,7 +185,7 @@ std::vector<Entry> body_rows() {
        Style::fields,
        {number_("radius", "m", positive, "of the ball"), place_row("centre", "at time 0"), mass_row(),
         name_row()},
-       "A rigid ball, that cloth may touch: it stands, is moved (m:move), or has a mass and is free.",
+       "A rigid ball that cloth may touch: fixed, moved (m:move), or free, with a mass.",
        use + "local ball = fabric.rigid.sphere{ radius=0.03, centre={0.1, 0.1, 0.031}, mass=0.1 }",
        sphere},
       {"fabric.rigid.plane",
@@ -215,8 +215,7 @@ std::vector<Entry> body_rows() {
        Style::fields,
        {object_("mesh", "mesh", "its facets, counter-clockwise from outside").optional(),
         value_("file", text, "a mesh file in its place").optional(),
-        value_("closed", boolean, "is it the border of a solid: then a hole in it is an error")
-            .or_else(false),
+        value_("closed", boolean, "the surface bounds a solid; a hole in it is an error").or_else(false),
         mass_row(), name_row()},
        "A rigid surface of triangles; quadrilaterals are cut along their shorter diagonal.",
        use + "local ridge = fabric.rigid.surface{ mesh=fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, "
@@ -228,7 +227,7 @@ std::vector<Entry> body_rows() {
         value_("meshes", table, "{ mesh, ... }: in their place").optional(),
         value_("times", numbers, "at which it has these shapes, ascending", "s"), name_row()},
        "A rigid surface that moves from shape to shape, each vertex in straight lines; before the first time "
-       "and after the last it stands.",
+       "and after the last it is at rest.",
        use + "local function at(z) return fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 "
              "}:map(function(x, y) return x, y, z end) end\n"
              "local press = fabric.rigid.motion{ meshes={ at(0.01), at(0.005) }, times={0, 1} }",
@@ -244,14 +243,13 @@ std::vector<Entry> model_rows() {
             .optional(),
         value_("self", text, "a set whose cloth touches itself").optional(),
         number_("friction", "", not_negative, "friction coefficient").or_else(0.0),
-        number_(
-            "thickness", "m", positive,
-            "of the cloth as contact sees it; default the cloth's own, or as its card's compression has it")
+        number_("thickness", "m", positive,
+                "of the cloth in contact; default: the cloth's own, or that of its card's compression")
             .optional(),
-        number_(
-            "stiffness", "Pa/m", positive,
-            "pressure per gap; default the compression curve of the card, or else 1 MPa down to the floor; "
-            "in explicit runs no more than the cloth's own stable step carries")
+        number_("stiffness", "Pa/m", positive,
+                "pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to "
+                "the floor; "
+                "in explicit runs no more than the cloth's own stable step carries")
             .optional(),
         number_(
             "settle", "s", positive,
@@ -282,8 +280,8 @@ std::vector<Entry> run_rows() {
       {"analysis:gap",
        Style::positional,
        {},
-       "How far the nearest of all that touch is from its floor, m, and which that is; with nothing near "
-       "what contact reaches, and nil.",
+       "Smallest distance of surfaces that may touch, less the smallest distance that contact allows, m, and "
+       "which surfaces these are; where none are near: the reach of contact, and nil.",
        falls + "assert(a:solve():gap() > 0)",
        gap},
   };

@@ -144,7 +144,7 @@ std::vector<Entry> rows() {
       {"fabric.globals",
        Style::positional,
        {},
-       "Makes the fields of fabric and fabric.units global, without covering what is there.",
+       "Makes the fields of fabric and fabric.units global, except where a global of that name exists.",
        "require 'fabric'.globals(); assert(3*inch > 76*mm)",
        globals},
       {"fabric.checking",
@@ -156,7 +156,7 @@ std::vector<Entry> rows() {
       {"fabric.warn",
        Style::positional,
        {value_("text", text, "what to say")},
-       "Says a warning on stderr with the deck's line, each text once.",
+       "Prints a warning on stderr with the deck's line, each text once.",
        "require 'fabric'.warn 'the strip is narrower than one repeat of the weave'",
        warn},
   };

@@ -240,7 +240,9 @@ int remove(Call& call) {
   const auto model = call.self<Model>();
   const auto all = declared(*model);
   const Declared& one = all[place_of(call, all)];
-  if (one.number < 0) throw Error("remove: a " + one.kind + " is what the model is made of, it stays");
+  if (one.number < 0)
+    throw Error("remove: a " + one.kind +
+                " is part of the model itself and cannot be removed: make a new model");
   model->remove(one.told, static_cast<std::size_t>(one.number));
   return return_self(call);
 }
@@ -279,7 +281,7 @@ std::vector<Entry> rows() {
       {"model:list",
        Style::positional,
        {},
-       "What it was told, supports first (bodies and regions before them, where there are any): rows of kind "
+       "Its supports and loads (before them bodies and regions, if any): rows of kind "
        "(the call's name), set and what, which print as a "
        "table.",
        sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nlocal told = m:list()\n"

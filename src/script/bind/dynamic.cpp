@@ -99,11 +99,12 @@ std::vector<Argument> arguments() {
               "Rayleigh's damping {mass=a, stiffness=b}; none unless given")
           .optional(),
       value_("inertia", text,
-             "rotary, of the cloth: true, or scaled up where it would limit the explicit step")
+             "rotary inertia of the cloth: true, or scaled up where it would limit the explicit step")
           .optional()
           .one_of({"scaled", "true"}),
       value_("force", boolean, "take the step even above the stable one").or_else(false),
-      number_("ledger_limit", "", positive, "energy made, over the external work, at which the run stops")
+      number_("ledger_limit", "", positive,
+              "the run stops when the error of the energy ledger exceeds this part of the external work")
           .or_else(0.05),
       number_("tolerance", "", Range{0, 1, true, true}, "implicit: residual over the largest nodal force")
           .or_else(1e-8),
@@ -113,21 +114,22 @@ std::vector<Argument> arguments() {
 }
 
 std::vector<Entry> rows() {
-  return {{"fabric.dynamic", Style::fields, arguments(),
-           "A run in motion with Newmark's method, explicit or implicit, and a ledger of its energies.",
-           sample() + "assert(a:solve().energy.error < 1e-3)", make},
-          {"analysis.stable_step",
-           Style::property,
-           {},
-           "The largest stable step of central differences in the reference configuration, s.",
-           sample() + "assert(a.stable_step > 7e-5 and a.stable_step < 8e-5)",
-           stable_step},
-          {"analysis.step_size",
-           Style::property,
-           {},
-           "The step that a run in motion goes by, landings apart, s.",
-           sample() + "assert(math.abs(a.step_size / a.stable_step - 0.7) < 1e-12)",
-           step_size}};
+  return {
+      {"fabric.dynamic", Style::fields, arguments(),
+       "A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.",
+       sample() + "assert(a:solve().energy.error < 1e-3)", make},
+      {"analysis.stable_step",
+       Style::property,
+       {},
+       "The largest stable step of central differences in the reference configuration, s.",
+       sample() + "assert(a.stable_step > 7e-5 and a.stable_step < 8e-5)",
+       stable_step},
+      {"analysis.step_size",
+       Style::property,
+       {},
+       "Usual step of a dynamic run, s; steps that end at a prescribed time are shorter.",
+       sample() + "assert(math.abs(a.step_size / a.stable_step - 0.7) < 1e-12)",
+       step_size}};
 }
 
 }  // namespace

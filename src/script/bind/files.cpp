@@ -25,8 +25,8 @@ std::vector<Entry> rows() {
       {"fabric.write",
        Style::positional,
        {value_("path", text, "of the file"), value_("content", text, "all of it")},
-       "Writes a file as a whole, with the folders it lies in: whoever reads it sees the old one or the new "
-       "one, never a part.",
+       "Writes a file as a whole and makes its folders: a reader sees the old file or the new one, never a "
+       "part.",
        "local path = os.tmpname()\nrequire 'fabric'.write(path, 'a,b\\n1,2\\n')\n"
        "assert(io.open(path):read 'a' == 'a,b\\n1,2\\n')\nos.remove(path)",
        write},

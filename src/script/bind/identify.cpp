@@ -222,14 +222,15 @@ std::vector<Entry> rows() {
        {integer_("count", Range{1, 1e7}, "of items"),
         value_("work", function, "work(i) returns a list of numbers"),
         integer_("processes", {1, 4096},
-                 "at a time, each a copy of this one with one thread; default: the threads "
-                 "that the program may use")
+                 "parallel processes, each with one thread; default: the threads that the program may use")
             .optional(),
-        value_("done", function, "done(i) is called here as each is finished").optional(),
-        value_("isolated", boolean, "a process of its own even where they come one at a time").or_else(false),
-        value_("progress", text, "led by this word it is said how far the work is").or_else("")},
-       "Work for items 1 to count in processes side by side: the lists in order; one whose work failed is "
-       "empty and has trouble, the message, and died=true when its process ended without an answer.",
+        value_("done", function, "done(i) is called in this process after each item").optional(),
+        value_("isolated", boolean, "each item in a process of its own, even with processes=1")
+            .or_else(false),
+        value_("progress", text, "progress is shown, preceded by this word").or_else("")},
+       "Calls work(i) for items 1 to count in parallel processes. Returns the lists in order; that of a "
+       "failed item is empty and has trouble, the message, and died=true when its process ended without an "
+       "answer.",
        "local r = require 'fabric'.lab.parallel{ count=3, work=function(i) return { i, i*i } end "
        "}\nassert(r[3][2] == 9)",
        parallel},
@@ -243,7 +244,7 @@ std::vector<Entry> rows() {
         number_("difference", "", positive, "step of the differences, over high - low").or_else(1e-4),
         integer_(
             "settle", not_negative,
-            "rounds of differences to both sides along combinations that the data fix independently; for "
+            "rounds of central differences along combinations that the data determine independently; for "
             "residuals in units of their deviation")
             .or_else(0.0)},
        "Bounded least squares by Levenberg and Marquardt: x, residuals, jacobian (by rows), iterations, "
@@ -258,8 +259,8 @@ std::vector<Entry> rows() {
        Style::fields,
        {list("jacobian", "of residuals in units of their deviation, by rows"),
         list("scale", "a size of each parameter")},
-       "What data fix: deviation of each parameter, correlation (by rows), weakest (the combination fixed "
-       "least, of length one in units of "
+       "What data determine: deviation of each parameter, correlation (by rows), weakest (the combination "
+       "determined least, of length one in units of "
        "scale) and weakest_deviation.",
        "local i = require 'fabric'.lab.identifiability{ jacobian={2, 0, 0, 4}, scale={1, 1} }\n"
        "assert(math.abs(i.deviation[1] - 0.5) < 1e-12 and math.abs(i.weakest[1]) > 0.99)",

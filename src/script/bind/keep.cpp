@@ -95,30 +95,27 @@ std::vector<Entry> rows() {
       {"analysis:checkpoint",
        Style::positional,
        {value_("path", text, "of the file, which is replaced each time; its folder is made"),
-        fields_(
-            "options",
-            {Argument{"every",
-                      number | text,
-                      "s",
-                      positive,
-                      "simulated time between two of them, or 'step'; no step is made shorter for it",
-                      true,
-                      {},
-                      {"step"}}
-                 .optional(),
-             number_("minutes", "min", positive,
-                     "time on the clock between two of them; 10 where neither it nor 'every' is given")
-                 .optional(),
-             value_("keep", table,
-                    "a table of the deck's (numbers, texts, booleans, tables) that is kept along and filled "
-                    "again on restart")
-                 .optional()},
-            "how often, and what besides the run")
+        fields_("options",
+                {Argument{"every",
+                          number | text,
+                          "s",
+                          positive,
+                          "simulated time between two of them, or 'step'; no step is made shorter for it",
+                          true,
+                          {},
+                          {"step"}}
+                     .optional(),
+                 number_("minutes", "min", positive,
+                         "time on the clock between two of them; 10 where neither it nor 'every' is given")
+                     .optional(),
+                 value_("keep", table,
+                        "a table of the deck (numbers, texts, booleans, tables), saved with the run and "
+                        "filled again on restart")
+                     .optional()},
+                "how often, and what besides the run")
             .optional()},
-       "Keeps all of the run in one file as it goes, and when it ends, a step fails or it is interrupted; "
-       "--restart "
-       "and "
-       "analysis:restart go on from there with the same bits.",
+       "Writes the whole state of the run to one file as it goes, and when it ends, fails or is interrupted; "
+       "--restart and analysis:restart continue from there bit for bit.",
        sample + "local seen = { n=0 }\na:every('step', function() seen.n = seen.n + 1 end)\n"
                 "a:checkpoint(name, { every='step', keep=seen })\na:advance(0.5)\n"
                 "local b, again = fabric.static{ model=m, duration=1, step=0.25 }, { n=0 }\n"
@@ -128,7 +125,7 @@ std::vector<Entry> rows() {
       {"analysis:restart",
        Style::positional,
        {value_("path", text, "of a checkpoint of the same problem")},
-       "Goes to where a checkpoint was written; 'record', 'vtk' and 'checkpoint' called after it go on with "
+       "Returns to the state of a checkpoint; 'record', 'vtk' and 'checkpoint' called after it continue "
        "their files.",
        sample + "a:checkpoint(name)\na:solve()\n"
                 "local b = fabric.static{ model=m, duration=1, step=0.25 }:restart(name)\n"
@@ -146,7 +143,7 @@ std::vector<Entry> rows() {
       {"analysis:why",
        Style::positional,
        {},
-       "Why the run failed last: the steps tried with their residuals, the node, the element with its strain "
+       "Why the run last failed: the steps tried with their residuals, the node, the element with its strain "
        "and "
        "the branches of its yarns, and what to try; as text. The error has it as e.why.",
        failing_sample() + "assert(a:why():find 'element' and e.why == a:why())",
@@ -154,7 +151,7 @@ std::vector<Entry> rows() {
       {"fabric.why",
        Style::positional,
        {},
-       "Why the last run that failed did: what analysis:why() of it says.",
+       "Why the last failed run failed: the text of its analysis:why().",
        failing_sample() + "assert(fabric.why() == a:why())",
        last_why},
   };

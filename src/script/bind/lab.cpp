@@ -348,7 +348,7 @@ std::vector<Entry> fit_entries() {
       {"fabric.lab.backbone",
        Style::fields,
        {curves_row(), list("degrees", "", "of the stress polynomials to try; default {2, 4}").optional(),
-        value_("find_slack", boolean, "the stretch of first contact is found besides").or_else(false)},
+        value_("find_slack", boolean, "the stretch at first contact is fitted too").or_else(false)},
        "Stress polynomials through zero, one per specimen and degree: a list of {degree, criterion, initial, "
        "least, admissible, "
        "specimens={ {loading, slack, reach, residual}, ... }}; chosen is the place of the best, nil if none "

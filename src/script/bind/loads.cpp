@@ -66,7 +66,7 @@ const std::vector<Argument>& velocity_rows() {
       number_("x", "m/s", everything, "along x").optional(),
       number_("y", "m/s", everything, "along y").optional(),
       number_("z", "m/s", everything, "along z").optional(),
-      value_("spin", numbers, "{wx, wy, wz}, degrees/s: beside it a rigid rotation").optional(),
+      value_("spin", numbers, "{wx, wy, wz}, degrees/s: in addition, a rigid rotation").optional(),
       value_("centre", numbers, "{x, y, z}, m: a point of its axis; default {0, 0, 0}").optional()};
   return rows;
 }

@@ -119,9 +119,9 @@ Entry read_row() {
   return {
       "fabric.mesh.read",
       Style::positional,
-      {value_(
-          "file", text,
-          "ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k; a bare name may be a mesh that comes along")},
+      {value_("file", text,
+              "ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k; a bare name may be a mesh shipped with the "
+              "program")},
       "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
       ".vtk, Wavefront .obj, .stl (text and binary; equal vertices are joined), .inp of Abaqus and CalculiX, "
       ".k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so "

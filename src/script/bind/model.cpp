@@ -63,7 +63,7 @@ Argument set_or_body_row() { return object_("set", "body", "name of a node set, 
 
 Argument frame_row() {
   return fields_("options",
-                 {value_("frame", table, "{e1, e2}: x and y of the call count along them").optional()},
+                 {value_("frame", table, "{e1, e2}: directions of x and y in this call").optional()},
                  "frame = {e1, e2} for oblique directions")
       .optional();
 }

@@ -132,7 +132,8 @@ std::vector<Entry> rows() {
       {"fabric.who",
        Style::positional,
        {},
-       "What the globals hold that neither Lua nor fabric put there, objects first: rows of name, class and "
+       "The global variables that were set at the prompt or by the deck, objects first: rows of name, class "
+       "and "
        "text, "
        "which print as a table.",
        "sheet = require 'fabric'.mesh.rectangle{ width=1, height=1, nx=2, ny=2 }\n"
@@ -141,11 +142,11 @@ std::vector<Entry> rows() {
       {"fabric.transcript",
        Style::positional,
        {value_("file", text | boolean,
-               "a new Lua file that holds all that was typed at the prompt so far and will be; false ends it")
+               "a new Lua file that holds all input at the prompt, from the start of the session on; false "
+               "ends it")
             .optional()},
-       "Keeps the session as a deck that can be run; without an argument, the file's name or false. The file "
-       "is "
-       "whole at any moment; inputs that failed are comments in it.",
+       "Writes the session as a deck that can be run; without an argument returns the file's name or false. "
+       "The file is complete at any moment; inputs that failed are comments in it.",
        "local fabric = require 'fabric'\nlocal name = os.tmpname()..'.lua'\nfabric.transcript(name)\n"
        "assert(fabric.transcript() == name and loadfile(name))\nfabric.transcript(false)\nos.remove(name)",
        transcript},

@@ -30,15 +30,16 @@ void push_self(lua_State* L, const Run* run) {
 
 // In a finaliser of the deck the weak table of runs no longer has a run that is being collected.
 void want_alive(lua_State* L) {
-  if (lua_type(L, -1) != LUA_TUSERDATA) throw Error("this analysis is being collected");
+  if (lua_type(L, -1) != LUA_TUSERDATA)
+    throw Error("this analysis is being deleted, no variable holds it any more");
 }
 
 }  // namespace
 
 Argument limit_row() {
   return value_("limit", text,
-                "tell: says once where the cloth is strained beyond what the card was tested to; stop: and "
-                "stops there")
+                "tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends "
+                "the run there")
       .or_else("tell")
       .one_of({"tell", "stop"});
 }

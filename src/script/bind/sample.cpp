@@ -61,9 +61,8 @@ void bind_sample(Session& session) {
           {{"card:sample",
             Style::positional,
             {integer_("n", from_one, "of cards"), integer_("seed", not_negative, "of the draw").or_else(1.0)},
-            "Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards that "
-            "could not be are drawn "
-            "again.",
+            "Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards with "
+            "impossible values are drawn again.",
             "local fabric = require 'fabric'\n"
             "local card = fabric.card 'blend':with{ bands={ warp={ low={7e6, 800e6, 850e6, 0.2}, high={9e6, "
             "852e6, 878e6, 0.3},\n"

@@ -74,8 +74,8 @@ std::vector<Entry> rows() {
             .or_else("load")
             .one_of(controls),
         value_("method", text,
-               "newton; relaxation: every step by dynamic relaxation; either: it for a step that Newton "
-               "can't do")
+               "newton; relaxation: every step by dynamic relaxation; either: relaxation for steps in which "
+               "Newton fails")
             .or_else("newton")
             .one_of(methods),
         limit_row(),

@@ -46,8 +46,8 @@ std::vector<Entry> rows() {
        Style::positional,
        {value_("kind", text,
                "\"equal\": the set's nodes share displacements; \"straight\": they stay on the line between "
-               "its ends; \"rigid\": nodes and directors move as one body; \"periodic\": two sets with one "
-               "displacement between the pairs, led by the first"),
+               "its ends; \"rigid\": nodes and directors move as one body; \"periodic\": two sets whose "
+               "pairs of nodes keep one common relative displacement; the second follows the first"),
         value_("set", text, "name of a node set"),
         value_("second", text, "periodic: the set that follows; else freedoms, some of x y z").optional(),
         value_("freedoms", text, "periodic: some of x y z rotation; default all").optional()},

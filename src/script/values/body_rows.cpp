@@ -136,7 +136,7 @@ std::vector<Argument> made_rows(const char* warp_default) {
   return {object_("card", "card", "the fabric").optional(),
           value_("layers", table, "{ {card=, warp=, thickness=}, ... }: plies from below, in place of a card")
               .optional(),
-          number_("thickness", "m", positive, "wins over the card's; mass per area follows")
+          number_("thickness", "m", positive, "replaces the card's; mass per area changes with it")
               .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
               .optional(),
           warp_row(warp_default),
@@ -147,7 +147,7 @@ std::vector<Argument> made_rows(const char* warp_default) {
 
 constexpr const char* flat_default = "default 0 on a flat generated mesh";
 constexpr const char* region_words =
-    "{ set = {card=, thickness=, warp=, ...}, ... }: sets of elements made of something else";
+    "{ set = {card=, thickness=, warp=, ...}, ... }: sets of elements with a card or section of their own";
 
 const std::vector<Argument>& region_fields() {
   static const std::vector<Argument> rows = made_rows("default: that of its body");

@@ -114,7 +114,7 @@ wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', T=0.4, W=16, warp={
 wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', T=0.4, W=16, warp={EMT=4, WT=9, LT=0.5, RT=55}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8, ['2HG']=1}, poisson={warp=0.2, weft=0.2} }",
   "deck.lua:1: kes_card: field 'warp.LT': expected 0.9, as WT 9 and EMT 4 make it, got 0.5")
 wrong("fabric.lab.kes_card", "fabric.lab.kes_card{ name='x', T=0.4, W=16, warp={EMT=4, LT=1.5, RT=90}, weft={EMT=6, WT=13, RT=50}, shear={G=0.8, ['2HG']=1}, poisson={warp=0.2, weft=0.2} }",
-  "deck.lua:1: kes_card: field 'warp': no curve has the work of LT 1.5 and gives back RT of it: it would come back softer than it went")
+  "deck.lua:1: kes_card: field 'warp': no curve has the work of LT 1.5 and gives back RT of it: unloading would be softer than loading")
 
 wrong("fabric.lab.kes_bending", "fabric.lab.kes_bending{ card='blend' }",
   "deck.lua:1: kes_bending: field 'card': expected a card, got 'blend'")

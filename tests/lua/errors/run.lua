@@ -178,7 +178,7 @@ wrong("fabric.static", "fabric.static{ model=model }",
 wrong("fabric.static", "fabric.static{ model=model:fix('top', 'y'):move('top', {y=0.01}), duration=1 }",
   "deck.lua:1: static: model: node 7: y is fixed (set 'top') and moved (set 'top')")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, step=1 }",
-  "deck.lua:1: dynamic: field 'step': expected at most 1.87594e-05 s, the stable step of this mesh and card, got 1 s (step=\"auto\" takes 1.31316e-05 s; force=true takes it all the same)")
+  "deck.lua:1: dynamic: field 'step': expected at most 1.87594e-05 s, the stable step of this mesh and card, got 1 s (step=\"auto\" takes 1.31316e-05 s; force=true uses this step all the same)")
 wrong("fabric.dynamic", "fabric.dynamic{ model=held, duration=1, inertia='scald' }",
   "deck.lua:1: dynamic: field 'inertia': expected 'scaled' or 'true', got 'scald', did you mean 'scaled'?")
 wrong("object", "return run.tiem",
