@@ -24,8 +24,13 @@ local function cloth(t, draw)
   local mesh = fabric.mesh.annulus { inner = inner, outer = rim, around = around, across = across }
   local waves, sum = {}, 0
   for n = 1, 12 do
-    waves[n] = { draw.normal(), draw.normal() }
+    local part = n == 1 and 0 or 1 / n ^ (t.power or 1)
+    waves[n] = { part * draw.normal(), part * draw.normal() }
     sum = sum + waves[n][1] ^ 2 + waves[n][2] ^ 2
+  end
+  if t.mode then
+    for n = 1, 12 do waves[n] = n == t.mode and { 1, 0 } or { waves[n][1] * 0.05, waves[n][2] * 0.05 } end
+    sum = 2
   end
   mesh:map(function(x, y, z)
     local r, angle, offset = math.sqrt(x * x + y * y), math.atan(y, x), 0
@@ -89,7 +94,7 @@ end
 local function points_of(outline)
   local out = {}
   for k, r in ipairs(outline) do
-    local angle = 2 * math.pi * (k - 1) / #outline
+    local angle = shadow.angle(k, #outline)
     out[k] = { r * math.cos(angle), r * math.sin(angle) }
   end
   return out
@@ -243,6 +248,8 @@ define {
     { name = "every", kind = "number", unit = "s", above = 0, default = 0.1, sentence = "time between frames of the VTK series" },
     { name = "out", kind = "text", optional = true, sentence = "folder for a VTK series of each seed" },
     { name = "file", kind = "text", optional = true, sentence = "the contours as a figure, .svg, .png or .pdf" },
+    { name = "power", kind = "number", optional = true, sentence = "x" },
+    { name = "mode", kind = "integer", optional = true, sentence = "x" },
     { name = "trace", kind = "function", optional = true, sentence = "trace(a, state), called each window" },
   },
   sentence = "Drape test",

@@ -11,6 +11,12 @@ function shadow.triangles(mesh)
   return out
 end
 
+-- Rays stand between whole steps, where the corners of an even mesh lie: one that met a corner would be a matter of rounding.
+local aside = 0.382
+
+-- The angle of ray k of `count`, radians.
+function shadow.angle(k, count) return (k - 1 + aside) * 2 * math.pi / count end
+
 -- Where a triangle (three corners { x, y }) is met by rays from the origin, each `step` radians apart: adds { near, far } to rays[k].
 local function scan(rays, step, p, q, r)
   local at = math.atan(p[2], p[1])
@@ -19,8 +25,8 @@ local function scan(rays, step, p, q, r)
     local turn = math.atan(p[1] * c[2] - p[2] * c[1], p[1] * c[1] + p[2] * c[2])
     low, high = math.min(low, at + turn), math.max(high, at + turn)
   end
-  for k = math.ceil(low / step), math.floor(high / step) do
-    local c, s = math.cos(k * step), math.sin(k * step)
+  for k = math.ceil(low / step - aside), math.floor(high / step - aside) do
+    local c, s = math.cos((k + aside) * step), math.sin((k + aside) * step)
     local near, far = math.huge, -math.huge
     for _, edge in ipairs { { p, q }, { q, r }, { r, p } } do
       local a, b = edge[1], edge[2]
@@ -37,7 +43,7 @@ end
 
 -- The shadow of triangles (numbers of the corners) whose nodes are at x, y, together with that of a disc of radius `support` about the
 -- origin, in which no triangle may hold the origin but those that the disc hides. Returns its area (layers count once) and the outline:
--- the radius of its farthest point at as many angles as there are rays, counter-clockwise from x.
+-- the radius of its farthest point along each ray, counter-clockwise.
 function shadow.of(x, y, triangles, support, count)
   count = count or 720
   local step, rays = 2 * math.pi / count, {}
