@@ -229,7 +229,7 @@ define {
     { name = "friction", kind = "number", low = 0, default = 0.3, sentence = "of cloth on pedestal and on cloth" },
     { name = "contact", kind = "boolean", default = true, sentence = "false: the cloth touches nothing, it is held at the pedestal's rounded edge" },
     { name = "self", kind = "boolean", default = true, sentence = "the cloth may touch itself" },
-    { name = "lowering", kind = "number", unit = "s", above = 0, default = 2, sentence = "over which the weight comes" },
+    { name = "lowering", kind = "number", unit = "s", above = 0, default = 1.5, sentence = "over which the weight comes" },
     { name = "shakes", kind = "integer", low = 0, default = 0, sentence = "up and down of the pedestal, after the lowering: they work against friction" },
     { name = "shake", kind = "number", unit = "m/s^2", low = 0, default = 5, sentence = "their acceleration" },
     { name = "period", kind = "number", unit = "s", above = 0, default = 0.25, sentence = "of a shake" },
