@@ -601,6 +601,42 @@ function fabric.lab.card(fields) end
 ---@return table<string, any>
 function fabric.lab.compare(measured, test, options) end
 
+---@class fabric_lab_cusick_fields
+---@field card card the fabric
+---@field disc? number m: diameter of the cloth: 0.24, 0.30, 0.36; JIS 0.254 (default 0.3)
+---@field support? number m: diameter of the pedestal; JIS 0.127 (default 0.18)
+---@field seeds? integer how many discs, each with an irregularity and an orientation of its own (default 1)
+---@field seed? integer of the first; the next ones follow (default 1)
+---@field orientation? number degrees: of the warp in the mesh; default: drawn from the seed
+---@field cells? integer elements from the pedestal's edge to the rim (default 8)
+---@field around? integer elements around; default: so that they are square in the middle of the overhang
+---@field offset? number m: how uneven the cloth lies: deviation of the rim from the level (default 0.002)
+---@field edge? number m: radius of the pedestal's rounded edge; a smaller one lies near the held rim of a coarse mesh, and costs time (default 0.008)
+---@field held? number m: diameter of the plate on top; default: that of the pedestal
+---@field side? number m: height of the pedestal's side, 0: a plate on a thin post; default: half of the disc
+---@field friction? number of cloth on pedestal and on cloth (default 0.3)
+---@field contact? boolean false: the cloth touches nothing, it is held at the pedestal's rounded edge (default true)
+---@field self? boolean the cloth may touch itself (default true)
+---@field lowering? number s: over which the weight comes (default 1.5)
+---@field shakes? integer up and down of the pedestal, after the lowering: they work against friction (default 0)
+---@field shake? number m/s^2: their acceleration (default 5)
+---@field period? number s: of a shake (default 0.25)
+---@field damping? number 1/s: of the masses (default 5)
+---@field gravity? number m/s^2: of the place (default 9.80665)
+---@field still? number rest: no place of the rim moves by more than this part of the overhang in a window (default 0.005)
+---@field window? number s: of that rule (default 0.1)
+---@field duration? number s: to wait for rest, at most; default: 4 s after the lowering
+---@field least? number height of a fold that counts, over the overhang (default 0.03)
+---@field processes? integer seeds side by side; default: the threads that the program may use
+---@field every? number s: time between frames of the VTK series (default 0.1)
+---@field out? string folder for a VTK series of each seed
+---@field file? string the contours as a figure, .svg, .png or .pdf
+
+---Drape test: a disc of cloth is let down over a pedestal, in explicit motion, until it rests; once for each seed, side by side. Returns coefficient (shadow of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.
+---@param fields fabric_lab_cusick_fields
+---@return table<string, any>
+function fabric.lab.cusick(fields) end
+
 ---@class fabric_lab_density_fields
 ---@field mass number[] kg: of each weighed piece
 ---@field area number m^2: of a piece

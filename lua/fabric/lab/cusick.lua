@@ -223,7 +223,7 @@ define {
     { name = "cells", kind = "integer", low = 3, default = 8, sentence = "elements from the pedestal's edge to the rim" },
     { name = "around", kind = "integer", low = 12, optional = true, sentence = "elements around; default: so that they are square in the middle of the overhang" },
     { name = "offset", kind = "number", unit = "m", low = 0, default = 2e-3, sentence = "how uneven the cloth lies: deviation of the rim from the level" },
-    { name = "edge", kind = "number", unit = "m", above = 0, default = 4e-3, sentence = "radius of the pedestal's rounded edge" },
+    { name = "edge", kind = "number", unit = "m", above = 0, default = 8e-3, sentence = "radius of the pedestal's rounded edge; a smaller one lies near the held rim of a coarse mesh, and costs time" },
     { name = "held", kind = "number", unit = "m", above = 0, optional = true, sentence = "diameter of the plate on top; default: that of the pedestal" },
     { name = "side", kind = "number", unit = "m", low = 0, optional = true, sentence = "height of the pedestal's side, 0: a plate on a thin post; default: half of the disc" },
     { name = "friction", kind = "number", low = 0, default = 0.3, sentence = "of cloth on pedestal and on cloth" },
