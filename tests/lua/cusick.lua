@@ -111,6 +111,8 @@ do
   local one = fabric.lab.cusick(t)
   check("a limp disc: less shadow", one.coefficient < 0.9 and one.coefficient > 0 and 1 or 0, 1, { absolute = 0 })
   check("the scatter of one disc is not known", one.scatter.coefficient ~= one.scatter.coefficient and 1 or 0, 1, { absolute = 0 })
+  check("nothing passes", one.analysis:gap() > 0 and 1 or 0, 1, { absolute = 0 })
+  check("the ledger is closed", one.runs[1].error, 0, { absolute = 1e-3 })
   check("its contour", #one.contour, 720, { absolute = 0 })
   t.seeds, t.processes = 2, 2
   local two = fabric.lab.cusick(t)

@@ -102,7 +102,8 @@ local function reading(t, mesh, x, y)
   local whole = shadow.of(flat_x, flat_y, triangles, t.support / 2, rays)
   local area, outline = shadow.of(x, y, triangles, t.support / 2, rays)
   local ground = math.pi * t.support ^ 2 / 4
-  local nodes, amplitude = shadow.folds(outline, t.least * (t.disc - t.support) / 2)
+  local corner = t.disc / 2 * (1 - math.cos(math.pi / #mesh:set "outer")) -- by which the rim's polygon stands out of its chords
+  local nodes, amplitude = shadow.folds(outline, math.max(t.least * (t.disc - t.support) / 2, 2 * corner))
   return (area - ground) / (whole - ground), nodes, amplitude, outline
 end
 
