@@ -1,0 +1,256 @@
+-- fabric.lab.cusick: the drape tester: a disc of cloth is held between two smaller plates, and the shadow of what hangs down is measured [bs_5058].
+--
+--       ________________     plate on top
+--    ---================---  cloth, level at first: z = 0
+--       (______________)     pedestal: face, rounded edge
+--        |            |      and side
+--
+-- What lies between the plates does not move and is left out of the mesh. The cloth is let down slowly: its weight comes along half a wave, as a table
+-- that sinks under it hands it over. Where it comes at once, the sheet buckles into many small folds, and friction keeps them.
+local define = require "fabric.define"
+local random = require "fabric.lab.random"
+local shadow = require "fabric.lab.shadow"
+local fabric = require "fabric"
+
+local rays = 720 -- of the shadow, half a degree each
+
+-- A ring of cloth from the plate's rim out, elements nearly square in the middle of the overhang. How uneven it lies is a sum of waves around it that
+-- grow from the edge to the rim, the longer the higher, of the same shape on every mesh.
+local function cloth(t, draw)
+  local rim, edge, inner = t.disc / 2, t.support / 2, t.held / 2
+  local size = (rim - edge) / t.cells
+  local around = t.around or 4 * math.max(6, math.floor(math.pi * (rim + edge) / size / 4 + 0.5))
+  local across = math.max(2, math.floor((rim - inner) / size + 0.5))
+  local mesh = fabric.mesh.annulus { inner = inner, outer = rim, around = around, across = across }
+  local waves, sum = { { 0, 0 } }, 0
+  for n = 2, 12 do
+    waves[n] = { draw.normal() / n, draw.normal() / n }
+    sum = sum + (waves[n][1] ^ 2 + waves[n][2] ^ 2) / 2
+  end
+  mesh:map(function(x, y, z)
+    local r, angle, offset = math.sqrt(x * x + y * y), math.atan(y, x), 0
+    if r <= edge then return x, y, z end
+    for n = 2, #waves do offset = offset + waves[n][1] * math.cos(n * angle) + waves[n][2] * math.sin(n * angle) end
+    return x, y, z + t.offset * offset / math.sqrt(sum) * ((r - edge) / (rim - edge)) ^ 2
+  end)
+  return mesh
+end
+
+-- The cloth's middle surface lies where contact with the face begins.
+local function pedestal(t, model)
+  local top = -t.card.thickness / 2
+  local disc = fabric.rigid.disc { radius = t.support / 2, centre = { 0, 0, top - t.edge }, normal = { 0, 0, 1 }, edge = t.edge, name = "pedestal" }
+  model:contact { between = { disc, "all" }, friction = t.friction }
+  if t.side > 0 then
+    local wall = fabric.mesh.cylinder { radius = t.support / 2, length = t.side, around = 96, along = 1 }
+    wall:map(function(x, y, z) return x, y, z - t.side + top - t.edge end)
+    model:contact { between = { fabric.rigid.surface { mesh = wall, name = "side" }, "all" }, friction = t.friction }
+  end
+  if t.self then model:contact { self = "all", friction = t.friction } end
+end
+
+-- Weight over time: it comes along a half wave, and shakes of the pedestal go over it.
+local function weight(t)
+  local quake = t.shakes > 0 and t.lowering + t.shakes * t.period or 0
+  return function(time)
+    local g = t.gravity * (time < t.lowering and (1 - math.cos(math.pi * time / t.lowering)) / 2 or 1)
+    if time > t.lowering and time < quake then g = g + t.shake * math.sin(2 * math.pi * (time - t.lowering) / t.period) end
+    return -g
+  end, math.max(t.lowering, quake)
+end
+
+-- Stops the run at rest: over `window` no place of the rim has moved by more than `still` of the overhang, and the kinetic energy is below
+-- 1e-5 of what the weight has done.
+local function rests(t, a, rim, from)
+  local out, last = { at_rest = false }, nil
+  a:every(t.window, function(run)
+    local x, y, z = run:field "x", run:field "y", run:field "z"
+    local moved = math.huge
+    if last then
+      moved = 0
+      for i, n in ipairs(rim) do
+        local p = last[i]
+        moved = math.max(moved, (x[n] - p[1]) ^ 2 + (y[n] - p[2]) ^ 2 + (z[n] - p[3]) ^ 2)
+      end
+    end
+    last = {}
+    for i, n in ipairs(rim) do last[i] = { x[n], y[n], z[n] } end
+    local e = run.energy
+    out.moved = math.sqrt(moved)
+    if run.time >= from + t.window and out.moved <= t.still * (t.disc - t.support) / 2 and e.kinetic <= 1e-5 * math.abs(e.external) then
+      out.at_rest = true
+      run:stop "at rest"
+    end
+  end)
+  return out
+end
+
+local function points_of(outline)
+  local out = {}
+  for k, r in ipairs(outline) do
+    local angle = shadow.angle(k, #outline)
+    out[k] = { r * math.cos(angle), r * math.sin(angle) }
+  end
+  return out
+end
+
+-- What the shadow of a shape says: coefficient, nodes, amplitude, outline.
+local function reading(t, mesh, x, y)
+  local triangles = shadow.triangles(mesh)
+  local flat_x, flat_y = {}, {}
+  for i, node in ipairs(mesh.nodes) do flat_x[i], flat_y[i] = node[1], node[2] end
+  local whole = shadow.of(flat_x, flat_y, triangles, t.support / 2, rays)
+  local area, outline = shadow.of(x, y, triangles, t.support / 2, rays)
+  local ground = math.pi * t.support ^ 2 / 4
+  local corner = t.disc / 2 * (1 - math.cos(math.pi / #mesh:set "outer")) -- by which the rim's polygon stands out of its chords
+  local nodes, amplitude = shadow.folds(outline, math.max(t.least * (t.disc - t.support) / 2, 2 * corner))
+  return (area - ground) / (whole - ground), nodes, amplitude, outline
+end
+
+-- One disc, let down once.
+local function once(t, seed)
+  local draw = random(seed)
+  local orientation = t.orientation or 360 * draw.uniform()
+  local mesh = cloth(t, draw)
+  local model = fabric.model { mesh = mesh, card = t.card, warp = orientation, points = t.card.bending and 1 or 3 }
+  if t.contact then pedestal(t, model) end
+  local history, from = weight(t)
+  model:fix("inner", "x y z rotation"):gravity { 0, 0, history }
+  local a = fabric.dynamic { model = model, duration = t.duration, damping = t.damping > 0 and { mass = t.damping } or nil }
+  if t.out then a:vtk(("%s/seed%d"):format(t.out, seed), { every = t.every }) end
+  local rest = rests(t, a, mesh:set "outer", from)
+  a:solve()
+  local one = { seed = seed, orientation = orientation, at_rest = rest.at_rest, moved = rest.moved, time = a.time, error = a.energy.error }
+  one.coefficient, one.nodes, one.amplitude, one.outline = reading(t, mesh, a:field "x", a:field "y")
+  return one, a, model, mesh
+end
+
+-- Seeds side by side: what goes through lists of numbers and comes back.
+local head = { "seed", "orientation", "at_rest", "moved", "time", "error", "coefficient", "nodes", "amplitude" }
+
+local function packed(one)
+  local out = {}
+  for i, name in ipairs(head) do
+    local value = one[name]
+    out[i] = type(value) == "boolean" and (value and 1 or 0) or value
+  end
+  return table.move(one.outline, 1, #one.outline, #head + 1, out)
+end
+
+local function unpacked(list)
+  local one = { outline = {} }
+  for i, name in ipairs(head) do one[name] = list[i] end
+  one.at_rest = one.at_rest == 1
+  one.nodes, one.seed = math.tointeger(one.nodes), math.tointeger(one.seed)
+  table.move(list, #head + 1, #list, 1, one.outline)
+  return one
+end
+
+local function mean(runs, name)
+  local sum, squares = 0, 0
+  for _, one in ipairs(runs) do sum = sum + one[name] end
+  sum = sum / #runs
+  for _, one in ipairs(runs) do squares = squares + (one[name] - sum) ^ 2 end
+  return sum, #runs > 1 and math.sqrt(squares / (#runs - 1)) or 0 / 0
+end
+
+local function draw_contours(t, result)
+  local function circle(radius, label)
+    local points = {}
+    for k = 0, 180 do points[k + 1] = { radius * math.cos(math.rad(2 * k)), radius * math.sin(math.rad(2 * k)) } end
+    return { points, label, "dashed" }
+  end
+  local curves = {}
+  local function add(points, label, style)
+    local x, y = {}, {}
+    for i, p in ipairs(points) do x[i], y[i] = p[1], p[2] end
+    x[#x + 1], y[#y + 1] = x[1], y[1]
+    curves[#curves + 1] = { x = x, y = y, label = label, style = style }
+  end
+  add(table.unpack(circle(t.support / 2, "pedestal")))
+  for _, one in ipairs(result.runs) do add(one.contour, ("seed %d: %.1f %%, %d nodes"):format(one.seed, 100 * one.coefficient, one.nodes), "line") end
+  local reach = 0.53 * t.disc
+  fabric.plot { file = t.file, title = ("%s, disc of %g mm on %g mm"):format(t.card.name, t.disc * 1e3, t.support * 1e3), xlabel = "x", ylabel = "y",
+    xunit = "mm", yunit = "mm", xrange = { -reach, reach }, yrange = { -reach, reach }, curves = curves }
+end
+
+local function check(t)
+  local function refuse(field, expected, got) define.fail(("cusick: field '%s': expected %s, got %s"):format(field, expected, got)) end
+  if t.support >= t.disc then refuse("support", ("a diameter below that of the disc, %g m"):format(t.disc), ("%g m"):format(t.support)) end
+  if 4 * t.edge > t.support then refuse("edge", ("at most a quarter of the support, %g m"):format(t.support / 4), ("%g m"):format(t.edge)) end
+  t.held = t.held or t.support
+  if t.held > t.support then refuse("held", ("at most the diameter of the support, %g m"):format(t.support), ("%g m"):format(t.held)) end
+  t.side = t.side or t.disc / 2
+  t.duration = t.duration or t.lowering + t.shakes * t.period + 4
+  if t.duration <= t.lowering then refuse("duration", ("more than the lowering, %g s"):format(t.lowering), ("%g s"):format(t.duration)) end
+end
+
+local function run(t)
+  check(t)
+  local result = { runs = {} }
+  if t.seeds == 1 or fabric.checking() then
+    local one, a, model, mesh = once(t, t.seed)
+    result.runs[1], result.analysis, result.model, result.mesh = one, a, model, mesh
+  else
+    for i, list in ipairs(fabric.lab.parallel { count = t.seeds, processes = t.processes, work = function(i) return packed(once(t, t.seed + i - 1)) end }) do
+      if list.trouble then define.fail(("cusick: seed %d: %s"):format(t.seed + i - 1, list.trouble)) end
+      result.runs[i] = unpacked(list)
+    end
+  end
+  result.scatter, result.at_rest = {}, true
+  for _, one in ipairs(result.runs) do
+    one.contour = points_of(one.outline)
+    result.at_rest = result.at_rest and one.at_rest
+    if not one.at_rest and not fabric.checking() then
+      fabric.warn(("cusick: seed %d is not at rest after %g s: its rim still moves by %.2g mm in %g s; a longer duration= would do"):format(one.seed, one.time,
+        1e3 * one.moved, t.window))
+    end
+  end
+  for _, name in ipairs { "coefficient", "nodes", "amplitude" } do result[name], result.scatter[name] = mean(result.runs, name) end
+  result.contour = result.runs[1].contour
+  if t.file then draw_contours(t, result) end
+  return result
+end
+
+define {
+  name = "fabric.lab.cusick",
+  arguments = {
+    { name = "card", of = "card", sentence = "the fabric" },
+    { name = "disc", kind = "number", unit = "m", above = 0, default = 0.3, sentence = "diameter of the cloth: 0.24, 0.30, 0.36; JIS 0.254" },
+    { name = "support", kind = "number", unit = "m", above = 0, default = 0.18, sentence = "diameter of the pedestal; JIS 0.127" },
+    { name = "seeds", kind = "integer", low = 1, high = 1000, default = 1, sentence = "how many discs, each with an irregularity and an orientation of its own" },
+    { name = "seed", kind = "integer", low = 0, default = 1, sentence = "of the first; the next ones follow" },
+    { name = "orientation", kind = "number", unit = "degrees", optional = true, sentence = "of the warp in the mesh; default: drawn from the seed" },
+    { name = "cells", kind = "integer", low = 3, default = 8, sentence = "elements from the pedestal's edge to the rim" },
+    { name = "around", kind = "integer", low = 12, optional = true, sentence = "elements around; default: so that they are square in the middle of the overhang" },
+    { name = "offset", kind = "number", unit = "m", low = 0, default = 2e-3, sentence = "how uneven the cloth lies: deviation of the rim from the level" },
+    { name = "edge", kind = "number", unit = "m", above = 0, default = 8e-3, sentence = "radius of the pedestal's rounded edge; a smaller one lies near the held rim of a coarse mesh, and costs time" },
+    { name = "held", kind = "number", unit = "m", above = 0, optional = true, sentence = "diameter of the plate on top; default: that of the pedestal" },
+    { name = "side", kind = "number", unit = "m", low = 0, optional = true, sentence = "height of the pedestal's side, 0: a plate on a thin post; default: half of the disc" },
+    { name = "friction", kind = "number", low = 0, default = 0.3, sentence = "of cloth on pedestal and on cloth" },
+    { name = "contact", kind = "boolean", default = true, sentence = "false: the cloth touches nothing, it is held at the pedestal's rounded edge" },
+    { name = "self", kind = "boolean", default = true, sentence = "the cloth may touch itself" },
+    { name = "lowering", kind = "number", unit = "s", above = 0, default = 1.5, sentence = "over which the weight comes" },
+    { name = "shakes", kind = "integer", low = 0, default = 0, sentence = "up and down of the pedestal, after the lowering: they work against friction" },
+    { name = "shake", kind = "number", unit = "m/s^2", low = 0, default = 5, sentence = "their acceleration" },
+    { name = "period", kind = "number", unit = "s", above = 0, default = 0.25, sentence = "of a shake" },
+    { name = "damping", kind = "number", unit = "1/s", low = 0, default = 5, sentence = "of the masses" },
+    { name = "gravity", kind = "number", unit = "m/s^2", above = 0, default = 9.80665, sentence = "of the place" },
+    { name = "still", kind = "number", above = 0, default = 5e-3, sentence = "rest: no place of the rim moves by more than this part of the overhang in a window" },
+    { name = "window", kind = "number", unit = "s", above = 0, default = 0.1, sentence = "of that rule" },
+    { name = "duration", kind = "number", unit = "s", above = 0, optional = true, sentence = "to wait for rest, at most; default: 4 s after the lowering" },
+    { name = "least", kind = "number", above = 0, high = 1, default = 0.03, sentence = "height of a fold that counts, over the overhang" },
+    { name = "processes", kind = "integer", low = 1, optional = true, sentence = "seeds side by side; default: the threads that the program may use" },
+    { name = "every", kind = "number", unit = "s", above = 0, default = 0.1, sentence = "time between frames of the VTK series" },
+    { name = "out", kind = "text", optional = true, sentence = "folder for a VTK series of each seed" },
+    { name = "file", kind = "text", optional = true, sentence = "the contours as a figure, .svg, .png or .pdf" },
+  },
+  sentence = "Drape test: a disc of cloth is let down over a pedestal, in explicit motion, until it rests; once for each seed, side by side. Returns coefficient (shadow "
+    .. "of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; "
+    .. "scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with "
+    .. "seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.",
+  example = "local fabric = require 'fabric'\n"
+    .. "local stiff = fabric.svk{ name='card', young=1e7, poisson=0, density=500, thickness=0.3e-3, bending={ warp=2e-3, weft=2e-3, twist=1e-3 } }\n"
+    .. "local r = fabric.lab.cusick{ card=stiff, disc=0.24, cells=3, around=24, lowering=0.1, still=0.05 }\nassert(r.coefficient > 0.99 and r.nodes == 0)",
+  run = run,
+}
