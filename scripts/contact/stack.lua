@@ -3,7 +3,7 @@
 --
 --   fabricsh scripts/contact/stack.lua             layers of 4 x 4 elements
 --   fabricsh scripts/contact/stack.lua 12 out      of 12 x 12, with files for ParaView in out
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local brute = require "fabric.lab.brute"
 local cells, out = tonumber(arg[1] or 4), arg[2]

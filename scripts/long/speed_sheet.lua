@@ -1,7 +1,7 @@
 -- What a flat sheet of n x n elements costs an explicit run: time to be ready, time of a step, memory.
 --
 --   fabricsh scripts/long/speed_sheet.lua [n]      usually 316, which is 1e5 elements
--- warns: real cloth has 5 to 20 uN.m
+-- warns: nine measured cloths in ten have 1 to 70 uN.m
 local fabric = require "fabric"
 local n, steps = tonumber(arg[1] or 316), 5
 local start = os.clock()
