@@ -213,7 +213,7 @@ void compile_elastic(const card::Card& card, Law& law) {
     compile_linear(card, std::get<card::Linear>(card.law), law.elastic);
 }
 
-// Fibres, cloth and its compression must go together; gaps of another unit are none.
+// The density of the fibres, the cloth and its compression must be consistent.
 void require_compression(const card::Card& card) {
   const auto& curve = card.compression;
   const auto fibre = card.fibre_density;

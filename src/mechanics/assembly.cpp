@@ -47,7 +47,7 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
   if (contact_ == nullptr || !(share > 0)) return share;
   contact_->mark(trial());
   retract(delta, 1, targets);
-  // A step that goes over many elements would meet everything: it is looked at as far as is worth while.
+  // A step across many elements would have to be checked against everything; only its beginning is checked.
   const double near = contact_->near_share(trial());
   if (near < 1) {
     share = std::min(share, near);
@@ -70,8 +70,8 @@ bool Assembly::arrived() const {
   return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->arrived(); });
 }
 
-// Free bodies are unknowns beside those of the matrix: K delta = r - B w, w = R + C delta + D w. With Z =
-// K^-1 B that is a small system for w, as large as the bodies have freedoms.
+// The forces w on free bodies are unknowns beside those of the matrix: K delta = r - B w, w = R + C delta + D
+// w. With Z = K^-1 B this is a small system for w, six equations for each body.
 bool Assembly::finish_direction(const Solve& solve, double weight, std::span<double> delta) {
   const std::size_t m = contact_ == nullptr ? 0 : contact_->body_unknowns();
   if (m == 0) return true;

@@ -157,7 +157,7 @@ double Problem::work_of_balance() {
   return motion_.work(memory_.balance, balance_);
 }
 
-// Of the unknowns, and of free bodies, which are none (-1).
+// The largest of the unknowns' residuals and of those of free bodies (unknown -1).
 std::pair<double, solver::Index> Problem::largest(std::span<const double> r) const {
   const auto found = assembly_.largest_residual(r);
   const double bodies = assembly_.largest_body_residual();

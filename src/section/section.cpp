@@ -82,13 +82,13 @@ void find_plain(Section& s) {
 constexpr double kFibre = 1500;  // kg/m3: what cloth is made of (cotton 1540, polyester 1380)
 constexpr double kLikely = 0.75, kFullest = 0.95;  // of the thickness: what fibres fill at most
 
-// What the fibres fill; where nobody said what they are made of, no more than three quarters.
+// The thickness that the fibres fill: at most three quarters of the sheet if their density is not given.
 double fibre_of(const card::Card& card, double thickness) {
   const double filled = card.density / card.fibre_density.value_or(kFibre);
   return thickness * std::min(filled, card.fibre_density ? kFullest : kLikely);
 }
 
-// A sheet that is made thicker than its card is so at every pressure.
+// A sheet that is thicker than its card says is thicker in the same proportion at every pressure.
 law::Pressed pressed(const card::Card& card, double thickness) {
   return {card.compression, card.thickness, thickness / card.thickness};
 }

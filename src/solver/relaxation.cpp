@@ -62,7 +62,7 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.worst = where;
     if (!std::isfinite(size) || !(relative < 1e12)) return stop(NewtonStatus::diverged);
-    // Where nothing pulls yet, what rounding makes is all there is.
+    // Without loads the residual is rounding alone.
     if (problem.arrived() && (relative <= options.tolerance || size <= problem.rounding_floor(K_))) {
       result.residuals.push_back(relative);
       return stop(NewtonStatus::converged);

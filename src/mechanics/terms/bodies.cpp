@@ -20,7 +20,7 @@ contact::Wrench wrench_on(const contact::FreeBody& body, std::span<const Vec3> x
   return contact::wrench(x, force, body.centre());
 }
 
-// rad: from one orientation to another.
+// The rotation from one orientation to another, rad.
 Vec3 rotation(const Mat3& from, const Mat3& to) {
   const Eigen::AngleAxisd turned(Mat3(to * from.transpose()));
   return turned.angle() * turned.axis();
@@ -112,7 +112,7 @@ contact::Wrench Bodies::first_half(const Free& body) const {
           (body.wrench.torque + body.end.torque) / 2};
 }
 
-// Free bodies to where the step ends.
+// Moves the free bodies to the end of the step.
 void Bodies::fly() {
   const double dt = to_ - from_;
   for (Body& body : bodies_) {
@@ -225,7 +225,7 @@ contact::FreeBody Bodies::kicked(const Free& body) const {
   if (!loaded_) return body.committed;
   if (to_ == from_) return body.predicted;
   contact::FreeBody at = body.predicted;
-  // All that is left of the mean of both forces.
+  // The rest of the impulse of the mean of both forces.
   const contact::Wrench first = first_half(body);
   at.kick(body.wrench.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
           body.wrench.torque + body.trial.torque - first.torque, (to_ - from_) / 2);

@@ -170,8 +170,8 @@ std::vector<std::string> Contacts::describe() const {
   return lines;
 }
 
-// What nobody gave is no stiffer than the cloth's own motion: contact then costs an explicit step nothing,
-// and rings no faster than the mesh in an implicit one, whose steps follow it.
+// Limits every stiffness that was not given to what an explicit step of the cloth carries. Contact then does
+// not shorten an explicit step, and in implicit motion it does not oscillate faster than the mesh.
 void Contacts::soften(bool measured) {
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
     Meeting& m = meetings_[i];
@@ -195,7 +195,7 @@ void Contacts::go_implicit() {
 
 // --- overlaps at the start
 
-// Each point begins with the share of the gap that it has, so that nothing presses at the start.
+// Each point begins with the share of its gap that it has at the start, so that nothing presses then.
 void Contacts::open_overlaps() {
   std::vector<std::vector<double>> shares(meetings_.size());
   for (std::size_t i = 0; i < meetings_.size(); ++i) {
@@ -226,7 +226,7 @@ void Contacts::open_overlaps() {
   }
 }
 
-// Smoothly from nothing at time 0 to all of it.
+// Overlaps are opened smoothly from time 0 to the end of their settling.
 void Contacts::open_to(double time) const {
   if (!(opened_at_ > 0)) return;
   share_of_.assign(meetings_.size(), 1);
@@ -244,15 +244,15 @@ double Contacts::opening_energy(std::span<const Vec3> x, double time) {
   return totals.contact + totals.guard;
 }
 
-// J: what opening does in a time dt at its pace at `time`, while nothing moves.
+// The work of opening in a time dt, J, from its rate at `time`, with all positions fixed.
 double Contacts::opening_pace(std::span<const Vec3> x, double time, double dt) {
   constexpr double small = 1e-3;
   const double more = opening_energy(x, time + small * dt), less = opening_energy(x, time - small * dt);
   return (more - less) / (2 * small);
 }
 
-// What is opened does work on what it presses: by the trapezoid, from its pace at either end of the step.
-// False: it opens beyond what there is room for. Leaves contact opened as at the step's end.
+// The work of opening in the step, by the trapezoid rule from its rates at both ends of the step. Returns
+// false if there is not enough room for the opening. Afterwards contact is opened as at the end of the step.
 bool Contacts::work_of_opening() {
   opening_work_ = 0;
   const double from = configuration_.time(), dt = aimed_ - from;
@@ -362,7 +362,7 @@ void Contacts::find_motion(double dt) {
   if (friction_) find_turning(1 / dt);
 }
 
-// Of each body's vertices: what it turns by in the step, times a factor.
+// Sets the rotation of each body in the step, times a factor, at all of its vertices.
 void Contacts::find_turning(double factor) {
   for (std::size_t b = 0; b < bodies_.count(); ++b) {
     const auto [first, last] = bodies_.vertices(b);
@@ -371,7 +371,7 @@ void Contacts::find_turning(double factor) {
   }
 }
 
-// From the step's start, start_, to where the bodies' shares have come.
+// The way from the beginning of the step to the present share of the bodies' motion.
 contact::Way Contacts::way() {
   positions(configuration_.committed_kinematics(), 0, start_);
   find_turning(std::clamp(share_, 0.0, 1.0));
@@ -452,7 +452,7 @@ void Contacts::prepare_tangent(const Trial& trial) {
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
 }
 
-// Of the last block, if it is with a free body.
+// Adds the coupling of the last block with a free body, if it has one.
 void Contacts::add_on_body(const contact::Friction* friction) {
   Block& block = blocks_.back();
   OnBody out{blocks_.size() - 1, {}, {}, {}};
@@ -520,7 +520,7 @@ Eigen::MatrixXd Contacts::body_response() const {
   return out;
 }
 
-// With what is still to come of the bodies' way, where the iterate is not at the step's end.
+// Includes the part of the bodies' motion that the iterate has not made yet.
 Eigen::VectorXd Contacts::body_residual() const {
   Eigen::VectorXd out = bodies_.residual();
   if (share_ >= 1) return out;
