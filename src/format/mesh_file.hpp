@@ -11,10 +11,10 @@
 namespace fabricsh::format {
 
 // .msh (Gmsh 2 and 4.1, text and binary; physical groups become sets), .vtu and .vtk (integer arrays become
-// sets), .obj (groups become sets), .inp of Abaqus and CalculiX, .k of LS-DYNA (sets of nodes and of elements;
-// parts, if there are several), .stl (equal vertices are joined; solids, if there are several). Reads triangles
-// and quadrilaterals; lines and points are used for sets only. Nodes that no element uses are dropped; the sets
-// all and boundary are added if missing.
+// sets), .obj (groups become sets), .inp of Abaqus and CalculiX, .k of LS-DYNA (sets of nodes and of
+// elements; parts, if there are several), .stl (equal vertices are joined; solids, if there are several).
+// Reads triangles and quadrilaterals; lines and points are used for sets only. Nodes that no element uses are
+// dropped; the sets all and boundary are added if missing.
 mesh::Mesh read_mesh(const std::string& path);
 // The content of a file with that name, for the formats that are text; empty: another extension. With sets of
 // nodes: .msh (Gmsh 4.1 text: sets as physical points), .inp, .k, .rad; the surface alone: .obj, .ply, .stl.

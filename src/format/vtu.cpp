@@ -65,7 +65,8 @@ void add(vtkDataSetAttributes* data, const Array& array) {
     copy->SetComponentName(static_cast<vtkIdType>(c), array.component_names[c].c_str());
   copy->SetNumberOfTuples(static_cast<vtkIdType>(array.values.size()) / array.components);
   std::copy(array.values.begin(), array.values.end(), copy->GetPointer(0));
-  if (!array.unit.empty()) copy->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), escaped(array.unit).c_str());
+  if (!array.unit.empty())
+    copy->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), escaped(array.unit).c_str());
   data->AddArray(copy);
 }
 

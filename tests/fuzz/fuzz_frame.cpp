@@ -1,4 +1,5 @@
-// The readers of a series on any bytes: a .pvd and a frame whose cells name points that are there, or an Error.
+// The readers of a series on any bytes: a .pvd and a frame whose cells name points that are there, or an
+// Error.
 #include <cstdint>
 #include <cstdlib>
 
@@ -19,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (std::size_t i = 0; i < cell.size(); ++i)
         if (cell[i] >= count || (cell[i] < 0 && i < 3)) std::abort();
     for (const auto& array : frame.arrays)
-      if (array.values.size() != array.components * (array.on_cells ? frame.cells.size() : frame.points.size()))
+      if (array.values.size() !=
+          array.components * (array.on_cells ? frame.cells.size() : frame.points.size()))
         std::abort();
   } catch (const Error&) {
   }

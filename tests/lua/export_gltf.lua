@@ -92,7 +92,7 @@ local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
 m:fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(5e-3, 1) })
 local a = fabric.static { model = m, duration = 1, step = 0.25 }
 a:vtk("pull", { points = "reference" })
-local seen, highest, lowest = {}, -1 / 0, 1 / 0
+local seen = {}
 local function look()
   local frame = {}
   for i = 1, #mesh.nodes do frame[i] = a:node(i) end

@@ -78,14 +78,12 @@ local function direction(warp)
   return { warp[1] / l, warp[2] / l, (warp[3] or 0) / l }
 end
 
--- t: fields of fabric.export.model. Returns nodes, elements, sets {name, nodes}, fixed {set, freedoms}, moved and forces {set, axis, value or
+-- t: fields of fabric.export.model. Returns mesh, sets {name, nodes}, fixed {set, freedoms}, moved and forces {set, axis, value or
 -- corners, share}, gravity {x, y, z}, pressures, warp, thickness, notes.
 function gather.model(t)
   local model, mesh = t.model, t.model.mesh
-  local out = { mesh = mesh, card = model.card, thickness = model.thickness, warp = direction(t.warp), nodes = {}, elements = {}, sets = {}, fixed = {},
+  local out = { mesh = mesh, card = model.card, thickness = model.thickness, warp = direction(t.warp), sets = {}, fixed = {},
     moved = {}, forces = {}, gravity = { 0, 0, 0 }, pressures = {}, notes = {}, duration = t.duration }
-  for i = 1, #mesh.nodes do out.nodes[i] = mesh.nodes[i] end
-  for i = 1, #mesh.elements do out.elements[i] = mesh.elements[i] end
   for _, name in ipairs(mesh.sets) do out.sets[#out.sets + 1] = { name = name, nodes = mesh:set(name) } end
   for _, row in ipairs(model:list()) do
     if row.kind == "fix" then

@@ -1,5 +1,4 @@
 -- fabric.export.mesh: a mesh, or a run's sheet as it is now, as a file for another program.
-local fabric = require "fabric"
 local define = require "fabric.define"
 
 local function run(t)

@@ -31,7 +31,7 @@ wrong("fabric.export.mesh", "fabric.export.mesh{ mesh=mesh, file='x', run=5 }",
 
 -- fabric.export.gltf
 wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', run=run, filed='uy' }",
-  "deck.lua:1: gltf: unknown field 'filed', did you mean 'field'?")
+  "deck.lua:1: gltf: unknown field 'filed', did you mean 'file'?")
 wrong("fabric.export.gltf", "fabric.export.gltf{ run=run }",
   "deck.lua:1: gltf: field 'file': expected a string, got nil (missing, or a misspelt variable)")
 wrong("fabric.export.gltf", "fabric.export.gltf{ file='x.glb', series=7 }",

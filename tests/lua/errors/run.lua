@@ -104,7 +104,7 @@ wrong("analysis:vtk", "run:vtk('x', { fields=5 })",
   "deck.lua:1: vtk: field 'options.fields': expected a table, got 5")
 
 wrong("analysis:vtk", "run:vtk('x', { points='undeformed' })",
-  "deck.lua:1: vtk: field 'options.points': expected 'deformed' or 'reference', got 'undeformed'")
+  "deck.lua:1: vtk: field 'options.points': expected 'deformed' or 'reference', got 'undeformed', did you mean 'deformed'?")
 wrong("analysis:vtk", "run:vtk('x', { averaged='yes' })",
   "deck.lua:1: vtk: field 'options.averaged': expected true or false, got 'yes'")
 
@@ -118,7 +118,7 @@ wrong("analysis:write", "run:write('x.vtu', 5)",
 wrong("analysis:write", "run:write('x.vtu', { fields=5 })",
   "deck.lua:1: write: field 'options.fields': expected a table, got 5")
 wrong("analysis:write", "run:write('x.vtu', { points='undeformed' })",
-  "deck.lua:1: write: field 'options.points': expected 'deformed' or 'reference', got 'undeformed'")
+  "deck.lua:1: write: field 'options.points': expected 'deformed' or 'reference', got 'undeformed', did you mean 'deformed'?")
 wrong("analysis:write", "run:write('x.vtu', { averaged='yes' })",
   "deck.lua:1: write: field 'options.averaged': expected true or false, got 'yes'")
 wrong("analysis:write", "run:write('x.stl', { averaged=true })",
