@@ -11,7 +11,7 @@ int main() {
     render::collect_complaints();
     const plot::Picture picture = plot::read_picture(std::cin);
     const render::Display display;
-    render::draw(picture);
+    for (const std::string& words : render::draw(picture)) std::cout << words << "\n";
     return 0;
   } catch (const std::exception& trouble) {
     std::cerr << trouble.what() << std::endl;

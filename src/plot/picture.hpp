@@ -8,8 +8,9 @@
 namespace fabricsh::plot {
 
 struct Panel {
-  std::string vtu;    // path of the file
-  std::string label;  // shown above the panel
+  std::string vtu;                     // path of the file
+  std::string label = {};              // shown above the panel
+  double azimuth = 0, elevation = 90;  // viewing direction, degrees: 0, 90 from above; 0, 0 along +y
 };
 
 struct Picture {
@@ -22,18 +23,21 @@ struct Picture {
   double factor = 1;  // the colour bar shows factor times the value
   std::string bar;    // title of the colour bar, with the unit
   bool fixed_range = false;
-  double low = 0, high = 0;            // range of the colour bar if fixed
-  double azimuth = 0, elevation = 90;  // viewing direction, degrees: 0, 90 from above; 0, 0 along +y
-  int width = 1200, height = 900;      // pixels
-  bool edges = true, axes = true;      // of the elements; axes with tick labels
+  double low = 0, high = 0;        // range of the colour bar if fixed
+  int width = 1200, height = 900;  // pixels
+  bool edges = true, axes = true;  // of the elements; axes with tick labels
+  bool smooth = false;             // interpolates the field between nodes
+  double dpi = 0;                  // resolution on paper; 0: a picture for the screen
+  double font_size = 7;            // points on paper; on a screen it depends on the size of the picture
 };
 
 // The description as text for fabricsh-render, and the reverse. Error: a line that is not valid.
 std::string picture_text(const Picture& picture);
 Picture read_picture(std::istream& text);
 
-// Replaces the PNG. `program`: path of fabricsh-render. Error: the program is missing, there is no
-// display and no Xvfb to create one, or a file or field is missing, with the program's message.
-void render(const Picture& picture, const std::string& program);
+// Replaces the PNG. `program`: path of fabricsh-render. Returns warnings about texts that do not fit. Error:
+// the program is missing, there is no display and no Xvfb to create one, or a file or field is missing, with
+// the program's message.
+std::vector<std::string> render(const Picture& picture, const std::string& program);
 
 }  // namespace fabricsh::plot

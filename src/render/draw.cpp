@@ -27,19 +27,27 @@ template <class T>
 using Ref = vtkSmartPointer<T>;
 using plot::Picture;
 
-constexpr double kTitlePart = 0.07;  // height of the title as a share of the picture
-
 struct Scene {
   const Picture& picture;
-  std::vector<Sheet> sheets;
-  Ref<vtkLookupTable> table;  // null: no field
-  std::string unit;           // unit of length
+  std::vector<Sheet> sheets = {};
+  Ref<vtkLookupTable> table = nullptr;  // null: no field
+  Bar bar = {};                         // only with a field
+  std::string unit = {};                // unit of length
+  double most = 1e300;                  // scale limit in pixels per unit of length, equal for all panels
+  std::vector<std::string> complaints = {};
   Ref<vtkRenderWindow> window = Ref<vtkRenderWindow>::New();
 };
 
+// Font size in pixels. A point is 1/72 inch.
 int font_size(const Picture& p) {
+  if (p.dpi > 0) return std::max(7, static_cast<int>(std::lround(p.font_size * p.dpi / 72)));
   return std::max(10, static_cast<int>(std::sqrt(double(p.width) * p.height) / 52));
 }
+
+double points(const Picture& p, double width) { return std::max(1.0, width * p.dpi / 72); }
+
+// Height of the title as a share of the picture.
+double title_part(const Picture& p) { return p.title.empty() ? 0 : 2.2 * font_size(p) / p.height; }
 
 Ref<vtkRenderer> viewport(Scene& scene, double x0, double y0, double x1, double y1) {
   const auto renderer = Ref<vtkRenderer>::New();
@@ -63,9 +71,9 @@ Bounds common(const std::vector<Sheet>& sheets) {
 }
 
 double extent(const Bounds& b) { return std::max({b[1] - b[0], b[3] - b[2], b[5] - b[4]}); }
-bool from_above(const Picture& p) { return p.elevation > 89.9; }
+bool from_above(const plot::Panel& p) { return p.elevation > 89.9; }
 
-Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet) {
+Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
   const auto mapper = Ref<vtkDataSetMapper>::New();
   mapper->SetInputData(sheet.grid);
   mapper->SetScalarVisibility(scene.table != nullptr);
@@ -73,20 +81,22 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet) {
     mapper->SetLookupTable(scene.table);
     mapper->UseLookupTableScalarRangeOn();
     mapper->SetColorModeToMapScalars();
+    mapper->SetInterpolateScalarsBeforeMapping(
+        sheet.of_points);  // colours between nodes are those of the bar
     sheet.of_cells ? mapper->SetScalarModeToUseCellData() : mapper->SetScalarModeToUsePointData();
   }
   const auto result = Ref<vtkActor>::New();
   result->SetMapper(mapper);
   vtkProperty* look = result->GetProperty();
   look->SetColor(0.82, 0.84, 0.88);
-  look->SetInterpolationToFlat();
-  look->SetLighting(!from_above(scene.picture));
-  look->SetAmbient(0.55);
-  look->SetDiffuse(0.5);
+  scene.picture.smooth ? look->SetInterpolationToGouraud() : look->SetInterpolationToFlat();
+  look->SetLighting(lit);
+  look->SetAmbient(0.75);  // weak shading, so that colours can be compared with the bar
+  look->SetDiffuse(0.28);
   look->SetSpecular(0);
   look->SetEdgeVisibility(scene.picture.edges);
   look->SetEdgeColor(0.25, 0.25, 0.25);
-  look->SetLineWidth(1);
+  look->SetLineWidth(static_cast<float>(points(scene.picture, 0.25)));
   return result;
 }
 
@@ -109,34 +119,50 @@ void aim(vtkRenderer* renderer, const Bounds& bounds, const View& view, const La
   renderer->ResetCameraClippingRange();
 }
 
-std::vector<std::string> bar_labels(const Scene& scene) {
-  const double* range = scene.table->GetTableRange();
-  return even_labels(range[0], range[1], 6);
+double widest_number(const Scene& scene) {
+  double all = 0;
+  for (const auto& [value, text] : scene.bar.numbers)
+    all = std::max(all, text_size(text, font_size(scene.picture))[0]);
+  return all;
 }
 
 // Width of the column for the colour bar: the bar with its widest label, or its title, within limits.
 double bar_width(const Scene& scene) {
   if (!scene.table) return 0;
   const int letter = font_size(scene.picture);
-  double labels = 0;
-  for (const std::string& label : bar_labels(scene)) labels = std::max(labels, text_size(label, letter)[0]);
   const double title = text_size(scene.picture.bar, letter)[0];
-  return std::min(0.4 * scene.picture.width, std::max(4.5 * letter + labels, 2 * letter + title));
+  return std::min(0.4 * scene.picture.width,
+                  std::max(4.2 * letter + widest_number(scene), 1.2 * letter + title));
+}
+
+// Writes a text and adds a warning if it had to be shortened.
+void write_words(Scene& scene, vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
+                 double room) {
+  if (!write_fitted(renderer, text, size, centre, room))
+    scene.complaints.push_back("'" + text +
+                               "' is cut off, for which a wider picture or shorter words have room");
 }
 
 void add_bar(Scene& scene) {
   const int letter = font_size(scene.picture);
-  const double width = bar_width(scene), top = (1 - kTitlePart) * scene.picture.height;
-  const double low = 0.12 * top, high = 0.84 * top;
-  const auto renderer = viewport(scene, 1 - width / scene.picture.width, 0, 1, 1 - kTitlePart);
-  add_colours(renderer, scene.table, {1.0 * letter, low}, {2.5 * letter, high});
-  const auto labels = bar_labels(scene);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(labels.size() - 1);
-    write(renderer, labels[i], letter,
-          {3 * letter + text_size(labels[i], letter)[0] / 2, low + part * (high - low)});
+  const double width = bar_width(scene), top = (1 - title_part(scene.picture)) * scene.picture.height,
+               line = points(scene.picture, 0.5);
+  const double high = top - 3 * letter, low = std::max(1.2 * letter, high - 26.0 * letter), left = letter,
+               right = 2.3 * letter;
+  const auto renderer = viewport(scene, 1 - width / scene.picture.width, 0, 1, 1 - title_part(scene.picture));
+  add_colours(renderer, scene.table, {left, low}, {right, high});
+  for (const auto& [from, to] : {std::pair{Point{left, low}, Point{right, low}},
+                                 {Point{right, low}, Point{right, high}},
+                                 {Point{right, high}, Point{left, high}},
+                                 {Point{left, high}, Point{left, low}}})
+    add_line(renderer, from, to, line);
+  for (const auto& [value, text] : scene.bar.numbers) {
+    const double y = low + (value - scene.bar.low) / (scene.bar.high - scene.bar.low) * (high - low);
+    add_line(renderer, {right, y}, {right + 0.35 * letter, y}, line);
+    write(renderer, text, letter, {right + 0.7 * letter + text_size(text, letter)[0] / 2, y});
   }
-  write_fitted(renderer, scene.picture.bar, letter, {width / 2, 0.92 * top}, width - letter);
+  write_words(scene, renderer, scene.picture.bar, letter, {width / 2, top - 1.3 * letter},
+              width - 0.6 * letter);
 }
 
 struct Place {
@@ -144,45 +170,63 @@ struct Place {
 };
 
 // The place of panel i.
-Place panel_place(const Scene& scene, int i) {
-  const int n = static_cast<int>(scene.sheets.size());
+Place panel_place(const Scene& scene, std::size_t number) {
+  const int i = static_cast<int>(number), n = static_cast<int>(scene.sheets.size());
   const int columns = scene.picture.columns > 0 ? std::min(scene.picture.columns, n)
                       : n <= 3                  ? n
                                                 : (n + 1) / 2;
   const int rows = (n + columns - 1) / columns, row = i / columns, column = i % columns;
-  const double right = 1 - bar_width(scene) / scene.picture.width,
-               top = scene.picture.title.empty() ? 1 : 1 - kTitlePart;
+  const double right = 1 - bar_width(scene) / scene.picture.width, top = 1 - title_part(scene.picture);
   return {right * column / columns, top * (rows - 1 - row) / rows, right * (column + 1) / columns,
           top * (rows - row) / rows};
 }
 
-void add_panel(Scene& scene, int i, const Bounds& bounds) {
-  const Picture& p = scene.picture;
-  const int letter = font_size(p);
+Point panel_size(const Scene& scene, std::size_t i) {
   const Place place = panel_place(scene, i);
-  const auto renderer = viewport(scene, place.x0, place.y0, place.x1, place.y1);
-  const Point size{(place.x1 - place.x0) * p.width, (place.y1 - place.y0) * p.height};
-  const std::string& label = p.panels[static_cast<std::size_t>(i)].label;
+  return {(place.x1 - place.x0) * scene.picture.width, (place.y1 - place.y0) * scene.picture.height};
+}
+
+// Space for labels, the same in all panels.
+double above_panels(const Picture& p) {
   const bool labelled = std::any_of(p.panels.begin(), p.panels.end(),
                                     [](const plot::Panel& panel) { return !panel.label.empty(); });
-  const double above = labelled ? 2 * letter : 0;  // space for labels, the same in all panels
+  return labelled ? 2 * font_size(p) : 0;
+}
+
+View view_of(const plot::Panel& panel) { return view_from(panel.azimuth, panel.elevation); }
+
+Layout panel_layout(const Scene& scene, std::size_t i, const Bounds& bounds) {
+  const Picture& p = scene.picture;
+  const int letter = font_size(p);
+  const Point size = panel_size(scene, i);
   std::map<std::string, Point> known;
   const auto measure = [&](const std::string& text) {
     const auto [found, fresh] = known.try_emplace(text);
     if (fresh) found->second = text_size(text, letter);
     return found->second;
   };
-  const View view = view_from(p.azimuth, p.elevation);
-  const Layout l =
-      layout(bounds, view, p.axes ? scene.unit : "", {size[0], size[1] - above, double(letter), measure});
-  renderer->AddActor(actor(scene, scene.sheets[static_cast<std::size_t>(i)]));
-  aim(renderer, bounds, view, l, size);
-  for (const Line& line : l.lines) add_line(renderer, line.from, line.to);
-  for (const Word& word : l.words) write(renderer, word.text, letter, word.centre);
-  if (!label.empty())
-    write_fitted(renderer, label, letter, {size[0] / 2, size[1] - above / 2}, size[0] - letter);
+  return layout(bounds, view_of(p.panels[i]), p.axes ? scene.unit : "",
+                {size[0], size[1] - above_panels(p), double(letter), measure, scene.most});
 }
 
+void add_panel(Scene& scene, std::size_t i, const Bounds& bounds) {
+  const Picture& p = scene.picture;
+  const plot::Panel& panel = p.panels[i];
+  const int letter = font_size(p);
+  const Place place = panel_place(scene, i);
+  const auto renderer = viewport(scene, place.x0, place.y0, place.x1, place.y1);
+  const Point size = panel_size(scene, i);
+  const Layout l = panel_layout(scene, i, bounds);
+  renderer->AddActor(actor(scene, scene.sheets[i], !from_above(panel)));
+  aim(renderer, bounds, view_of(panel), l, size);
+  for (const Line& line : l.lines) add_line(renderer, line.from, line.to, points(p, 0.5));
+  for (const Word& word : l.words) write(renderer, word.text, letter, word.centre);
+  if (!panel.label.empty())
+    write_words(scene, renderer, panel.label, letter, {size[0] / 2, size[1] - above_panels(p) / 2},
+                size[0] - letter);
+}
+
+// All panels have the same scale, so that they can be compared.
 void add_panels(Scene& scene) {
   Bounds bounds = common(scene.sheets);
   const bool metres = extent(bounds) >= 1.5;
@@ -190,7 +234,11 @@ void add_panels(Scene& scene) {
   if (!metres)
     for (const Sheet& sheet : scene.sheets) scale(sheet, 1000);
   bounds = common(scene.sheets);
-  for (std::size_t i = 0; i < scene.sheets.size(); ++i) add_panel(scene, static_cast<int>(i), bounds);
+  double most = scene.most;
+  for (std::size_t i = 0; i < scene.sheets.size(); ++i)
+    most = std::min(most, panel_layout(scene, i, bounds).scale);
+  scene.most = most;
+  for (std::size_t i = 0; i < scene.sheets.size(); ++i) add_panel(scene, i, bounds);
 }
 
 void make_table(Scene& scene) {
@@ -207,7 +255,10 @@ void make_table(Scene& scene) {
   const double largest = std::max(std::abs(low), std::abs(high));
   if (largest == 0) low = -1, high = 1;
   if (high - low < 1e-6 * largest) low -= 0.05 * largest, high += 0.05 * largest;
-  scene.table = colours(low, high);
+  const double letters = (1 - title_part(scene.picture)) * scene.picture.height / font_size(scene.picture);
+  scene.bar =
+      round_bar(low, high, scene.picture.fixed_range, std::clamp(static_cast<int>(letters / 4), 2, 6));
+  scene.table = colours(scene.bar.low, scene.bar.high);
 }
 
 void save(Scene& scene) {
@@ -217,6 +268,7 @@ void save(Scene& scene) {
   image->Update();
   const auto writer = Ref<vtkPNGWriter>::New();
   writer->SetFileName(scene.picture.png.c_str());
+  writer->SetCompressionLevel(9);
   writer->SetInputConnection(image->GetOutputPort());
   writer->Write();
   if (writer->GetErrorCode() != 0) throw Error("render: cannot write '" + scene.picture.png + "'");
@@ -224,10 +276,13 @@ void save(Scene& scene) {
 
 }  // namespace
 
-void draw(const Picture& picture) {
+std::vector<std::string> draw(const Picture& picture) {
   if (picture.panels.empty()) throw Error("render: expected at least one file");
-  Scene scene{picture, {}, nullptr, {}};
-  for (const plot::Panel& panel : picture.panels) scene.sheets.push_back(read_sheet(panel.vtu, picture));
+  Scene scene{picture};
+  for (const plot::Panel& panel : picture.panels) {
+    scene.sheets.push_back(read_sheet(panel.vtu, picture));
+    if (picture.smooth) make_smooth(scene.sheets.back());
+  }
   make_table(scene);
   scene.window->SetOffScreenRendering(1);
   scene.window->SetMultiSamples(8);
@@ -236,10 +291,12 @@ void draw(const Picture& picture) {
   add_panels(scene);
   if (scene.table) add_bar(scene);
   if (!picture.title.empty())
-    write_fitted(viewport(scene, 0, 1 - kTitlePart, 1, 1), picture.title, font_size(picture) * 5 / 4,
-                 {picture.width / 2.0, kTitlePart * picture.height / 2}, picture.width - font_size(picture));
+    write_words(scene, viewport(scene, 0, 1 - title_part(picture), 1, 1), picture.title, font_size(picture),
+                {picture.width / 2.0, title_part(picture) * picture.height / 2},
+                picture.width - font_size(picture));
   scene.window->Render();
   save(scene);
+  return scene.complaints;
 }
 
 }  // namespace fabricsh::render

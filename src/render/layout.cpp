@@ -112,17 +112,23 @@ class Draft {
     const double low = bounds_[static_cast<std::size_t>(2 * k)],
                  high = bounds_[static_cast<std::size_t>(2 * k + 1)];
     const double decade = std::pow(10, std::floor(std::log10(high - low)) - 1);
-    for (const double part : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
-      const Ticks t = ticks(low, high, part * decade);
-      const double distance = pixels * t.step / (high - low);
-      if (distance > 2 * space_.letter && distance > widest(t, along) + space_.letter) return t;
-    }
+    for (const auto& [apart, gap] :
+         {std::pair{3.2, 1.0},
+          {2.0, 1.0},
+          {1.2, 0.5}})  // smaller distances only if there were fewer than two ticks
+      for (const double part : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
+        const Ticks t = ticks(low, high, part * decade);
+        const double distance = pixels * t.step / (high - low);
+        if (distance < apart * space_.letter || distance < widest(t, along) + gap * space_.letter) continue;
+        if (t.count >= 2) return t;
+        break;
+      }
     return ticks(low, high, 1000 * decade);
   }
 
   bool free(const Word& word) const {
     return std::none_of(words_.begin(), words_.end(),
-                        [&](const Word& other) { return overlap(word, other, 0.15 * space_.letter); });
+                        [&](const Word& other) { return overlap(word, other, 0.4 * space_.letter); });
   }
 
   void labels(int k, const Point& start, const Point& end, const Point& out) {
@@ -210,8 +216,8 @@ Layout layout(const Bounds& bounds, const View& view, const std::string& unit, c
   };
   // Without labels the bounds alone would fill the space at this larger scale.
   const Frame bare = taken(Draft(bounds, view, "", space, 1).made(), bounds, view);
-  double low = 0, high = std::min(width / std::max(bare.high[0] - bare.low[0], 1e-300),
-                                  height / std::max(bare.high[1] - bare.low[1], 1e-300));
+  double low = 0, high = std::min({width / std::max(bare.high[0] - bare.low[0], 1e-300),
+                                   height / std::max(bare.high[1] - bare.low[1], 1e-300), space.most});
   Layout best = Draft(bounds, view, "", space, unit.empty() ? high : 1e-3 * high).made();
   for (int i = 0; i < 24; ++i) {
     const double middle = (low + high) / 2;
@@ -228,18 +234,33 @@ Layout layout(const Bounds& bounds, const View& view, const std::string& unit, c
   return best;
 }
 
-std::vector<std::string> even_labels(double low, double high, int count) {
-  const double step = (high - low) / (count - 1), largest = std::max(std::abs(low), std::abs(high));
-  const int digits = std::clamp(1 + static_cast<int>(std::ceil(std::log10(largest / step))), 3, 17);
-  std::vector<std::string> labels;
-  for (int i = 0; i < count; ++i) {
-    char text[40];
-    double value = i == count - 1 ? high : low + i * step;
-    if (std::abs(value) < 1e-9 * largest) value = 0;  // only rounding error compared with the largest value
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    labels.emplace_back(text);
+namespace {
+
+// Values below 0.001 or from a million on are written with a power of ten, as 2e-5.
+std::string bar_text(double value, double step, double largest) {
+  if (std::abs(value) < 1e-9 * step) return "0";
+  if (largest >= 1e-3 && largest < 1e6) return text_of(value, step);
+  const int power = static_cast<int>(std::floor(std::log10(largest) + 1e-9));
+  const double unit = std::pow(10, power);
+  return text_of(value / unit, step / unit) + "e" + std::to_string(power);
+}
+
+}  // namespace
+
+Bar round_bar(double low, double high, bool fixed, int count) {
+  const double decade = std::pow(10, std::floor(std::log10((high - low) / count)));
+  double step = 10 * decade;
+  for (const double part : {5.0, 2.0, 1.0})
+    if (part * decade * (1 + 1e-9) >= (high - low) / count) step = part * decade;
+  Bar bar{low, high};
+  if (!fixed) {
+    bar.low = std::min(low, step * std::floor(low / step + 1e-6));
+    bar.high = std::max(high, step * std::ceil(high / step - 1e-6));
   }
-  return labels;
+  const double largest = std::max(std::abs(bar.low), std::abs(bar.high));
+  const Ticks t = ticks(bar.low, bar.high, step);
+  for (int i = 0; i < t.count; ++i) bar.numbers.emplace_back(t.value(i), bar_text(t.value(i), step, largest));
+  return bar;
 }
 
 }  // namespace fabricsh::render

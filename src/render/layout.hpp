@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fabricsh::render {
@@ -38,6 +39,7 @@ struct Space {
   double letter = 10;            // font size
   // Width and height of a text in this font size.
   std::function<Point(const std::string&)> measure;
+  double most = 1e300;  // largest scale allowed, pixels per unit of length
 };
 
 // The largest picture of the bounds and the axis labels that fits into the
@@ -45,7 +47,13 @@ struct Space {
 // longer than a letter has no labels. unit: unit of length; empty: no axes.
 Layout layout(const Bounds& bounds, const View& view, const std::string& unit, const Space& space);
 
-// Texts of values at equal intervals from low to high, with enough digits to distinguish neighbours.
-std::vector<std::string> even_labels(double low, double high, int count);
+// A colour bar: its ends and its labels.
+struct Bar {
+  double low = 0, high = 1;
+  std::vector<std::pair<double, std::string>> numbers = {};
+};
+// A bar with about `count` labels in steps of 1, 2 or 5 times a power of ten, with enough digits to
+// distinguish neighbours. Ends that are not fixed are moved outwards to the next label.
+Bar round_bar(double low, double high, bool fixed, int count);
 
 }  // namespace fabricsh::render

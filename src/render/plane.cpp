@@ -13,6 +13,9 @@
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
+#include <algorithm>
+#include <filesystem>
+
 namespace fabricsh::render {
 
 namespace {
@@ -20,12 +23,28 @@ namespace {
 template <class T>
 using Ref = vtkSmartPointer<T>;
 
-constexpr int kSmallest = 7;      // the smallest readable font size
 constexpr int kDotsPerInch = 72;  // assumed for the window
+
+// A font of the system if there is one, because the built-in font of VTK has few characters.
+const std::string& font_file() {
+  static const std::string found = [] {
+    for (const char* name : {"liberation/LiberationSans-Regular.ttf",
+                             "liberation2/LiberationSans-Regular.ttf", "dejavu/DejaVuSans.ttf"})
+      if (std::string path = std::string("/usr/share/fonts/truetype/") + name; std::filesystem::exists(path))
+        return path;
+    return std::string();
+  }();
+  return found;
+}
 
 void style(vtkTextProperty* text, int size) {
   text->SetColor(0, 0, 0);
-  text->SetFontFamilyToArial();
+  if (font_file().empty()) {
+    text->SetFontFamilyToArial();
+  } else {
+    text->SetFontFamily(VTK_FONT_FILE);
+    text->SetFontFile(font_file().c_str());
+  }
   text->SetFontSize(size);
   text->BoldOff();
   text->ItalicOff();
@@ -38,11 +57,12 @@ void shorten(std::string& text) {
   if (!text.empty()) text.pop_back();
 }
 
-void add_flat(vtkRenderer* renderer, vtkPolyData* shape, vtkPolyDataMapper2D* mapper) {
+void add_flat(vtkRenderer* renderer, vtkPolyData* shape, vtkPolyDataMapper2D* mapper, double width) {
   mapper->SetInputData(shape);
   const auto actor = Ref<vtkActor2D>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.3, 0.3, 0.3);
+  actor->GetProperty()->SetColor(0.2, 0.2, 0.2);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   renderer->AddActor2D(actor);
 }
 
@@ -68,18 +88,20 @@ void write(vtkRenderer* renderer, const std::string& text, int size, const Point
   renderer->AddActor2D(actor);
 }
 
-void write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
+bool write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre,
                   double room) {
-  while (size > kSmallest && text_size(text, size)[0] > room) --size;
+  const int smallest = std::max(7, 3 * size / 4);  // 7 pixels is the smallest readable font size
+  while (size > smallest && text_size(text, size)[0] > room) --size;
   std::string begun = text, words = text;
   while (!begun.empty() && text_size(words, size)[0] > room) {
     shorten(begun);
     words = begun + "...";
   }
   write(renderer, words, size, centre);
+  return words == text;
 }
 
-void add_line(vtkRenderer* renderer, const Point& from, const Point& to) {
+void add_line(vtkRenderer* renderer, const Point& from, const Point& to, double width) {
   const auto points = Ref<vtkPoints>::New();
   points->InsertNextPoint(from[0], from[1], 0);
   points->InsertNextPoint(to[0], to[1], 0);
@@ -89,7 +111,7 @@ void add_line(vtkRenderer* renderer, const Point& from, const Point& to) {
   const auto shape = Ref<vtkPolyData>::New();
   shape->SetPoints(points);
   shape->SetLines(lines);
-  add_flat(renderer, shape, Ref<vtkPolyDataMapper2D>::New());
+  add_flat(renderer, shape, Ref<vtkPolyDataMapper2D>::New(), width);
 }
 
 void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low, const Point& high) {
@@ -116,7 +138,7 @@ void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low,
   mapper->SetScalarModeToUseCellData();
   mapper->SetScalarRange(range[0], range[1]);
   mapper->ScalarVisibilityOn();
-  add_flat(renderer, shape, mapper);
+  add_flat(renderer, shape, mapper, 1);
 }
 
 }  // namespace fabricsh::render

@@ -13,11 +13,11 @@ namespace fabricsh::render {
 Point text_size(const std::string& text, int size);
 
 void write(vtkRenderer* renderer, const std::string& text, int size, const Point& centre);
-// Uses a smaller font if the room is too narrow; a text that is too
-// long in the smallest one is shortened and ends in three points.
-void write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre, double room);
+// Uses a font smaller by up to a quarter if the room is too narrow; a text that is still too long is
+// shortened and ends in three points. Returns whether the whole text was written.
+bool write_fitted(vtkRenderer* renderer, const std::string& text, int size, const Point& centre, double room);
 
-void add_line(vtkRenderer* renderer, const Point& from, const Point& to);
+void add_line(vtkRenderer* renderer, const Point& from, const Point& to, double width);
 // Fills the rectangle between these corners with the table's colours, from the lower end upwards.
 void add_colours(vtkRenderer* renderer, vtkLookupTable* table, const Point& low, const Point& high);
 

@@ -2,12 +2,14 @@
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <vector>
 
 #include "base/error.hpp"
 #include "render/complaints.hpp"
@@ -87,6 +89,35 @@ Sheet read_sheet(const std::string& path, const plot::Picture& picture) {
                 "; cells:" + names(sheet.grid->GetCellData()) +
                 "; points:" + names(sheet.grid->GetPointData()));
   return sheet;
+}
+
+void make_smooth(Sheet& sheet) {
+  if (!sheet.of_cells) return;
+  vtkDataArray* cells = sheet.grid->GetCellData()->GetArray(kShown);
+  const auto count = static_cast<std::size_t>(sheet.grid->GetNumberOfPoints());
+  std::vector<double> sum(count, 0), weight(count, 0);
+  const auto corners = vtkSmartPointer<vtkIdList>::New();
+  for (vtkIdType c = 0; c < sheet.grid->GetNumberOfCells(); ++c) {
+    const double v = cells->GetComponent(c, 0);
+    if (!std::isfinite(v)) continue;
+    sheet.grid->GetCellPoints(c, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) {
+      const auto node = static_cast<std::size_t>(corners->GetId(k));
+      sum[node] += v, weight[node] += 1;
+    }
+  }
+  const auto shown = vtkSmartPointer<vtkDoubleArray>::New();
+  shown->SetName(kShown);
+  sheet.low = std::numeric_limits<double>::infinity(), sheet.high = -sheet.low;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double v = weight[i] > 0 ? sum[i] / weight[i] : std::numeric_limits<double>::quiet_NaN();
+    shown->InsertNextValue(v);
+    if (std::isfinite(v)) sheet.low = std::min(sheet.low, v), sheet.high = std::max(sheet.high, v);
+  }
+  sheet.grid->GetCellData()->RemoveArray(kShown);
+  sheet.grid->GetPointData()->AddArray(shown);
+  sheet.grid->GetPointData()->SetActiveScalars(kShown);
+  sheet.of_cells = false, sheet.of_points = true;
 }
 
 void scale(const Sheet& sheet, double factor) {

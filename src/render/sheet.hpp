@@ -17,6 +17,8 @@ struct Sheet {
 
 // Error: the file is missing, or it does not have the field (the message lists those that it has).
 Sheet read_sheet(const std::string& path, const plot::Picture& picture);
+// Replaces the values of cells by values of points, each the mean of the adjacent cells.
+void make_smooth(Sheet& sheet);
 // Scales the points of the sheet.
 void scale(const Sheet& sheet, double factor);
 

@@ -25,6 +25,18 @@ refused({ file = "a.png", vtu = frames, field = "S99" }, "field 'field'")
 refused({ file = "a.png", vtu = frames, view = { 1, 2, 3 } }, "field 'view': expected {azimuth, elevation}")
 refused({ file = "a.png", vtu = frames, range = { 2, 1 } }, "field 'range': expected {low, high}")
 
+local mm = fabric.units.mm
+refused({ file = "a.png", vtu = frames, view = "front", views = { "side" } }, "field 'views': expected either view or views, got both")
+refused({ file = "a.png", vtu = frames, views = {} }, "field 'views': expected a list of views, got an empty table")
+refused({ file = "a.png", vtu = frames, views = { "frunt" } }, "field 'views': unknown view 'frunt', did you mean 'front'?")
+refused({ file = "a.png", vtu = frames, views = { { 0, 95 } } }, "field 'views': expected {azimuth, elevation}")
+refused({ file = "a.png", vtu = frames, views = { 5 } }, "field 'views': expected names of views or {azimuth, elevation}, got 5")
+refused({ file = "a.png", vtu = frames[1], views = { "front", "side" }, labels = { "a", "b", "c" } }, "field 'labels': expected no more labels than panels")
+refused({ file = "a.png", vtu = frames, size = { 85, 60 } }, "field 'size': expected {width, height} in m, each from 0.02 to 1")
+refused({ file = "a.png", vtu = frames, size = { 85 * mm, 60 * mm }, width = 800 }, "field 'width': expected either size, on paper, or width and height in pixels")
+refused({ file = "a.png", vtu = frames, dpi = 600 }, "field 'dpi': goes with size")
+refused({ file = "a.png", vtu = frames, size = { 1, 1 }, dpi = 600 }, "field 'size': expected a picture of 100 to 8000 pixels either way, got 23622 x 23622")
+
 local drawn, trouble = pcall(fabric.render, { file = folder .. "/live.png", run = test.analysis, field = "E12", width = 400, height = 500 })
 if not drawn and tostring(trouble):find("no display to draw on", 1, true) then
   print("SKIPPED: nothing was drawn, " .. tostring(trouble))
@@ -34,9 +46,9 @@ assert(drawn, trouble)
 local width, height = size_of(folder .. "/live.png")
 assert(width == 400 and height == 500)
 
-fabric.render { file = folder .. "/panels.png", vtu = frames, labels = { "start", "10 mm" }, field = "S11", title = "three", view = "oblique" }
-assert(size_of(folder .. "/panels.png") == 1200)
-fabric.render { file = folder .. "/point.png", vtu = frames[3], field = "uy", axes = false, edges = false }
+fabric.render { file = folder .. "/panels.png", vtu = frames, labels = { "start", "10 mm" }, field = "S11", title = "three", view = "oblique", width = 300, height = 200 }
+assert(size_of(folder .. "/panels.png") == 300)
+fabric.render { file = folder .. "/point.png", vtu = frames[3], field = "uy", axes = false, edges = false, width = 200, height = 200 }
 refused({ file = folder .. "/none.png", vtu = folder .. "/strip_00009.vtu" }, "no file '" .. folder .. "/strip_00009.vtu'")
 fabric.mesh.rectangle({ width = 0.1, height = 0.1, nx = 2, ny = 2 }):write(folder .. "/bare.vtu")
 refused({ file = folder .. "/none.png", vtu = folder .. "/bare.vtu", field = "S11" }, "has no field 'S' S11")
@@ -59,3 +71,28 @@ local function bytes(field, name)
 end
 local first = bytes("E12", "/1.png")
 assert(first == bytes("E12", "/2.png") and first ~= bytes("E11", "/3.png"))
+
+-- On paper: pixels by size and resolution, which the file says.
+local function content(path)
+  local file <close> = assert(io.open(path, "rb"))
+  return file:read "a"
+end
+fabric.render { file = folder .. "/paper.png", vtu = frames[3], field = "E12", size = { 85 * mm, 60 * mm }, dpi = 72 }
+width, height = size_of(folder .. "/paper.png")
+assert(width == 241 and height == 170, width .. " x " .. height)
+local per_metre = string.unpack(">I4", content(folder .. "/paper.png"), 42)
+assert(per_metre == 2835) -- 72 / 0.0254
+
+-- Several views, of one state and of several; smooth colours are others than flat ones.
+fabric.render { file = folder .. "/views.png", vtu = frames[3], field = "E12", views = { "front", "side", "above", "oblique" }, width = 300, height = 200 }
+fabric.render { file = folder .. "/both.png", vtu = { frames[2], frames[3] }, field = "E12", views = { "above", { 30, 40 } }, width = 300, height = 200 }
+assert(content(folder .. "/views.png") ~= content(folder .. "/both.png"))
+local function drawn_with(fields)
+  fields.file, fields.vtu, fields.field, fields.width, fields.height = folder .. "/with.png", frames[3], "E12", 300, 300
+  fabric.render(fields)
+  return content(fields.file)
+end
+assert(drawn_with { smooth = true } ~= first)
+
+-- Words that have no room are cut off, which is told.
+fabric.render { file = folder .. "/cut.png", vtu = frames[3], width = 120, height = 200, title = ("a long title "):rep(20) }

@@ -14,11 +14,12 @@ namespace {
 Picture sample() {
   Picture p;
   p.png = "/tmp/a b/c.png";
-  p.panels = {{"x 1.vtu", "(a) 0 s, 20 %"}, {"y.vtu", ""}};
+  p.panels = {{"x 1.vtu", "(a) 0 s, 20 %", 30, -12.5}, {"y.vtu", ""}};
   p.title = "Blend, \"warp\" \\ #1";
   p.array = "S", p.component = "S11", p.bar = "S11, MPa", p.factor = 1e-6;
   p.fixed_range = true, p.low = -1.0 / 3, p.high = 2e9;
-  p.azimuth = 30, p.elevation = -12.5, p.width = 640, p.height = 480, p.edges = false, p.columns = 2;
+  p.smooth = true, p.dpi = 300, p.font_size = 7.5, p.width = 640, p.height = 480, p.edges = false,
+  p.columns = 2;
   return p;
 }
 
@@ -32,6 +33,9 @@ TEST_CASE("a picture reads back as it was written") {
   CHECK(q.panels.size() == 2);
   CHECK(q.panels[0].vtu == "x 1.vtu");
   CHECK(q.panels[0].label == "(a) 0 s, 20 %");
+  CHECK(q.panels[0].elevation == -12.5);
+  CHECK(q.panels[1].elevation == 90);
+  CHECK(q.smooth);
   CHECK(q.title == p.title);
   CHECK(q.low == p.low);
   CHECK(q.fixed_range);

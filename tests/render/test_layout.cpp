@@ -82,23 +82,46 @@ TEST_CASE("a sheet seen from the side, without axes, fills its space", "[render]
   CHECK_THAT(2 * l.scale, Catch::Matchers::WithinRel(390.0, 1e-6));
 }
 
-TEST_CASE("labels of a colour bar differ, however narrow its range", "[render]") {
+TEST_CASE("a colour bar has round numbers that differ, however narrow its range", "[render]") {
   for (const auto& [low, high] : {std::pair{0.0725, 5.59},
                                   {0.4263, 0.4342},
                                   {1.0, 1.000002},
                                   {-1e-9, 3e-9},
                                   {-0.0182, 0.132},
                                   {123456.0, 123456.5},
+                                  {2e7, 9e9},
                                   {0.95, 1.05}}) {
     CAPTURE(low, high);
-    const auto labels = even_labels(low, high, 6);
-    REQUIRE(labels.size() == 6);
-    for (std::size_t i = 0; i < 6; ++i) {
-      CAPTURE(labels[i]);
-      const double at = low + (high - low) * static_cast<double>(i) / 5;
-      CHECK(std::abs(std::stod(labels[i]) - at) <= 0.1 * (high - low) / 5);
-      if (i > 0) CHECK(std::stod(labels[i]) > std::stod(labels[i - 1]));
+    for (const bool fixed : {false, true}) {
+      const Bar bar = round_bar(low, high, fixed, 6);
+      CHECK(bar.low <= low);
+      CHECK(bar.high >= high);
+      REQUIRE(bar.numbers.size() >= 3);
+      REQUIRE(bar.numbers.size() <= 8);
+      const double step = bar.numbers[1].first - bar.numbers[0].first;
+      const double digit = step / std::pow(10, std::floor(std::log10(step) + 1e-6));
+      CHECK(std::min({std::abs(digit - 1), std::abs(digit - 2), std::abs(digit - 5)}) < 1e-6);
+      for (std::size_t i = 0; i < bar.numbers.size(); ++i) {
+        const auto& [value, text] = bar.numbers[i];
+        CAPTURE(text);
+        CHECK(std::abs(std::stod(text) - value) <= 1e-6 * step);
+        CHECK(value >= bar.low - 1e-6 * step);
+        CHECK(value <= bar.high + 1e-6 * step);
+        if (i > 0) CHECK(text != bar.numbers[i - 1].second);
+      }
+      if (fixed) CHECK((bar.low == low && bar.high == high));
+      if (!fixed) CHECK(std::abs(bar.numbers.front().first - bar.low) < 1e-6 * step);
     }
   }
-  CHECK(even_labels(-1, 1, 3) == std::vector<std::string>{"-1", "0", "1"});
+  std::vector<std::string> words;
+  for (const auto& [value, text] : round_bar(30.9, 35.4, false, 6).numbers) words.push_back(text);
+  CHECK(words == std::vector<std::string>{"30", "31", "32", "33", "34", "35", "36"});
+}
+
+TEST_CASE("panels of one scale: none is drawn larger than asked", "[render]") {
+  Space space = space_of(400, 300, 10);
+  const double free = layout({0, 2, 0, 1, 0, 0.5}, view_from(0, 0), "mm", space).scale;
+  space.most = 0.7 * free;
+  CHECK_THAT(layout({0, 2, 0, 1, 0, 0.5}, view_from(0, 0), "mm", space).scale,
+             Catch::Matchers::WithinRel(0.7 * free, 1e-6));
 }

@@ -1,10 +1,13 @@
-// fabric.render: pictures of sheets from .vtu files or from the present state of a run.
+// fabric.render: pictures of sheets, from .vtu files or from a run as it stands.
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <system_error>
 
+#include "base/number.hpp"
 #include "format/vtu.hpp"
 #include "plot/picture.hpp"
 #include "run/bodies.hpp"
@@ -39,7 +42,8 @@ Shown shown_of(const std::string& name) {
   if (name == "none") return {};
   const auto [field, number] = run::find_field(name);
   const auto [unit, factor] = picture_unit(field->unit);
-  const std::string title = number < 0 ? "|" + field->letter + "|" : name;
+  std::string title = number < 0 ? "|" + field->letter + "|" : name;
+  std::replace(title.begin(), title.end(), '_', ' ');
   Shown shown{field->name, "", factor, unit.empty() ? title : title + ", " + unit};
   if (number >= 0 && field->size() > 1)
     shown.component = field->labels.empty() ? std::string(1, "xyz"[number]) : field->labels[number];
@@ -70,17 +74,82 @@ std::vector<std::string> word_list(const Call& call, const char* name) {
   return words;
 }
 
-void read_view(const Call& call, plot::Picture& picture) {
-  if (call.is("view", LUA_TTABLE)) {
-    const std::vector<double> angles = call.numbers("view");
-    if (angles.size() != 2 || std::abs(angles[1]) > 90)
-      call.refuse("view", "expected {azimuth, elevation} in degrees, the elevation from -90 to 90");
-    picture.azimuth = angles[0], picture.elevation = angles[1];
+struct Seen {
+  double azimuth = 0, elevation = 90;  // degrees
+  std::string name = {};
+};
+
+const std::vector<std::string> view_words = {"above", "front", "side", "oblique"};
+
+Seen view_named(const std::string& word) {
+  return {word == "side"      ? 90.0
+          : word == "oblique" ? 30.0
+                              : 0.0,
+          word == "above"     ? 90.0
+          : word == "oblique" ? 25.0
+                              : 0.0,
+          word};
+}
+
+Seen view_at(const Call& call, const char* name, const std::vector<double>& angles) {
+  if (angles.size() != 2 || std::abs(angles[1]) > 90)
+    call.refuse(name, "expected {azimuth, elevation} in degrees, the elevation from -90 to 90");
+  return {angles[0], angles[1],
+          fabricsh::number(angles[0]) + ", " + fabricsh::number(angles[1]) + " degrees"};
+}
+
+// The view on top of the stack.
+Seen one_view(const Call& call) {
+  lua_State* L = call.L();
+  if (lua_type(L, -1) == LUA_TSTRING) {
+    const std::string word = lua_tostring(L, -1);
+    if (std::find(view_words.begin(), view_words.end(), word) == view_words.end())
+      call.refuse("views", unknown("view", word, view_words));
+    return view_named(word);
+  }
+  if (lua_type(L, -1) != LUA_TTABLE)
+    call.refuse("views", "expected names of views or {azimuth, elevation}, got " + describe(L, -1));
+  return view_at(call, "views", read_numbers(L, -1));
+}
+
+std::vector<Seen> read_views(const Call& call) {
+  if (call.has("view") && call.has("views")) call.refuse("views", "expected either view or views, got both");
+  std::vector<Seen> all;
+  if (call.has("views")) {
+    call.push("views");
+    const auto n = static_cast<lua_Integer>(lua_rawlen(call.L(), -1));
+    if (n == 0) call.refuse("views", "expected a list of views, got an empty table");
+    for (lua_Integer i = 1; i <= n; ++i) {
+      lua_rawgeti(call.L(), -1, i);
+      all.push_back(one_view(call));
+      lua_pop(call.L(), 1);
+    }
+    lua_pop(call.L(), 1);
+  } else {
+    all.push_back(call.is("view", LUA_TTABLE) ? view_at(call, "view", call.numbers("view"))
+                                              : view_named(call.text("view")));
+  }
+  return all;
+}
+
+// Size of a picture for paper, in pixels.
+void read_size(const Call& call, plot::Picture& p) {
+  if (!call.has("size")) {
+    for (const char* name : {"dpi", "font_size"})
+      if (call.has(name)) call.refuse(name, "goes with size, the width and height on paper");
     return;
   }
-  const std::string word = call.text("view");
-  picture.azimuth = word == "side" ? 90 : word == "oblique" ? 30 : 0;
-  picture.elevation = word == "above" ? 90 : word == "oblique" ? 25 : 0;
+  for (const char* name : {"width", "height"})
+    if (call.has(name)) call.refuse(name, "expected either size, on paper, or width and height in pixels");
+  const auto size = call.numbers("size");
+  if (size.size() != 2 || std::any_of(size.begin(), size.end(), [](double m) { return m < 0.02 || m > 1; }))
+    call.refuse("size", "expected {width, height} in m, each from 0.02 to 1, such as {85*mm, 60*mm}");
+  p.dpi = call.number("dpi"), p.font_size = call.number("font_size");
+  p.width = static_cast<int>(std::lround(size[0] / 0.0254 * p.dpi));
+  p.height = static_cast<int>(std::lround(size[1] / 0.0254 * p.dpi));
+  if (std::max(p.width, p.height) > 8000 || std::min(p.width, p.height) < 100)
+    call.refuse("size", "expected a picture of 100 to 8000 pixels either way, got " +
+                            std::to_string(p.width) + " x " + std::to_string(p.height));
 }
 
 void read_range(const Call& call, plot::Picture& picture) {
@@ -103,11 +172,11 @@ plot::Picture read_picture(const Call& call) {
   p.factor = call.has("factor") ? call.number("factor") : shown.factor;
   if (call.has("bar")) p.bar = call.text("bar");
   read_range(call, p);
-  read_view(call, p);
   if (call.has("columns")) p.columns = call.count("columns");
   p.width = call.count("width");
   p.height = call.count("height");
-  p.edges = call.flag("edges"), p.axes = call.flag("axes");
+  read_size(call, p);
+  p.edges = call.flag("edges"), p.axes = call.flag("axes"), p.smooth = call.flag("smooth");
   return p;
 }
 
@@ -178,11 +247,22 @@ class Frame {
   PrivateFolder folder_;
 };
 
-void add_panels(const Call& call, plot::Picture& picture) {
-  const std::vector<std::string> paths = word_list(call, "vtu"), labels = word_list(call, "labels");
-  if (labels.size() > paths.size()) call.refuse("labels", "expected no more labels than files");
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    picture.panels.push_back({paths[i], i < labels.size() ? labels[i] : ""});
+// One panel for each view of each file; the views of a file are side by side.
+void add_panels(const Call& call, const std::vector<std::string>& paths, plot::Picture& picture) {
+  const std::vector<std::string> labels = word_list(call, "labels");
+  const std::vector<Seen> views = read_views(call);
+  if (labels.size() > paths.size() * views.size())
+    call.refuse("labels", call.has("views")
+                              ? "expected no more labels than panels, one for each view of each file"
+                              : "expected no more labels than files");
+  for (const std::string& path : paths)
+    for (const Seen& view : views) {
+      const std::size_t i = picture.panels.size();
+      const std::string own = views.size() > 1 && labels.empty() ? view.name : "";
+      picture.panels.push_back({path, i < labels.size() ? labels[i] : own, view.azimuth, view.elevation});
+    }
+  if (views.size() > 1 && paths.size() > 1 && picture.columns == 0)
+    picture.columns = static_cast<int>(views.size());
 }
 
 // Drawing starts a program with a display of its own, which needs more rights than a deck under --safe has.
@@ -201,15 +281,19 @@ int render(Call& call) {
                 std::string("expected either vtu or run, got ") + (call.has("vtu") ? "both" : "neither"));
   plot::Picture picture = read_picture(call);
   std::optional<Frame> frame;
-  add_panels(call, picture);
+  add_panels(call, call.has("run") ? std::vector<std::string>{""} : word_list(call, "vtu"), picture);
   if (call.session().options().check) return 0;
   if (system::Gate::of_process().closed()) return no_picture(call);
   if (call.has("run")) {
     frame.emplace(*call.object<Run>("run"), call.text("field"));
-    picture.panels = {{frame->path(), {}}};
+    for (plot::Panel& panel : picture.panels) panel.vtu = frame->path();
   }
   system::make_folder_for(picture.png);
-  plot::render(picture, (std::filesystem::path(program_path()).parent_path() / "fabricsh-render").string());
+  const auto program = std::filesystem::path(program_path()).parent_path() / "fabricsh-render";
+  for (const std::string& told : plot::render(picture, program.string())) {
+    const std::string words = "render: picture '" + picture.png + "': " + told;
+    call.session().notices().once(words, "warning: " + words);
+  }
   lua_pushboolean(call.L(), 1);
   return 1;
 }
@@ -235,10 +319,20 @@ std::vector<Argument> arguments() {
            "above (from +z, y up), front (along +y), side (along -x), oblique, or {azimuth, elevation} in "
            "degrees")
           .or_else("above")
-          .one_of({"above", "front", "side", "oblique"}),
+          .one_of(view_words),
+      many("views", table,
+           "{ 'front', 'side', 'above', 'oblique', {30, 25}, ... }: several views in one picture, in one "
+           "scale"),
       integer_("columns", from_one, "of panels").optional(),
       integer_("width", pixels, "pixels").or_else(1200),
       integer_("height", pixels, "pixels").or_else(900),
+      Argument{"size", numbers, "m", everything,
+               "{width, height} on paper, in the place of pixels: {85*mm, 60*mm} for a column of a journal"}
+          .optional(),
+      number_("dpi", "", Range{50, 1200}, "with size: pixels per inch").or_else(300.0),
+      number_("font_size", "points", Range{4, 40}, "with size: of all letters").or_else(7.0),
+      value_("smooth", boolean, "colours that change evenly between the nodes; else each element has its own")
+          .or_else(false),
       value_("edges", boolean, "of the elements").or_else(true),
       value_("axes", boolean, "with a scale, in mm (m from 1.5 m on)").or_else(true),
   };

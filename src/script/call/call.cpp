@@ -335,10 +335,52 @@ void Fields::refuse(std::string_view name, const std::string& why) const {
 
 namespace {
 
+// A function with named fields accepts the first three without names if they are rows, x and y.
+int leading(const Entry& entry) {
+  const auto& all = entry.arguments;
+  return all.size() > 3 && all[0].name == "rows" && all[1].name == "x" && all[2].name == "y" ? 3 : 0;
+}
+
+// f(a, b, { c = ... }): the first arguments are positional, and a table with named fields follows.
+int gather_led(lua_State* L, const Entry& entry, int first) {
+  const int given = lua_gettop(L) - first + 1, most = leading(entry), table = first + most;
+  if (given > most + 1)
+    throw Error("expected at most " + std::to_string(most + 1) + " arguments, got " + std::to_string(given));
+  if (given <= most)
+    lua_newtable(L);
+  else if (!lua_istable(L, table))
+    throw Error("argument " + std::to_string(most + 1) + ": expected a table with named fields, got " +
+                describe(L, table));
+  else
+    lua_pushvalue(L, table);
+  fabricsh::script::make_plain(L);
+  const int all = lua_gettop(L);
+  lua_newtable(L);  // the deck's own table stays as it is
+  for (lua_pushnil(L); lua_next(L, all) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+  for (int i = 0; i < most; ++i) {
+    const std::string& name = entry.arguments[static_cast<std::size_t>(i)].name;
+    lua_pushstring(L, name.c_str());
+    if (lua_rawget(L, all) != LUA_TNIL)
+      throw Error("field '" + name + "': given twice, as argument " + std::to_string(i + 1) +
+                  " and by its name");
+    lua_pop(L, 1);
+    if (i >= given) continue;
+    lua_pushstring(L, name.c_str());
+    lua_pushvalue(L, first + i);
+    lua_rawset(L, -3);
+  }
+  return lua_gettop(L);
+}
+
 // Leaves the table of named arguments on the stack and returns its index.
 int gather(lua_State* L, const Entry& entry) {
   const int first = entry.method() || entry.style == Style::property ? 2 : 1;
   const int given = lua_gettop(L) - first + 1;
+  if (entry.style == Style::fields && given > 1 && leading(entry) > 0) return gather_led(L, entry, first);
   if (entry.style == Style::fields) {
     if (given > 1)
       throw Error("expected one table with named fields, got " + std::to_string(given) + " values");

@@ -20,6 +20,56 @@ wrong("fabric.plot", "fabric.plot{ curves=curves_ }",
   "deck.lua:1: plot: field 'curves': expected a table { {x=, y=, label=, style=}, ... }, got nil (missing, or a misspelt variable)")
 wrong("fabric.plot", "fabric.plot{ curves=5 }",
   "deck.lua:1: plot: field 'curves': expected a table { {x=, y=, label=, style=}, ... }, got 5")
+wrong("fabric.plot", "fabric.plot({}, 'E')",
+  "deck.lua:1: plot: field 'y': expected the name of a field of rows, or a list of names")
+wrong("fabric.plot", "fabric.plot({}, 'E', 'S', 'out.svg')",
+  "deck.lua:1: plot: argument 4: expected a table with named fields, got 'out.svg'")
+wrong("fabric.plot", "fabric.plot({}, 'E', 'S', { x='T' })",
+  "deck.lua:1: plot: field 'x': given twice, as argument 2 and by its name")
+wrong("fabric.plot", "fabric.plot({}, 'E', 'S', {}, 5)",
+  "deck.lua:1: plot: expected at most 4 arguments, got 5")
+wrong("fabric.plot", "fabric.plot({}, 'E', 'S')",
+  "deck.lua:1: plot: field 'rows': expected a list of tables with the field 'E', or a table with a list of that name")
+wrong("fabric.plot", "fabric.plot({ {E=1} }, 'E', 'S')",
+  "deck.lua:1: plot: field 'rows[1].S': expected a number, got nil")
+wrong("fabric.plot", "fabric.plot({ {E=1} }, 'E', {'S', 7})",
+  "deck.lua:1: plot: field 'y': expected names of fields of rows, got 7")
+wrong("fabric.plot", "fabric.plot{ size={85, 60}, curves={ {x={1}, y={1}} } }",
+  "deck.lua:1: plot: field 'size': expected {width, height} in m, each from 0.02 to 1, such as {85*mm, 60*mm}, got {85, 60}")
+wrong("fabric.plot", "fabric.plot{ font_size=2, curves={ {x={1}, y={1}} } }",
+  "deck.lua:1: plot: field 'font_size': expected a number from 4 to 40 in points, got 2")
+wrong("fabric.plot", "fabric.plot{ font='Times,9', curves={ {x={1}, y={1}} } }",
+  "deck.lua:1: plot: field 'font': expected the name of one family, got 'Times,9'")
+wrong("fabric.plot", "fabric.plot{ dpi=5, curves={ {x={1}, y={1}} } }",
+  "deck.lua:1: plot: field 'dpi': expected a number from 50 to 1200, got 5")
+wrong("fabric.plot", "fabric.plot{ key='top', curves={ {x={1}, y={1}} } }",
+  "deck.lua:1: plot: field 'key': expected 'best' or 'none' or 'top left' or 'top right' or 'bottom left' or 'bottom right' or 'below' or 'right', got 'top'")
+wrong("fabric.plot", "fabric.plot{ layout={1, 1}, panels={ {curves={ {x={1}, y={1}} }}, {curves={ {x={1}, y={1}} }} } }",
+  "deck.lua:1: plot: field 'layout': expected room for 2 panels, got 1 x 1")
+wrong("fabric.plot", "fabric.plot{ layout={1, 0.5}, panels={ {curves={ {x={1}, y={1}} }} } }",
+  "deck.lua:1: plot: field 'layout': expected {rows, columns}, whole numbers from 1 to 20")
+wrong("fabric.plot", "fabric.plot{ panels={} }",
+  "deck.lua:1: plot: field 'panels': expected a list of panels, got an empty table")
+wrong("fabric.plot", "fabric.plot{ panels={ {titel='a'} } }",
+  "deck.lua:1: plot: unknown field 'panels[1].titel', did you mean 'panels[1].title'?")
+wrong("fabric.plot", "fabric.plot{ panels={ {curves={ {x={1}, y={1}} }} }, curves={} }",
+  "deck.lua:1: plot: field 'curves': expected in each of the panels, where there are panels")
+wrong("fabric.plot", "fabric.plot{ panels={ {title='a'} } }",
+  "deck.lua:1: plot: field 'panels[1].curves': expected a table { {x=, y=, label=, style=}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.plot", "fabric.plot{ curves={ {x={1}} } }",
+  "deck.lua:1: plot: field 'curves[1].y': expected a table or a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.plot", "fabric.plot{ curves={ {x={1}, y={1}, band={low={1}}} } }",
+  "deck.lua:1: plot: field 'curves[1].band.high': expected a table or a string, got nil (missing, or a misspelt variable)")
+wrong("fabric.plot", "fabric.plot{ curves={ {x={1}, y={1}, band={low={2}, high={1}}} } }",
+  "deck.lua:1: plot: figure: curve '': its band ends below where it begins at place 1: from 2 to 1")
+wrong("fabric.plot", "fabric.plot{ curves={ {x={1}, y={1}, error={1, 2}} } }",
+  "deck.lua:1: plot: field 'curves[1].error': expected as many as there are points, got 2 for 1")
+wrong("fabric.plot", "fabric.plot{ curves={ {x={1}, y={1}, error=-1} } }",
+  "deck.lua:1: plot: field 'curves[1].error': expected lengths of at least 0, got -1 at place 1")
+wrong("fabric.plot", "fabric.plot{ curves={ {x={1}, y={1}, colour='bleu'} } }",
+  "deck.lua:1: plot: field 'curves[1].colour': expected \"#rrggbb\" or a name; unknown colour 'bleu', did you mean 'blue'?")
+wrong("fabric.plot", "fabric.plot{ curves={}, letters='no' }",
+  "deck.lua:1: plot: field 'letters': expected true or false, got 'no'")
 wrong("fabric.plot", "fabric.plot{ curves={}, file=7 }",
   "deck.lua:1: plot: field 'file': expected a string, got 7")
 wrong("fabric.plot", "fabric.plot{ curves={}, xrange={1, 'two'} }",
@@ -58,6 +108,14 @@ wrong("fabric.render", "fabric.render{ file='x', range={1, 'two'} }",
   "deck.lua:1: render: field 'range': expected a table of numbers, got 'two' at place 2")
 wrong("fabric.render", "fabric.render{ file='x', view='aboev' }",
   "deck.lua:1: render: field 'view': expected a table of numbers or 'above' or 'front' or 'side' or 'oblique', got 'aboev', did you mean 'above'?")
+wrong("fabric.render", "fabric.render{ file='x', views='front' }",
+  "deck.lua:1: render: field 'views': expected a table { 'front', 'side', 'above', 'oblique', {30, 25}, ... }, got 'front'")
+wrong("fabric.render", "fabric.render{ file='x', size={1, 'two'} }",
+  "deck.lua:1: render: field 'size': expected a table of numbers in m, got 'two' at place 2")
+wrong("fabric.render", "fabric.render{ file='x', font_size=1 }",
+  "deck.lua:1: render: field 'font_size': expected a number from 4 to 40 in points, got 1")
+wrong("fabric.render", "fabric.render{ file='x', smooth='yes' }",
+  "deck.lua:1: render: field 'smooth': expected true or false, got 'yes'")
 wrong("fabric.render", "fabric.render{ file='x', columns=2.5 }",
   "deck.lua:1: render: field 'columns': expected an integer of at least 1, got 2.5")
 wrong("fabric.render", "fabric.render{ file='x', columns=0 }",

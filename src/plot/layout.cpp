@@ -1,0 +1,236 @@
+#include "plot/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "plot/key.hpp"
+#include "plot/text.hpp"
+#include "plot/visible.hpp"
+
+namespace fabricsh::plot {
+
+namespace {
+
+constexpr double kPoints = 72 / 0.0254;  // in a metre
+
+// Margins before and behind the axes: of a column of panels from left to right, of a row from top to bottom.
+struct Track {
+  double before = 0, behind = 0;
+  void widen(double a, double b) { before = std::max(before, a), behind = std::max(behind, b); }
+};
+
+struct Margins {
+  double left = 0, right = 0, bottom = 0, top = 0;
+};
+
+class Draft {
+ public:
+  explicit Draft(const Page& page) : page_(page), letter_(page.paper.font_size) {
+    const int n = static_cast<int>(page.panels.size());
+    columns_ = page.columns > 0 ? page.columns : std::min(n, 2);
+    rows_ = page.rows > 0 ? page.rows : (n + columns_ - 1) / columns_;
+    if (rows_ * columns_ < n)
+      throw Error("figure: " + std::to_string(n) + " panels have no room in " + std::to_string(rows_) +
+                  " x " + std::to_string(columns_) + " places");
+    layout_.width = kPoints * (page.paper.width > 0 ? page.paper.width : columns_ > 1 ? 0.170 : 0.085);
+    layout_.height = kPoints * (page.paper.height > 0 ? page.paper.height : 0.060 * rows_);
+    layout_.panels.resize(page.panels.size());
+    for (const Figure& f : page.panels) {
+      spans_.push_back(visible_span(f));
+      keys_.push_back(f.key);
+    }
+  }
+
+  // A legend without a free corner is moved below the axes. This changes the axes of all panels, because they
+  // have equal sizes; therefore the layout is repeated.
+  Layout made() {
+    while (!placed()) {
+    }
+    for (std::size_t i = 0; i < layout_.panels.size(); ++i) words(i);
+    return layout_;
+  }
+
+ private:
+  bool placed() {
+    across_.assign(static_cast<std::size_t>(columns_), {}), down_.assign(static_cast<std::size_t>(rows_), {});
+    layout_.warnings.clear();
+    for (int pass = 0; pass < 2; ++pass) {  // the tick labels depend slightly on the length of the axes
+      for (std::size_t i = 0; i < layout_.panels.size(); ++i) frame(i);
+      for (std::size_t i = 0; i < layout_.panels.size(); ++i) widen(i, wanted(i));
+    }
+    for (std::size_t i = 0; i < layout_.panels.size(); ++i) frame(i);
+    for (std::size_t i = 0; i < layout_.panels.size(); ++i)
+      if (!place_key(i)) {
+        keys_[i] = Key::below;
+        return false;
+      }
+    return true;
+  }
+
+  std::size_t row(std::size_t i) const { return i / static_cast<std::size_t>(columns_); }
+  std::size_t column(std::size_t i) const { return i % static_cast<std::size_t>(columns_); }
+
+  void widen(std::size_t i, const Margins& m) {
+    across_[column(i)].widen(m.left, m.right);
+    down_[row(i)].widen(m.top, m.bottom);
+  }
+
+  // Length of the axes, equal in all panels.
+  static double each(double whole, const std::vector<Track>& tracks) {
+    for (const Track& t : tracks) whole -= t.before + t.behind;
+    return whole / static_cast<double>(tracks.size());
+  }
+  // Where track number n begins.
+  static double begin(double whole, const std::vector<Track>& tracks, std::size_t n) {
+    double at = static_cast<double>(n) * each(whole, tracks);
+    for (std::size_t k = 0; k < n; ++k) at += tracks[k].before + tracks[k].behind;
+    return at;
+  }
+  // The area of panel i with its margins.
+  Box cell(std::size_t i) const {
+    const std::size_t r = row(i), c = column(i);
+    return {begin(layout_.width, across_, c), layout_.height - begin(layout_.height, down_, r + 1),
+            begin(layout_.width, across_, c + 1), layout_.height - begin(layout_.height, down_, r)};
+  }
+
+  void frame(std::size_t i) {
+    PlacedPanel& p = layout_.panels[i];
+    const Box all = cell(i);
+    const Track &x = across_[column(i)], &y = down_[row(i)];
+    p.frame = {all.left + x.before, all.bottom + y.behind, all.right - x.behind, all.top - y.before};
+    if (p.frame.width() < 3 * letter_ || p.frame.height() < 3 * letter_)
+      throw Error("figure: " + number(std::round(layout_.width / kPoints * 1000)) + " x " +
+                  number(std::round(layout_.height / kPoints * 1000)) +
+                  " mm have no room for axes and words of " + number(letter_) +
+                  " points; ask for a larger size, or for smaller letters");
+    const Figure& f = page_.panels[i];
+    p.x = scale_of(f.x, spans_[i].x_low, spans_[i].x_high, p.frame.width(), letter_, false);
+    p.y = scale_of(f.y, spans_[i].y_low, spans_[i].y_high, p.frame.height(), letter_, true);
+  }
+
+  double widest(const Scale& scale) const {
+    double all = 0;
+    for (const Tick& tick : scale.ticks) all = std::max(all, text_width(tick.text, letter_));
+    return all;
+  }
+
+  bool lettered() const { return page_.letters && page_.panels.size() > 1; }
+
+  std::string heading(std::size_t i) const {
+    const std::string title = page_.panels[i].title;
+    if (!lettered()) return title;
+    std::string letter = i < 26 ? std::string(1, static_cast<char>('a' + i)) : std::to_string(i + 1);
+    return "(" + letter + ")" + (title.empty() ? "" : " " + title);
+  }
+
+  Margins wanted(std::size_t i) const {
+    const Figure& f = page_.panels[i];
+    const PlacedPanel& p = layout_.panels[i];
+    Margins m;
+    m.left = (f.y.label.empty() ? 0.3 : 1.7) * letter_ + widest(p.y) + 0.5 * letter_;
+    m.bottom = (f.x.label.empty() ? 0.3 : 1.7) * letter_ + 1.4 * letter_;
+    m.top = (heading(i).empty() ? 0.8 : 1.8) * letter_;
+    const double last = p.x.ticks.empty() || p.x.ticks.back().text.empty()
+                            ? 0
+                            : text_width(p.x.ticks.back().text, letter_) / 2;
+    m.right = std::max(0.7 * letter_, last + 0.2 * letter_);
+    const KeySize key = key_size(f, letter_, std::max(p.frame.width(), 3 * letter_), keys_[i]);
+    if (keys_[i] == Key::below) m.bottom += key.height + 0.4 * letter_;
+    if (keys_[i] == Key::right) m.right += key.width + 0.8 * letter_;
+    return m;
+  }
+
+  // false: every corner is covered by a curve.
+  bool place_key(std::size_t i) {
+    const Figure& f = page_.panels[i];
+    PlacedPanel& p = layout_.panels[i];
+    p.samples.clear(), p.words.clear();
+    const KeySize size = key_size(f, letter_, p.frame.width(), keys_[i]);
+    if (size.rows == 0 || keys_[i] == Key::none) return p.key = {}, true;
+    if (!key_box(f, p, size, letter_, keys_[i], p.key)) return false;
+    fill_key(f, p, size, letter_);
+    std::vector<PlacedWord> words;
+    words.swap(p.words);
+    const double end = cell(i).right;
+    for (const PlacedWord& word : words) fitted(i, word, end - word.x);
+    return true;
+  }
+
+  // Uses a smaller font if the room is too narrow, at least 6 points, and warns if even that is too large.
+  void fitted(std::size_t i, PlacedWord word, double room) {
+    const double needed = text_width(word.text, word.size);
+    if (needed > room) word.size = std::max(std::min(6.0, word.size), word.size * room / needed);
+    // Estimated widths are at least a tenth too large.
+    if (0.85 * text_width(word.text, word.size) > room)
+      layout_.warnings.push_back("'" + word.text + "' is longer than its room of " +
+                                 number(std::round(room / kPoints * 1000)) +
+                                 " mm even in letters of 6 points; shorter words, or a larger size");
+    layout_.panels[i].words.push_back(word);
+  }
+
+  void words(std::size_t i) {
+    const Figure& f = page_.panels[i];
+    const PlacedPanel& p = layout_.panels[i];
+    const Box b = p.frame;
+    std::vector<PlacedWord>& out = layout_.panels[i].words;
+    for (const Tick& t : p.x.ticks)
+      if (!t.text.empty())
+        out.push_back({t.text, b.left + p.x.part(t.value) * b.width(), b.bottom - 0.9 * letter_,
+                       Align::centre, letter_});
+    for (const Tick& t : p.y.ticks)
+      if (!t.text.empty())
+        out.push_back({t.text, b.left - 0.5 * letter_, b.bottom + p.y.part(t.value) * b.height(),
+                       Align::right, letter_});
+    const Box all = cell(i);
+    const double w = all.width(), h = all.height(), edge = all.left, floor = all.bottom;
+    const auto inside = [&](double centre, double text, double from, double room) {
+      const double half = std::min(text, room) / 2;
+      return std::clamp(centre, from + half, from + room - half);
+    };
+    if (!f.x.label.empty())
+      fitted(i,
+             {f.x.label, inside((b.left + b.right) / 2, text_width(f.x.label, letter_), edge, w),
+              b.bottom - 2.2 * letter_, Align::centre, letter_},
+             w);
+    if (!f.y.label.empty())
+      fitted(i,
+             {f.y.label, edge + 0.85 * letter_,
+              inside((b.bottom + b.top) / 2, text_width(f.y.label, letter_), floor, h), Align::centre,
+              letter_, true},
+             h);
+    if (const std::string head = heading(i); !head.empty()) {
+      const double room = lettered() ? edge + w - b.left : w, from = lettered() ? b.left : edge;
+      const double centre =
+          lettered() ? b.left : inside((b.left + b.right) / 2, text_width(head, letter_), from, room);
+      fitted(i, {head, centre, b.top + 0.95 * letter_, lettered() ? Align::left : Align::centre, letter_},
+             room);
+    }
+  }
+
+  const Page& page_;
+  double letter_;
+  int rows_ = 1, columns_ = 1;
+  std::vector<Track> across_, down_;  // of columns and rows
+  std::vector<Span> spans_;
+  std::vector<Key> keys_;
+  Layout layout_;
+};
+
+}  // namespace
+
+Box box_of(const PlacedWord& word) {
+  const double length = text_width(word.text, word.size), high = 0.6 * word.size;
+  const double before = word.align == Align::left ? 0 : word.align == Align::right ? length : length / 2;
+  if (word.upright) return {word.x - high, word.y - before, word.x + high, word.y - before + length};
+  return {word.x - before, word.y - high, word.x - before + length, word.y + high};
+}
+
+Layout layout_of(const Page& page) {
+  if (page.panels.empty()) throw Error("figure: expected at least one panel");
+  return Draft(page).made();
+}
+
+}  // namespace fabricsh::plot

@@ -1,0 +1,54 @@
+// Positions of the axes, legends and texts of a page, in points from its lower left corner. Separate from
+// the drawing, so that tests can check that no text overlaps another one or is cut off.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "plot/figure.hpp"
+#include "plot/scale.hpp"
+
+namespace fabricsh::plot {
+
+struct Box {
+  double left = 0, bottom = 0, right = 0, top = 0;  // points
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+};
+
+enum class Align { left, centre, right };
+
+struct PlacedWord {
+  std::string text;
+  double x = 0, y = 0;  // position of its left end, centre or right end, at mid-height
+  Align align = Align::centre;
+  double size = 8;
+  bool upright = false;  // rotated by 90 degrees
+};
+
+struct Sample {
+  std::size_t curve = 0;              // index in the panel
+  double left = 0, right = 0, y = 0;  // of the line sample
+};
+
+struct PlacedPanel {
+  Box frame;  // area within the axes
+  Scale x, y;
+  std::vector<PlacedWord> words;
+  std::vector<Sample> samples;  // of the legend
+  Box key;                      // of the legend; empty: none
+};
+
+struct Layout {
+  double width = 0, height = 0;
+  std::vector<PlacedPanel> panels;
+  std::vector<std::string> warnings;  // about texts that do not fit
+};
+
+// Area that a text occupies on the page.
+Box box_of(const PlacedWord& word);
+
+// Error: data that cannot be shown, or a page that is too small.
+Layout layout_of(const Page& page);
+
+}  // namespace fabricsh::plot

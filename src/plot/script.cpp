@@ -1,0 +1,231 @@
+#include "plot/script.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "base/number.hpp"
+#include "plot/look.hpp"
+#include "plot/text.hpp"
+#include "plot/visible.hpp"
+
+namespace fabricsh::plot {
+
+namespace {
+
+constexpr double kLine = 1, kAxis = 0.5, kMark = 0.8;  // line widths, points
+constexpr double kMarkSize = 0.55;                     // in units of gnuplot; about 3.3 points
+
+std::string fixed(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4f", value);
+  return text;
+}
+
+class Script {
+ public:
+  Script(const Page& page, const Layout& layout, double width, double height)
+      : page_(page), layout_(layout), width_(width), height_(height) {}
+
+  std::string made() {
+    const bool several = page_.panels.size() > 1;
+    text_ = "set encoding utf8\nunset key\nset clip two\nset border 15 linewidth " + number(kAxis) + "\n";
+    if (several) text_ += "set multiplot\n";
+    for (std::size_t i = 0; i < page_.panels.size(); ++i) panel(page_.panels[i], layout_.panels[i]);
+    return text_ + (several ? "unset multiplot\n" : "");
+  }
+
+ private:
+  std::string across(double points) const { return fixed(points / width_); }
+  std::string up(double points) const { return fixed(points / height_); }
+  std::string at(double x, double y) const { return "screen " + across(x) + "," + up(y); }
+
+  void panel(const Figure& f, const PlacedPanel& p) {
+    text_ += "unset label\nunset arrow\nunset object\nunset logscale\n";
+    text_ += "set lmargin at screen " + across(p.frame.left) + "\nset rmargin at screen " +
+             across(p.frame.right) + "\nset bmargin at screen " + up(p.frame.bottom) +
+             "\nset tmargin at screen " + up(p.frame.top) + "\n";
+    axis("x", p.x);
+    axis("y", p.y);
+    for (const PlacedWord& word : p.words) write(word);
+    for (const Sample& sample : p.samples)
+      draw_sample(f.curves[sample.curve], look_of(f, sample.curve), sample);
+    curves(f, p);
+  }
+
+  void axis(const std::string& name, const Scale& s) {
+    if (s.logarithmic) text_ += "set logscale " + name + "\n";
+    text_ += "set " + name + "range [" + full_number(s.low) + ":" + full_number(s.high) + "]\nset " + name +
+             "tics in mirror scale " + number(page_.paper.font_size / 13) + "," +
+             number(page_.paper.font_size / 24) + " (";
+    std::string list;
+    for (const Tick& t : s.ticks)
+      list += (list.empty() ? "" : ", ") + ("'' " + full_number(t.value)) + (t.text.empty() ? " 1" : " 0");
+    text_ += list + ")\n";
+  }
+
+  void write(const PlacedWord& word) {
+    const char* align = word.align == Align::left ? "left" : word.align == Align::right ? "right" : "center";
+    text_ += "set label " + quoted(word.text) + " at " + at(word.x, word.y) + " " + align +
+             (word.upright ? " rotate by 90" : "");
+    if (word.size != page_.paper.font_size) text_ += " font '," + number(word.size) + "'";
+    text_ += " front\n";
+  }
+
+  // Curves with an explicit colour are counted separately, for their marks and patterns.
+  static Look look_of(const Figure& f, std::size_t curve) {
+    const Curve& c = f.curves[curve];
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < curve; ++i) place += f.curves[i].colour.empty() == c.colour.empty() ? 1 : 0;
+    Look result = look(place, c.style);
+    if (!c.colour.empty()) result.colour = c.colour;
+    return result;
+  }
+
+  static std::string coloured(const Look& l) { return " linecolor rgb '" + l.colour + "'"; }
+  static std::string line(const Look& l) {
+    return " linewidth " + number(kLine) + (l.dashes.empty() ? "" : " dashtype (" + l.dashes + ")") +
+           coloured(l);
+  }
+  static std::string mark(const Look& l) {
+    return " pointtype " + std::to_string(l.marker) + " pointsize " + number(kMarkSize) + " linewidth " +
+           number(kMark) + coloured(l);
+  }
+
+  void draw_sample(const Curve& c, const Look& l, const Sample& s) {
+    const double half = 0.35 * page_.paper.font_size;
+    if (!c.band.empty())
+      text_ += "set object rectangle from " + at(s.left, s.y - half) + " to " + at(s.right, s.y + half) +
+               " front fillstyle transparent solid 0.2 noborder fillcolor rgb '" + l.colour + "'\n";
+    if (c.y.empty()) return;
+    const double centre = (s.left + s.right) / 2;
+    if (l.line)
+      text_ +=
+          "set arrow from " + at(s.left, s.y) + " to " + at(s.right, s.y) + " nohead front" + line(l) + "\n";
+    if (!c.error.empty())
+      text_ += "set arrow from " + at(centre, s.y - 1.3 * half) + " to " + at(centre, s.y + 1.3 * half) +
+               " nohead front linewidth " + number(kMark) + coloured(l) + "\n";
+    if (l.marker > 0) text_ += "set label '' at " + at(centre, s.y) + " point" + mark(l) + " front\n";
+  }
+
+  // A row with a value that is not finite becomes an empty line, which interrupts the curve.
+  std::string block(const std::string& name, const std::vector<const std::vector<double>*>& columns) {
+    std::string text = name + " << END_OF_CURVE\n";
+    for (std::size_t i = 0; i < columns[0]->size(); ++i) {
+      std::string row;
+      for (const auto* column : columns) {
+        if (!std::isfinite((*column)[i])) {
+          row.clear();
+          break;
+        }
+        row += (row.empty() ? "" : " ") + full_number((*column)[i]);
+      }
+      text += row + "\n";
+    }
+    return text + "END_OF_CURVE\n";
+  }
+
+  // Vertical lines with a cap at each end, as wide as a mark.
+  std::string error_block(const std::string& name, const Curve& c, const PlacedPanel& p) const {
+    const double half = 1.8 / p.frame.width();
+    std::string text = name + " << END_OF_CURVE\n";
+    for (std::size_t i = 0; i < c.x.size(); ++i) {
+      const double low = c.error.low[i], high = c.error.high[i], part = p.x.part(c.x[i]);
+      if (!std::isfinite(low + high + part)) continue;
+      const std::string x = full_number(c.x[i]), a = full_number(p.x.at(part - half)),
+                        b = full_number(p.x.at(part + half)), l = full_number(low), h = full_number(high);
+      for (const auto& [x0, y0, x1, y1] : {std::array{x, l, x, h}, {a, l, b, l}, {a, h, b, h}})
+        text += x0 + " " + y0 + "\n" + x1 + " " + y1 + "\n\n";
+    }
+    return text + "END_OF_CURVE\n";
+  }
+
+  // First all bands, then error bars, then the curves, so that bands lie behind the curves.
+  void curves(const Figure& f, const PlacedPanel& p) {
+    std::string bands, bars, lines;
+    for (std::size_t i = 0; i < f.curves.size(); ++i) {
+      const Curve& c = f.curves[i];
+      const Look l = look_of(f, i);
+      const std::string number_of = std::to_string(i);
+      const std::string title = c.label.empty() ? " notitle" : " title " + quoted(c.label);
+      if (!c.band.empty()) {
+        text_ += block("$band" + number_of, {&c.x, &c.band.low, &c.band.high});
+        bands += ", $band" + number_of +
+                 " using 1:2:3 with filledcurves fillstyle transparent solid 0.2 noborder" +
+                 " fillcolor rgb '" + l.colour + "'" + (c.y.empty() ? title : " notitle");
+      }
+      if (!c.error.empty()) {
+        text_ += error_block("$error" + number_of, c, p);
+        bars += ", $error" + number_of + " using 1:2 with lines linewidth " + fabricsh::number(kMark) +
+                coloured(l) + " notitle";
+      }
+      if (c.y.empty()) continue;
+      text_ += block("$curve" + number_of, {&c.x, &c.y});
+      if (l.line) lines += ", $curve" + number_of + " using 1:2 with lines" + line(l) + title;
+      if (l.marker > 0)
+        lines += ", $curve" + number_of + " using 1:2 with points" + mark(l) + (l.line ? " notitle" : title);
+    }
+    text_ += "plot " + (bands + bars + lines).substr(2) + "\n";
+  }
+
+  const Page& page_;
+  const Layout& layout_;
+  double width_, height_;
+  std::string text_;
+};
+
+std::string letters_axis(const std::string& name, const Axis& a) {
+  const auto end = [](const std::optional<double>& value) {
+    return value ? full_number(*value) : std::string("*");
+  };
+  return "set " + name + "label " + quoted(a.label) + "\nset " + name + "range [" + end(a.low) + ":" +
+         end(a.high) + "]\n" + (a.logarithmic ? "set logscale " + name + "\n" : "");
+}
+
+std::string letters_style(CurveStyle style) {
+  if (style == CurveStyle::points) return "points pointtype 'o'";
+  return style == CurveStyle::line_points ? "linespoints pointtype 'o'" : "lines";
+}
+
+// A row of numbers, or an empty line if one is not finite.
+std::string letters_row(double x, double y) {
+  const bool finite = std::isfinite(x) && std::isfinite(y);
+  return (finite ? full_number(x) + " " + full_number(y) : "") + "\n";
+}
+
+}  // namespace
+
+std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height) {
+  return Script(page, layout, canvas_width, canvas_height).made();
+}
+
+// In text mode each line type has a different mark. A band is shown by two lines; error bars are not shown.
+std::string letters_script(const Figure& f) {
+  visible_span(f);
+  std::string script = "set encoding utf8\nset title " + quoted(f.title) + "\n" + letters_axis("x", f.x) +
+                       letters_axis("y", f.y) + "set tics nomirror\nset border 3\n" +
+                       (f.key == Key::none ? "unset key\n" : "set key below Left reverse\n");
+  std::string plot;
+  const auto add = [&](std::size_t i, const std::string& name, const std::vector<double>& y,
+                       const std::string& with, bool named) {
+    const Curve& c = f.curves[i];
+    script += name + " << END_OF_CURVE\n";
+    for (std::size_t k = 0; k < c.x.size(); ++k) script += letters_row(c.x[k], y[k]);
+    script += "END_OF_CURVE\n";
+    plot += (plot.empty() ? "plot " : ", ") + name + " using 1:2 with " + with + " linetype " +
+            std::to_string(i + 1) + (named && !c.label.empty() ? " title " + quoted(c.label) : " notitle");
+  };
+  for (std::size_t i = 0; i < f.curves.size(); ++i) {
+    const Curve& c = f.curves[i];
+    const std::string place = std::to_string(i);
+    if (!c.band.empty()) {
+      add(i, "$low" + place, c.band.low, "lines", c.y.empty());
+      add(i, "$high" + place, c.band.high, "lines", false);
+    }
+    if (!c.y.empty()) add(i, "$curve" + place, c.y, letters_style(c.style), true);
+  }
+  return script + plot + "\n";
+}
+
+}  // namespace fabricsh::plot

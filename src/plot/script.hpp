@@ -1,0 +1,15 @@
+// gnuplot commands for a page.
+#pragma once
+#include <string>
+
+#include "plot/layout.hpp"
+
+namespace fabricsh::plot {
+
+// Everything but the terminal. canvas: size of the drawing in points; the page is its lower left part.
+std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height);
+
+// One panel in text mode.
+std::string letters_script(const Figure& figure);
+
+}  // namespace fabricsh::plot

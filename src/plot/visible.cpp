@@ -1,0 +1,85 @@
+#include "plot/visible.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+
+namespace fabricsh::plot {
+
+namespace {
+
+bool shows(const Axis& axis, double value) {
+  return std::isfinite(value) && (value > 0 || !axis.logarithmic);
+}
+
+bool in_range(const Axis& axis, double value) {
+  return value >= axis.low.value_or(value) && value <= axis.high.value_or(value);
+}
+
+void check_axis(const std::string& name, const Axis& axis) {
+  if (axis.logarithmic && (axis.low.value_or(1) <= 0 || axis.high.value_or(1) <= 0))
+    throw Error("figure: a logarithmic axis has no room for zero and below, got a range of " + name +
+                " from " + number(axis.low.value_or(1)) + " to " + number(axis.high.value_or(1)));
+}
+
+// Calls take(x, y) for every point, band end and error bar end.
+template <class Take>
+void each_point(const Curve& curve, Take take) {
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!curve.y.empty()) take(curve.x[i], curve.y[i]);
+    for (const Ends* ends : {&curve.band, &curve.error})
+      if (!ends->empty()) take(curve.x[i], ends->low[i]), take(curve.x[i], ends->high[i]);
+  }
+}
+
+void check_ends(const std::string& who, const char* what, const Ends& ends, std::size_t count) {
+  if (ends.low.size() != ends.high.size() || (!ends.empty() && ends.low.size() != count))
+    throw Error(who + "expected as many ends of its " + what + " as x, got " +
+                std::to_string(ends.low.size()) + " and " + std::to_string(ends.high.size()) + " for " +
+                std::to_string(count));
+  for (std::size_t i = 0; i < ends.low.size(); ++i)
+    if (ends.low[i] > ends.high[i])
+      throw Error(who + "its " + what + " ends below where it begins at place " + std::to_string(i + 1) +
+                  ": from " + number(ends.low[i]) + " to " + number(ends.high[i]));
+}
+
+void check_curve(const Figure& f, const Curve& curve) {
+  const std::string who = "figure: curve '" + curve.label + "': ";
+  const bool alone = curve.y.empty() && !curve.band.empty();
+  if (curve.x.size() != curve.y.size() && !alone)
+    throw Error(who + "expected as many y as x, got " + std::to_string(curve.y.size()) + " and " +
+                std::to_string(curve.x.size()));
+  check_ends(who, "band", curve.band, curve.x.size());
+  check_ends(who, "error bars", curve.error, curve.x.size());
+  bool any = false;
+  each_point(curve, [&](double x, double y) { any = any || (shows(f.x, x) && shows(f.y, y)); });
+  if (any) return;
+  const bool logarithmic = f.x.logarithmic || f.y.logarithmic;
+  throw Error(who + "nothing to draw: none of its " + std::to_string(curve.x.size()) + " points is finite" +
+              (logarithmic ? " and positive on the logarithmic axis" : ""));
+}
+
+}  // namespace
+
+Span visible_span(const Figure& f) {
+  if (f.curves.empty()) throw Error("figure: expected at least one curve");
+  check_axis("x", f.x);
+  check_axis("y", f.y);
+  for (const Curve& curve : f.curves) check_curve(f, curve);
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Span s{far, -far, far, -far};
+  // An axis without a given range is scaled by the points that lie within the range of the other axis.
+  for (const Curve& curve : f.curves)
+    each_point(curve, [&](double x, double y) {
+      if (!shows(f.x, x) || !shows(f.y, y) || !in_range(f.x, x) || !in_range(f.y, y)) return;
+      s.x_low = std::min(s.x_low, x), s.x_high = std::max(s.x_high, x);
+      s.y_low = std::min(s.y_low, y), s.y_high = std::max(s.y_high, y);
+    });
+  if (s.x_low > s.x_high) throw Error("figure: no point of any curve lies inside the range asked for");
+  return s;
+}
+
+}  // namespace fabricsh::plot
