@@ -1,6 +1,7 @@
 -- A round sheet of duck, its rim held, blown up: warp and weft carry unequal shares of the pressure.
 -- warns: real cloth has 5 to 20 uN.m
 local fabric, out = require "fabric", arg[1] or "out/gallery"
+local mm = fabric.units.mm
 local mesh = fabric.mesh.disk { radius = 0.1, cells = 6 }
 local card = fabric.card "duck"
 local model = fabric.model { mesh = mesh, card = card, warp = 0 }
@@ -12,7 +13,6 @@ local top = 0
 for i = 1, #mesh.nodes do top = math.max(top, run:node(i).uz) end
 local warp, weft = run:mean "tension_warp", run:mean "tension_weft"
 print(("%.1f mm high; mean tension %.0f N/m in the warp, %.0f N/m in the weft"):format(top * 1e3, warp, weft))
-fabric.render { file = out .. "/balloon.png", run = run, field = "tension_weft", view = { 30, 25 }, width = 700, height = 500,
-                title = "duck, rim held, 20 kPa" }
+fabric.render { file = out .. "/balloon.png", run = run, field = "tension_weft", view = { 30, 25 }, size = { 85 * mm, 60 * mm }, dpi = 200 }
 -- Tension times curvature carries the pressure; a cap of this height has the curvature 2 h / a^2, were it a shallow sphere.
 fabric.expect { { "tensions, N/m, against p a^2 / 2 h", warp + weft, 20e3 * 0.1 ^ 2 / (2 * top), relative = 0.05 } }

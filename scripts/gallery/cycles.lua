@@ -21,7 +21,7 @@ for k = 0, 60 do
   for i, d in ipairs(card.warp.loading) do s = s + d * e ^ i / i end
   backbone.E[k + 1], backbone.S[k + 1] = e, s
 end
-fabric.plot { file = out .. "/cycles.svg", title = "denim along the warp, pulled and let go", xlabel = "Green-Lagrange strain E11",
+fabric.plot { file = out .. "/cycles.svg", xlabel = "Green-Lagrange strain E11",
               ylabel = "stress S11", yunit = "MPa",
               curves = { { x = E, y = S, label = "pulled, let go" }, { x = backbone.E, y = backbone.S, style = "dashed", label = "P(E) of the card" } } }
 fabric.expect { { "it is slack at the residual strain, Pa", S[#S], 0, absolute = 1 }, { "and the peak is P(E)", S[205], backbone.S[61], relative = 1e-12 } }

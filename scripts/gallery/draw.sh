@@ -1,18 +1,69 @@
 #!/bin/sh
-# Draws the pictures of the gallery anew, into share/doc/figures/gallery. Usage: draw.sh <fabricsh>
+# Draws every picture of share/doc anew: those of the gallery, of the law, of the thesis and of the pages, each by the deck or
+# page that shows it. Minutes; on one processor half an hour. Usage: draw.sh <fabricsh> [gallery|law|thesis|pages ...]
 set -eu
 export OMP_WAIT_POLICY=passive OMP_NUM_THREADS=1  # beside other work idle threads would take the time of busy ones
 cd "$(dirname "$0")/../.."
-program=$1
-out=share/doc/figures/gallery
-for deck in scripts/gallery/*.lua; do
-  case $deck in
-    */table.lua) "$program" --quiet "$deck" "$out" 56 ;;
-    */drape.lua) "$program" --quiet "$deck" "$out" 20 ;;
-    *) "$program" --quiet "$deck" "$out" ;;
-  esac
-done
-characterised=$(mktemp -d)
-"$program" --quiet scripts/lab/characterise.lua share/data/synthetic-blend "$characterised"
-cp "$characterised/weft.svg" $out/characterise.svg
-rm -r "$characterised"
+root=$PWD
+program=$(realpath "$1")
+shift
+out=$root/share/doc/figures
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+
+gallery() {
+  for deck in scripts/gallery/*.lua; do
+    case $deck in
+      */table.lua) "$program" --quiet "$deck" "$out/gallery" 56 ;;
+      */drape.lua) "$program" --quiet "$deck" "$out/gallery" 20 ;;
+      *) "$program" --quiet "$deck" "$out/gallery" ;;
+    esac
+  done
+  "$program" --quiet scripts/lab/characterise.lua share/data/synthetic-blend "$work/mine"
+  cp "$work/mine/weft.svg" "$out/gallery/characterise.svg"
+}
+
+law() {
+  for name in biaxial reload shear; do "$program" --quiet "scripts/law/$name.lua" "$out"; done
+}
+
+# thesis_figure <name in share/doc> <deck> <file below out/thesis>
+thesis_figure() {
+  [ -e "$work/out/thesis/$3" ] || (cd "$work" && "$program" --quiet "$root/scripts/thesis/$2.lua")
+  cp "$work/out/thesis/$3" "$out/$1"
+}
+
+thesis() {
+  thesis_figure thesis_buckling.png fig_7_09_buckling fig_7_09/snapshots.png
+  thesis_figure thesis_zones.png fig_7_20_bias_blend fig_7_20/zones.png
+  thesis_figure thesis_fields.png fig_7_26_fields fig_7_26/S11.png
+  thesis_figure thesis_ratios.svg table_7_4_ratios table_7_4/muslin_warp.svg
+  thesis_figure thesis_drape.png drape drape/frames.png
+  thesis_figure thesis_poke.png poke poke/frames.png
+}
+
+# page_figures <page> <file that it writes> <name in share/doc> ...
+page_figures() {
+  page=$1
+  shift
+  mkdir -p "$work/$page"
+  (cd "$work/$page" && "$program" "$root/tests/doc/page.lua" "$root" "$root/share/doc/$page.md")
+  while [ $# -gt 0 ]; do
+    cp "$work/$page/page/$1" "$out/$2"
+    shift 2
+  done
+}
+
+pages() {
+  page_figures tutorial out/pull/strip.png tutorial_strip.png out/mine/compare.svg tutorial_compare.svg out/mine/bias.png tutorial_bias.png
+  page_figures howto/drape out/drape.png howto_drape.png out/table.png howto_table.png
+  page_figures howto/own-mesh out/disc.png howto_ring.png
+  page_figures howto/bias-angle out/angle.png howto_angle.png
+  page_figures howto/sleeve out/sleeve.png howto_sleeve.png
+  page_figures howto/plot out/weft.svg howto_weft.svg out/spread.svg howto_spread.svg out/panels.svg howto_plots.svg out/bias.png \
+    howto_panels.png out/views.png howto_views.png
+}
+
+[ $# -gt 0 ] || set -- gallery law thesis pages
+for part; do "$part"; done
+find "$out" -type f -size +120k | while read -r large; do echo "$large is larger than 120 kB" && false; done

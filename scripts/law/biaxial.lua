@@ -34,7 +34,6 @@ for k, law in ipairs(laws) do
 end
 fabric.plot {
   file = folder .. "/law_biaxial.svg",
-  title = "blend: warp stress in equal biaxial strain",
   xlabel = "Green-Lagrange strain E11 = E22",
   ylabel = "second Piola-Kirchhoff stress S11, MPa",
   curves = curves,

@@ -37,7 +37,6 @@ local backbone = { E = {}, S = {} }
 for i = 0, 100 do backbone.E[i + 1], backbone.S[i + 1] = top * i / 100, P(top * i / 100) / MPa end
 fabric.plot {
   file = folder .. "/law_reload.svg",
-  title = "blend, warp: 75 to 70 to 100 % of 18 mm, then slack",
   xlabel = "Green-Lagrange strain E11",
   ylabel = "second Piola-Kirchhoff stress S11, MPa",
   curves = {

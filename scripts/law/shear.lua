@@ -33,7 +33,6 @@ local cycle, fine = drive(card, { 0.2, -0.2, 0.25, 0 }, 200)
 local _, coarse = drive(card, { 0.2, -0.2, 0.25, 0 }, 1)
 fabric.plot {
   file = folder .. "/law_shear.svg",
-  title = "blend: cyclic simple shear",
   xlabel = "shear strain E12 (tensor)",
   ylabel = "shear stress S12, MPa",
   curves = { { x = cycle.x, y = cycle.y, label = "0.2, -0.2, 0.25, 0" } },
@@ -52,7 +51,6 @@ for _, case in ipairs { { "printed", card }, { "fading", fading } } do
 end
 fabric.plot {
   file = folder .. "/law_memory.svg",
-  title = "blend: reloading from just before and just after zero stress",
   xlabel = "shear strain E12 (tensor)",
   ylabel = "shear stress S12, MPa",
   curves = curves,

@@ -86,7 +86,7 @@ local function pictures(name, card, free, clamped, rules)
   chapter.plot("curves", "Free ends are the material point; clamped ends take about half the strip out of the test and carry more.",
                { title = name .. ": bias 45, 20 mm", curves = curves, xlabel = "Green-Lagrange strain of the grips", ylabel = "S = force over area, MPa" })
   chapter.render("zones", "Clamped ends: hardly any shear in the triangles at the grips, the most in the middle: the three zones of fig. 3-52.",
-                 { run = clamped.analysis, field = "E12", title = name .. ", bias 45, clamped, 20 mm", width = 800 })
+                 { run = clamped.analysis, field = "E12" })
 end
 
 return function(figure, name, folder)

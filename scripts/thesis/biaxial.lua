@@ -52,7 +52,7 @@ return function(figure, name, folder)
     chapter.plot(direction, "The default law stiffens a little; the fitted spring and the thesis' law as much as its coupling says.",
                  { title = ("%s: %s in equal biaxial strain"):format(name, direction), xlabel = "Green-Lagrange strain", ylabel = "S, MPa", curves = curves })
   end
-  chapter.render("square", "The square at 30 mm: uniform.", { vtu = chapter.frame(chapter.folder .. "/square", runs[1][2], runs[1][2].peak), field = "S11", title = name .. ", 1:1, 30 mm" })
+  chapter.render("square", "The square at 30 mm: uniform.", { vtu = chapter.frame(chapter.folder .. "/square", runs[1][2], runs[1][2].peak), field = "S11" })
   local potential, sprung, incremental, thesis = runs[1][2].peak, runs[2][2].peak, runs[3][2].peak, runs[4][2].peak
   return chapter.expect {
     { "default law, warp", potential.S11, P1 + c * (1 + nu12) * E, relative = 1e-9 },

@@ -155,9 +155,12 @@ function chapter.square_by_rules(card, test)
   return { curve = curve }
 end
 
--- Draws a sheet; without a display a warning.
+-- Draws a sheet, or several on the width of two columns of a journal; without a display a warning. fields.height: mm.
 function chapter.render(name, sentence, fields)
   fields.file = ("%s/%s.png"):format(chapter.folder, name)
+  local several = type(fields.vtu) == "table"
+  fields.size = { (several and 170 or 85) * 1e-3, (fields.height or (several and 100 or 80)) * 1e-3 }
+  fields.dpi, fields.height = several and 150 or 200, nil
   local ok, drawn = pcall(fabric.render, fields)
   if not ok then
     assert(tostring(drawn):find("no display", 1, true), drawn)

@@ -95,7 +95,7 @@ return function(figure, name, folder)
   chapter.plot("rules", "The thesis' endpoint rule lies above P(E) by its step size, and by its coupling where the ratios are large.",
                { title = name .. ", the thesis' own rules", curves = theirs, xlabel = labels.xlabel, ylabel = labels.ylabel })
   chapter.render("peak", "Warp at its largest displacement, clamped: the ends keep their width, the middle contracts.",
-                 { vtu = chapter.frame(chapter.folder .. "/warp/strip", warp, warp.peak), field = "E22", title = name .. ", warp, clamped, largest displacement", width = 700 })
+                 { vtu = chapter.frame(chapter.folder .. "/warp/strip", warp, warp.peak), field = "E22" })
   -- Ends that slide free can't hold back the shear that two different yarns cause: within 1 % of uniform.
   checks[#checks + 1] = { "bias 45, free: S over that of the material point", off_axis.peak.S / fabric.point(card):uniaxial(45, off_axis.peak.E).S, 1, relative = 0.01 }
   return chapter.expect(checks)

@@ -37,7 +37,7 @@ for k = 0, 5 do
   frames[k + 1], labels[k + 1] = chapter.frame(chapter.folder .. "/drape", test, row), ("%.1f s"):format(row.time)
 end
 chapter.render("frames", "The sheet falls, is caught by its corners, and swings back; folds run from corner to corner.",
-               { vtu = frames, labels = labels, field = "E12", view = { 30, 25 }, title = name .. ": drape" })
+               { vtu = frames, labels = labels, field = "E12", view = { 30, 25 }, columns = 3, edges = false })
 local early = chapter.at_time(test.curve, 0.05)
 chapter.expect {
   { "free fall at 0.05 s", early.centre, 9.81 * early.time ^ 2 / 2, relative = 1e-3 },  -- the wave from the pins is on its way

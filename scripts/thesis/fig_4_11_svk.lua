@@ -29,5 +29,5 @@ chapter.mesh_rows("SVK, warp, clamped", fabric.lab.uniaxial { card = svk, displa
 chapter.plot("curves", "SVK is straight and falls short of the stiffening cloth from a few per cent of strain on.",
              { title = "blend: SVK and the measured backbone", curves = curves, xlabel = "Green-Lagrange strain E", ylabel = "S, MPa" })
 chapter.render("svk", "SVK with free ends: uniform stress, uniform contraction.",
-               { vtu = chapter.frame(chapter.folder .. "/strip", warp), field = "S11", title = "SVK, warp, 18 mm", width = 700 })
+               { vtu = chapter.frame(chapter.folder .. "/strip", warp), field = "S11" })
 return chapter.expect(checks)

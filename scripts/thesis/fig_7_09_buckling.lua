@@ -70,8 +70,7 @@ chapter.plot("force", "Pull rises along the backbone, falls steeply, and is near
 local frames = {}
 for i, row in ipairs { test.curve[1], test.peak, test.curve[#test.curve] } do frames[i] = chapter.frame(chapter.folder .. "/strip", test, row) end
 chapter.render("snapshots", "Start, 18 mm, and back at zero: one fold across the strip, ends clamped level.",
-               { vtu = frames, labels = { "(a) start", "(b) 18 mm", "(c) back at 0" }, field = "E11", view = { 50, 20 }, width = 1500, height = 560,
-                 title = "blend, warp, clamped, plane free" })
+               { vtu = frames, labels = { "(a) start", "(b) 18 mm", "(c) back at 0" }, field = "E11", view = { 50, 20 }, height = 55 })
 chapter.expect {
   -- 18 elements bend the fold by chords; the strip's edges keep a little of the clamped width.
   { "rise over the elastica's", rise / elastica(length, 76.2 * mm), 1, relative = 0.03 },

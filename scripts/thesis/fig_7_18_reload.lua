@@ -37,7 +37,7 @@ if rules then curves[#curves + 1] = chapter.curve(rules.curve, "thesis' rules", 
 chapter.plot("curves", "Let back a little and pulled again, the strip goes down and up one steep line and joins the backbone where it left it.",
              { title = "blend, warp: 75, 70, 100 % of 18 mm", curves = curves, xlabel = "Green-Lagrange strain E", ylabel = "S, MPa" })
 chapter.render("peak", "At 100 % of 18 mm, clamped: even stress but for the corners.",
-               { vtu = chapter.frame(chapter.folder .. "/strip", clamped, clamped.peak), field = "S11", title = "blend, warp, 18 mm, reloaded", width = 700 })
+               { vtu = chapter.frame(chapter.folder .. "/strip", clamped, clamped.peak), field = "S11" })
 chapter.expect {
   { "S at 75 %", at(free, 1).S, chapter.P(yarn, m), relative = 1e-9 },
   { "S let back to 70 %", at(free, 2).S, chapter.P(yarn, m) - yarn.unloading * (m - back), relative = 1e-9 },

@@ -19,8 +19,7 @@ for _, grips in ipairs { "free", "clamped" } do
   for i, row in ipairs { test.curve[1], test.peak, test.curve[#test.curve] } do frames[i] = chapter.frame(folder .. "/strip", test, row) end
   chapter.render(grips, grips == "free" and "Free ends: the strip narrows as a whole and shears alike everywhere."
                    or "Clamped ends: the ends keep their width and stay nearly unsheared, the middle takes the shear.",
-                 { vtu = frames, labels = { "(a) start", "(b) 20 mm", "(c) grip lets go" }, field = "E12",
-                   title = ("blend, bias 45, ends %s"):format(grips), width = 1300, height = 800 })
+                 { vtu = frames, labels = { "(a) start", "(b) 20 mm", "(c) grip lets go" }, field = "E12" })
   chapter.row(("grip strain left where the grip lets go, ends %s"):format(grips), nil, test.curve[#test.curve].E)
   curves[#curves + 1] = chapter.curve(test.curve, "ends " .. grips, "line", "E_average", "E_lateral", 1)
   chapter.mesh_rows("20 mm, " .. grips, fabric.lab.bias { card = card, grips = grips, unload = false, steps = 20 }, { "E_lateral", "E12_centre" })

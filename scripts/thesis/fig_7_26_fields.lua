@@ -35,7 +35,7 @@ for _, field in ipairs { "E11", "E12", "S11" } do
   chapter.render(field, field == "E12" and "The shear is largest in the middle and smooth from element to element." or
                    field == "E11" and "The warp is stretched along the diagonal that it spans from corner to corner." or
                    "The stress of the warp follows: a band along the diagonal, peaks at two corners.",
-                 { vtu = { begin, last }, labels = { "(a) 2 mm", "(b) 19 mm" }, field = field, title = "blend, 30 degrees, free ends", width = 1000 })
+                 { vtu = { begin, last }, labels = { "(a) 2 mm", "(b) 19 mm" }, field = field })
 end
 chapter.plot("ways", "Force over area and the element average agree; the middle carries a tenth more.",
              { title = "blend, 30 degrees: stress three ways", xlabel = "Green-Lagrange strain of the grips", ylabel = "S, MPa",

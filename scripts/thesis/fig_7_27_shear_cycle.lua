@@ -36,7 +36,7 @@ chapter.plot("cycle", "Straight unloading to zero stress, then the same curved b
              { title = "blend: cyclic simple shear, nine elements", xlabel = "E12 (tensor)", ylabel = "S12, MPa", curves = curves })
 chapter.render("square", "Nine elements in simple shear to and fro: uniform.",
                { vtu = { chapter.frame(chapter.folder .. "/square", test, chapter.at_time(test.curve, 1)), chapter.frame(chapter.folder .. "/square", test, chapter.at_time(test.curve, 2)) }, labels = { "E12 = 0.2", "E12 = -0.2" },
-                 field = "S12", title = "blend, simple shear" })
+                 field = "S12" })
 chapter.expect {
   { "S12 at 0.2", at(test, 1), Pg(0.4), relative = 1e-9 },
   { "S12 at -0.2", at(test, 2), -Pg(back), relative = 1e-9 },

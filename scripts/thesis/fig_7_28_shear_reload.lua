@@ -26,7 +26,7 @@ curves[3] = chapter.curve(rules.curve, "thesis' rules", "points", "E12", "S12")
 chapter.plot("reload", "Down and up one steep line, back onto the loading curve.",
              { title = "blend: simple shear, let back a little", xlabel = "E12 (tensor)", ylabel = "S12, MPa", curves = curves })
 chapter.render("square", "Nine elements at E12 = 0.25.",
-               { vtu = chapter.frame(chapter.folder .. "/square", test), field = "S12", title = "blend, simple shear, E12 = 0.25", width = 900 })
+               { vtu = chapter.frame(chapter.folder .. "/square", test), field = "S12" })
 chapter.expect {
   { "S12 at 0.20", at(test, 1), Pg(0.40), relative = 1e-9 },
   { "S12 let back to 0.19", at(test, 2), Pg(0.40) - card.shear.unloading / 2 * 0.02, relative = 1e-9 },

@@ -41,6 +41,6 @@ return function(figure, name, folder)
                { title = name .. ": strain across the pull", xlabel = "strain along the pull", ylabel = "strain across", curves = curves })
   chapter.render("across", "Clamped warp and weft at their largest displacement: no contraction at the ends.",
                  { vtu = frames, labels = { "warp", "weft" },
-                   field = "ux", title = name .. ": displacement across the pull" })
+                   field = "ux" })
   return chapter.expect(checks)
 end

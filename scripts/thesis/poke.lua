@@ -58,7 +58,7 @@ for k, time in ipairs { 0, 0.15, 0.25, 0.35, 0.5, 1 } do
   frames[k], labels[k] = chapter.frame(chapter.folder .. "/poke", test, row), ("%.2f s"):format(row.time)
 end
 chapter.render("frames", "Poked up, let down: what was stretched hangs in folds about the punch.",
-               { vtu = frames, labels = labels, field = "E22", view = { 30, 25 }, title = card.name .. ": poke" })
+               { vtu = frames, labels = labels, field = "E22", view = { 30, 25 }, columns = 3, edges = false })
 local top, last = chapter.at_time(test.curve, 0.25), test.curve[#test.curve]
 chapter.expect {
   { "the punch is at the top at 0.25 s, m", top.height, 0.4, absolute = 1e-12 },

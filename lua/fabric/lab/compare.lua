@@ -104,14 +104,14 @@ local function band_of(t, out)
   if n == 0 then fail "compare: field 'spread': expected a band where there are measured points" end
   out.inside = inside / n
   out.text = out.text .. ("; %.0f %% of the points lie in the band of the next specimen"):format(100 * out.inside)
-  return { { x = band.E, y = band.next_low, style = "dashed", label = ("%g %% of the next specimens"):format(100 * band.level) },
-    { x = band.E, y = band.next_high, style = "dashed" } }
+  return { { x = band.E, band = { low = band.next_low, high = band.next_high }, colour = "grey",
+    label = ("%g %% of the next specimens"):format(100 * band.level) } }
 end
 
 local function draw(t, xname, yname, x, y, tx, ty, edges)
   local curves = { { x = x, y = y, label = "measured", style = "points" }, { x = tx, y = ty, label = "simulated" } }
   table.move(edges, 1, #edges, 3, curves)
-  fabric.plot { file = t.file, title = t.title or "measured and simulated", xlabel = labels[xname] or xname, xunit = units[xname],
+  fabric.plot { file = t.file, title = t.title, xlabel = labels[xname] or xname, xunit = units[xname],
     ylabel = labels[yname] or yname, yunit = units[yname], curves = curves }
 end
 

@@ -136,20 +136,26 @@ local function outside_of(spread, E, S)
   return n > 0 and out / n or 1
 end
 
+-- Some forty points on the way up and on every other way: more would be one smear in a figure.
+local function thinned(E, S)
+  local e, s, stride = {}, {}, math.max(1, #E // 80)
+  for k = 1, #E, stride do e[#e + 1], s[#s + 1] = E[k], S[k] end
+  return e, s
+end
+
 local function overlay(result, name, out)
   local part = result[name]
   local E, S = simulate(result, part, name)
   local curves = {}
   for i = 1, #part.tests do
-    local e, s = measured(part, i, true)
-    curves[i] = { x = e, y = scaled(s, 1 / u.MPa), label = "specimen " .. i, style = "points" }
+    local e, s = thinned(measured(part, i, true))
+    curves[i] = { x = e, y = scaled(s, 1 / u.MPa), label = "specimen " .. i, style = "points", colour = "grey" }
   end
   curves[#curves + 1] = { x = E, y = scaled(S, 1 / u.MPa), label = "card, simulated" }
   if part.spread then
-    for _, side in ipairs { "low", "high" } do
-      curves[#curves + 1] = { x = part.spread.E, y = scaled(part.spread["next_" .. side], 1 / u.MPa), style = "dashed",
-        label = side == "low" and ("%g %% of the next specimens"):format(100 * part.spread.level) or nil }
-    end
+    local spread = part.spread
+    curves[#curves + 1] = { x = spread.E, band = { low = scaled(spread.next_low, 1 / u.MPa), high = scaled(spread.next_high, 1 / u.MPa) },
+      colour = "grey", label = ("%g %% of the next specimens"):format(100 * spread.level) }
   end
   for _, mark in ipairs { "yield", "failure" } do
     local points = marked(part, mark)
@@ -159,11 +165,11 @@ local function overlay(result, name, out)
   local function plot(fields)
     if fabric.plot(fields) then files[#files + 1] = fields.file end
   end
-  plot { file = out .. "/" .. name .. ".svg", title = result.about.name .. ", " .. name, curves = curves,
-    xlabel = name == "shear" and "E12" or "Green-Lagrange strain E", ylabel = "second Piola-Kirchhoff stress, MPa" }
+  plot { file = out .. "/" .. name .. ".svg", curves = curves, key = "below",
+    xlabel = name == "shear" and "E12" or "Green-Lagrange strain E", ylabel = "second Piola-Kirchhoff stress, MPa", size = { 120 * u.mm, 90 * u.mm } }
   local rest, differences = residual(part, E, S)
-  plot { file = out .. "/" .. name .. "-residual.svg", title = "measured less simulated", curves = differences, xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
-    ylabel = "per cent of the peak" }
+  plot { file = out .. "/" .. name .. "-residual.svg", curves = differences, key = "below", xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
+    ylabel = "measured less simulated, % of the peak", size = { 120 * u.mm, 90 * u.mm } }
   return { files = files, residual = rest, outside = outside_of(part.spread, E, S) }
 end
 
