@@ -1395,20 +1395,31 @@ function fabric.mesh.rectangle(fields) end
 function fabric.model(fields) end
 
 ---@class fabric_plot_fields
----@field curves table { {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x="E", y="S"} by the fields of a list of tables; style: line, dashed, points, line_points
----@field file? string ends in .svg, .png or .pdf; none: drawn in letters
----@field title? string above the curves (default "")
----@field xlabel? string what x is (default "")
----@field ylabel? string what y is (default "")
----@field xunit? string of fabric.units, or %: x is SI and shown in it, behind the label (default "")
----@field yunit? string likewise (default "")
+---@field rows? table in the place of curves: a list of tables, a test with a curve, or a table of lists
+---@field x? string with rows: the field along x
+---@field y? string|table with rows: the field along y, or a list of fields
+---@field curves? table { {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x="E", y="S"} by the fields of a list of tables; style: line, dashed, points, line_points; error=, band={low=, high=}, colour=
+---@field title? string above the axes
+---@field xlabel? string what x is
+---@field ylabel? string what y is
+---@field xunit? string of fabric.units, or %: x is SI and shown in it, behind the label
+---@field yunit? string likewise
 ---@field xrange? number[] {low, high} shown, in SI; default: all
 ---@field yrange? number[] {low, high} shown, in SI; default: all
----@field log? ""|"x"|"y"|"xy" logarithmic axes (default "")
+---@field log? ""|"x"|"y"|"xy" logarithmic axes
+---@field key? "best"|"none"|"top left"|"top right"|"bottom left"|"bottom right"|"below"|"right" where the labels of the curves stand; best: the first corner free of curves, else below
+---@field file? string ends in .svg, .pdf or .png; none: drawn in letters
+---@field panels? table { {curves=, title=, xlabel=, ...}, ... }: several plots on one page; what a panel does not say is taken from the call
+---@field layout? number[] {rows, columns} of the panels; default: two columns
+---@field letters? boolean (a), (b), ... above the panels (default true)
+---@field size? number[] m: {width, height} of the page; default {85*mm, 60*mm}, a column of a journal; with panels 170 mm wide, 60 mm for a row
+---@field font? string a family of letters; default: Helvetica, or what stands for it (default "")
+---@field font_size? number points: size of all letters (default 8)
+---@field dpi? number pixels of a PNG per inch (default 300)
 ---@field columns? integer width of a drawing in letters (default 79)
 ---@field lines? integer height of a drawing in letters (default 24)
 
----Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
+---Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. fabric.plot(rows, "E", "S", {...}) is short for fabric.plot{ rows=rows, x="E", y="S", ... }. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
 ---@param fields fabric_plot_fields
 ---@return string|boolean|nil
 function fabric.plot(fields) end
@@ -1441,9 +1452,14 @@ function fabric.ramp(value, duration) end
 ---@field factor? number the bar shows that much times the SI value; default: to the unit
 ---@field range? number[] {low, high} of the bar; default: those of all panels
 ---@field view? "above"|"front"|"side"|"oblique"|number[] above (from +z, y up), front (along +y), side (along -x), oblique, or {azimuth, elevation} in degrees (default "above")
+---@field views? table { 'front', 'side', 'above', 'oblique', {30, 25}, ... }: several views in one picture, in one scale
 ---@field columns? integer of panels
 ---@field width? integer pixels (default 1200)
 ---@field height? integer pixels (default 900)
+---@field size? number[] m: {width, height} on paper, in the place of pixels: {85*mm, 60*mm} for a column of a journal
+---@field dpi? number with size: pixels per inch (default 300)
+---@field font_size? number points: with size: of all letters (default 7)
+---@field smooth? boolean colours that change evenly between the nodes; else each element has its own (default false)
 ---@field edges? boolean of the elements (default true)
 ---@field axes? boolean with a scale, in mm (m from 1.5 m on) (default true)
 
