@@ -154,30 +154,33 @@ local function mean(runs, name)
   return sum, #runs > 1 and math.sqrt(squares / (#runs - 1)) or 0 / 0
 end
 
+-- The outlines over one another, as long as wide, with the level disc and the pedestal dashed.
+local colours = { "#1f5fa8", "#d9541e", "#2f9e6e", "#8e44ad", "#b8860b", "#444444" }
 local function draw_contours(t, result)
-  local function circle(radius, label)
-    local points = {}
-    for k = 0, 180 do points[k + 1] = { radius * math.cos(math.rad(2 * k)), radius * math.sin(math.rad(2 * k)) } end
-    return { points, label, "dashed" }
+  local size, line = 480, 18
+  local scale, out = 0.9 * size / t.disc, {}
+  local function add(form, ...) out[#out + 1] = form:format(...) end
+  add('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" width="%d" height="%d" font-family="sans-serif" font-size="13">', size,
+    size + line * (#result.runs + 2), size, size + line * (#result.runs + 2))
+  add '<rect width="100%%" height="100%%" fill="white"/>'
+  add('<text x="%d" y="18" text-anchor="middle">%s, disc of %g mm on %g mm</text>', size // 2, (t.card.name:gsub("[<>&]", " ")), 1e3 * t.disc, 1e3 * t.support)
+  local x, y = size / 2, size / 2 + line
+  for _, d in ipairs { t.disc, t.support } do add('<circle cx="%g" cy="%g" r="%.2f" fill="none" stroke="#999999" stroke-dasharray="4 4"/>', x, y, scale * d / 2) end
+  for i, one in ipairs(result.runs) do
+    local points, colour = {}, colours[(i - 1) % #colours + 1]
+    for k, p in ipairs(one.contour) do points[k] = ("%.1f,%.1f"):format(x + scale * p[1], y - scale * p[2]) end
+    add('<polygon points="%s" fill="none" stroke="%s" stroke-width="1.5"/>', table.concat(points, " "), colour)
+    add('<text x="24" y="%d" fill="%s">seed %d: %.1f %%, folds: %d</text>', size + line * (i + 1), colour, one.seed, 100 * one.coefficient, one.nodes)
   end
-  local curves = {}
-  local function add(points, label, style)
-    local x, y = {}, {}
-    for i, p in ipairs(points) do x[i], y[i] = p[1], p[2] end
-    x[#x + 1], y[#y + 1] = x[1], y[1]
-    curves[#curves + 1] = { x = x, y = y, label = label, style = style }
-  end
-  add(table.unpack(circle(t.support / 2, "pedestal")))
-  for _, one in ipairs(result.runs) do add(one.contour, ("seed %d: %.1f %%, %d nodes"):format(one.seed, 100 * one.coefficient, one.nodes), "line") end
-  local reach = 0.53 * t.disc
-  fabric.plot { file = t.file, title = ("%s, disc of %g mm on %g mm"):format(t.card.name, t.disc * 1e3, t.support * 1e3), xlabel = "x", ylabel = "y",
-    xunit = "mm", yunit = "mm", xrange = { -reach, reach }, yrange = { -reach, reach }, curves = curves }
+  add "</svg>"
+  fabric.write(t.file, table.concat(out, "\n") .. "\n")
 end
 
 local function check(t)
   local function refuse(field, expected, got) define.fail(("cusick: field '%s': expected %s, got %s"):format(field, expected, got)) end
   if t.support >= t.disc then refuse("support", ("a diameter below that of the disc, %g m"):format(t.disc), ("%g m"):format(t.support)) end
   if 4 * t.edge > t.support then refuse("edge", ("at most a quarter of the support, %g m"):format(t.support / 4), ("%g m"):format(t.edge)) end
+  if t.file and not t.file:find "%.svg$" then refuse("file", "a name that ends in .svg", "'" .. t.file .. "'") end
   t.held = t.held or t.support
   if t.held > t.support then refuse("held", ("at most the diameter of the support, %g m"):format(t.support), ("%g m"):format(t.held)) end
   t.side = t.side or t.disc / 2
@@ -243,7 +246,7 @@ define {
     { name = "processes", kind = "integer", low = 1, optional = true, sentence = "seeds side by side; default: the threads that the program may use" },
     { name = "every", kind = "number", unit = "s", above = 0, default = 0.1, sentence = "time between frames of the VTK series" },
     { name = "out", kind = "text", optional = true, sentence = "folder for a VTK series of each seed" },
-    { name = "file", kind = "text", optional = true, sentence = "the contours as a figure, .svg, .png or .pdf" },
+    { name = "file", kind = "text", optional = true, sentence = "the outlines as a figure; ends in .svg" },
   },
   sentence = "Drape test: a disc of cloth is let down over a pedestal, in explicit motion, until it rests; once for each seed, side by side. Returns coefficient (shadow "
     .. "of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; "

@@ -28,3 +28,5 @@ wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, contact='yes' }",
   "deck.lua:1: cusick: field 'contact': expected true or false, got 'yes'")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, file=7 }",
   "deck.lua:1: cusick: field 'file': expected a string, got 7")
+wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, file='out/broad.png' }",
+  "deck.lua:1: cusick: field 'file': expected a name that ends in .svg, got 'out/broad.png'")
