@@ -8,11 +8,13 @@ local define = require "fabric.define"
 local curves = require "fabric.columns"
 local fabric = require "fabric"
 
--- Facets touching the cylinder where contact begins: corners slightly outside; straight ends along the tangents.
+-- Facets that touch the cylinder's surface: corners a little outside, leads along the tangents. They begin pressed in by a hair, since
+-- contact has no stiffness where it begins, and a limp strip would be free to swing.
+local pressed = 0.005 -- of the thickness
 local function strip(t)
   local half = math.rad(t.wrap) / 2
   local turn = 2 * half / t.around
-  local r = (t.radius + t.card.thickness / 2) / math.cos(turn / 2)
+  local r = (t.radius + (0.5 - pressed) * t.card.thickness) / math.cos(turn / 2)
   local facet = 2 * r * math.sin(turn / 2)
   local n = t.around + 2 * t.lead
   local mesh = fabric.mesh.rectangle { width = n * facet, height = t.width, nx = n, ny = t.across }

@@ -1,0 +1,223 @@
+-- Does anything of a run pass through anything else? Looked at by brute force, with no help from the search or the distances of
+-- contact: every edge of the cloth against every triangle of it, every triangle against every ball, every node against every plane.
+--
+-- A pair that was found to be s apart is looked at again before the two can have moved by s, so that no pair is ever trusted
+-- further than its own distance reaches, and a look at each step of a run costs little.
+local brute = {}
+
+local huge, sqrt, floor, abs, max, min = math.huge, math.sqrt, math.floor, math.abs, math.max, math.min
+
+-- The two triangles of a quadrilateral, along its shorter reference diagonal; even ones by the parity of the element's number.
+local function split(mesh, e)
+  local id = mesh.elements[e]
+  if #id == 3 then return { { id[1], id[2], id[3] } } end
+  local function length(a, b)
+    local p, q = mesh.nodes[id[a]], mesh.nodes[id[b]]
+    return sqrt((p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 + (p[3] - q[3]) ^ 2)
+  end
+  local first, second = length(1, 3), length(2, 4)
+  local even = abs(first - second) <= 1e-9 * (first + second)
+  local along = first < second
+  if even then along = (e - 1) % 2 == 0 end
+  if along then return { { id[1], id[2], id[3] }, { id[1], id[3], id[4] } } end
+  return { { id[1], id[2], id[4] }, { id[2], id[3], id[4] } }
+end
+
+function brute.triangles(mesh)
+  local list = {}
+  for e = 1, #mesh.elements do
+    for _, t in ipairs(split(mesh, e)) do list[#list + 1] = t end
+  end
+  return list
+end
+
+local function edges_of(triangles)
+  local list, known = {}, {}
+  for _, t in ipairs(triangles) do
+    for k = 1, 3 do
+      local a, b = t[k], t[k % 3 + 1]
+      if a > b then a, b = b, a end
+      local key = a .. " " .. b
+      if not known[key] then
+        known[key] = true
+        list[#list + 1] = { a, b }
+      end
+    end
+  end
+  return list
+end
+
+-- Does the edge pq go through the triangle abc [moller1997], its border counted as inside.
+local function cuts(X, Y, Z, p, q, a, b, c)
+  local px, py, pz, ax, ay, az = X[p], Y[p], Z[p], X[a], Y[a], Z[a]
+  local lx, ly, lz = X[q] - px, Y[q] - py, Z[q] - pz
+  local ux, uy, uz = X[b] - ax, Y[b] - ay, Z[b] - az
+  local vx, vy, vz = X[c] - ax, Y[c] - ay, Z[c] - az
+  local hx, hy, hz = ly * vz - lz * vy, lz * vx - lx * vz, lx * vy - ly * vx
+  local det = ux * hx + uy * hy + uz * hz
+  local size = sqrt((lx * lx + ly * ly + lz * lz) * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz))
+  if abs(det) <= 1e-15 * size then return false end -- parallel: its ends and edges are met by other pairs
+  local sx, sy, sz = px - ax, py - ay, pz - az
+  local wx, wy, wz = sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux
+  local first = (sx * hx + sy * hy + sz * hz) / det
+  local second = (lx * wx + ly * wy + lz * wz) / det
+  local t = (vx * wx + vy * wy + vz * wz) / det
+  return first >= 0 and second >= 0 and first + second <= 1 and t >= 0 and t <= 1
+end
+
+-- How far apart an edge and a triangle are at least: the widest gap between their shadows along a few directions.
+local function apart(X, Y, Z, p, q, a, b, c)
+  local best = 0
+  local function along(x, y, z)
+    local size = sqrt(x * x + y * y + z * z)
+    if not (size > 0) then return end
+    local e1, e2 = x * X[p] + y * Y[p] + z * Z[p], x * X[q] + y * Y[q] + z * Z[q]
+    local t1, t2, t3 = x * X[a] + y * Y[a] + z * Z[a], x * X[b] + y * Y[b] + z * Z[b], x * X[c] + y * Y[c] + z * Z[c]
+    best = max(best, (min(e1, e2) - max(t1, t2, t3)) / size, (min(t1, t2, t3) - max(e1, e2)) / size)
+  end
+  local mx = (X[p] + X[q]) / 2 - (X[a] + X[b] + X[c]) / 3
+  local my = (Y[p] + Y[q]) / 2 - (Y[a] + Y[b] + Y[c]) / 3
+  local mz = (Z[p] + Z[q]) / 2 - (Z[a] + Z[b] + Z[c]) / 3
+  along(mx, my, mz)
+  local ux, uy, uz, vx, vy, vz = X[b] - X[a], Y[b] - Y[a], Z[b] - Z[a], X[c] - X[a], Y[c] - Y[a], Z[c] - Z[a]
+  along(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx)
+  local lx, ly, lz = X[q] - X[p], Y[q] - Y[p], Z[q] - Z[p]
+  local share = (mx * lx + my * ly + mz * lz) / (lx * lx + ly * ly + lz * lz)
+  along(mx - share * lx, my - share * ly, mz - share * lz)
+  return best
+end
+
+-- Distance of a place and a triangle.
+local function distance(X, Y, Z, x, y, z, a, b, c)
+  local function to_edge(i, j)
+    local lx, ly, lz = X[j] - X[i], Y[j] - Y[i], Z[j] - Z[i]
+    local t = max(0, min(1, ((x - X[i]) * lx + (y - Y[i]) * ly + (z - Z[i]) * lz) / (lx * lx + ly * ly + lz * lz)))
+    return sqrt((x - X[i] - t * lx) ^ 2 + (y - Y[i] - t * ly) ^ 2 + (z - Z[i] - t * lz) ^ 2)
+  end
+  local ux, uy, uz, vx, vy, vz = X[b] - X[a], Y[b] - Y[a], Z[b] - Z[a], X[c] - X[a], Y[c] - Y[a], Z[c] - Z[a]
+  local nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+  local sx, sy, sz = x - X[a], y - Y[a], z - Z[a]
+  local n2 = nx * nx + ny * ny + nz * nz
+  local second = ((uy * sz - uz * sy) * nx + (uz * sx - ux * sz) * ny + (ux * sy - uy * sx) * nz) / n2
+  local first = ((sy * vz - sz * vy) * nx + (sz * vx - sx * vz) * ny + (sx * vy - sy * vx) * nz) / n2
+  if first >= 0 and second >= 0 and first + second <= 1 then return abs(sx * nx + sy * ny + sz * nz) / sqrt(n2) end
+  return min(to_edge(a, b), to_edge(b, c), to_edge(c, a))
+end
+
+-- A watch over a run: balls = { {body=, radius=}, ... }, planes = { {point=, normal=}, ... } that stand. Returns a function that looks
+-- at the run as it is and returns a list of texts, one for each place where something has passed.
+function brute.watch(mesh, balls, planes)
+  balls, planes = balls or {}, planes or {}
+  local triangles = brute.triangles(mesh)
+  local edges = edges_of(triangles)
+  local X, Y, Z, moved, quantum = {}, {}, {}, 0, nil
+  local due = {} -- by the motion at which it is due, in quanta: numbers of pairs
+  local n_edges, n_triangles = #edges, #triangles
+
+  local function read(run)
+    local now, most = run:field "position", 0
+    local first = X[1] == nil
+    if not first then
+      local dx, dy, dz = 0, 0, 0 -- what all have in common moves nothing through anything
+      for i, p in ipairs(now) do dx, dy, dz = dx + p[1] - X[i], dy + p[2] - Y[i], dz + p[3] - Z[i] end
+      dx, dy, dz = dx / #now, dy / #now, dz / #now
+      for i, p in ipairs(now) do most = max(most, (p[1] - X[i] - dx) ^ 2 + (p[2] - Y[i] - dy) ^ 2 + (p[3] - Z[i] - dz) ^ 2) end
+    end
+    for i, p in ipairs(now) do X[i], Y[i], Z[i] = p[1], p[2], p[3] end
+    moved = moved + 2 * sqrt(most)
+    return first
+  end
+
+  local function put(pair, distance_)
+    local key = floor((moved + distance_) / quantum)
+    local list = due[key]
+    if not list then
+      list = {}
+      due[key] = list
+    end
+    list[#list + 1] = pair
+  end
+
+  local function begin()
+    local e = edges[1]
+    quantum = sqrt((X[e[1]] - X[e[2]]) ^ 2 + (Y[e[1]] - Y[e[2]]) ^ 2 + (Z[e[1]] - Z[e[2]]) ^ 2) / 100
+    for i = 1, n_edges do
+      local p, q = edges[i][1], edges[i][2]
+      local x1, x2, y1, y2, z1, z2 = X[p], X[q], Y[p], Y[q], Z[p], Z[q]
+      if x1 > x2 then x1, x2 = x2, x1 end
+      if y1 > y2 then y1, y2 = y2, y1 end
+      if z1 > z2 then z1, z2 = z2, z1 end
+      for k = 1, n_triangles do
+        local t = triangles[k]
+        local a, b, c = t[1], t[2], t[3]
+        if p ~= a and p ~= b and p ~= c and q ~= a and q ~= b and q ~= c then
+          put((i - 1) * n_triangles + k, max(0, min(X[a], X[b], X[c]) - x2, x1 - max(X[a], X[b], X[c]), min(Y[a], Y[b], Y[c]) - y2,
+            y1 - max(Y[a], Y[b], Y[c]), min(Z[a], Z[b], Z[c]) - z2, z1 - max(Z[a], Z[b], Z[c])))
+        end
+      end
+    end
+  end
+
+  local next_key = 0
+  local function look_at_pairs(found)
+    local last = floor(moved / quantum)
+    for key = next_key, last do
+      local list = due[key]
+      due[key] = nil
+      for _, pair in ipairs(list or {}) do
+        local i = (pair - 1) // n_triangles + 1
+        local e, t = edges[i], triangles[pair - (i - 1) * n_triangles]
+        local s = apart(X, Y, Z, e[1], e[2], t[1], t[2], t[3])
+        if not (s > 0) and cuts(X, Y, Z, e[1], e[2], t[1], t[2], t[3]) then
+          found[#found + 1] = string.format("the edge of nodes %d, %d goes through the triangle of nodes %d, %d, %d", e[1], e[2], t[1], t[2], t[3])
+        end
+        put(pair, s)
+      end
+    end
+    next_key = last
+  end
+
+  local ball_due = {}
+  for i = 1, #balls do ball_due[i] = { left = 0 } end
+  local function look_at_balls(run, found)
+    for i, ball in ipairs(balls) do
+      local x, y, z = run:body(ball.body)
+      local own = ball_due[i]
+      local most = 0
+      for k = 1, own.X and #X or 0 do most = max(most, (X[k] - own.X[k] - x + own.x) ^ 2 + (Y[k] - own.Y[k] - y + own.y) ^ 2 + (Z[k] - own.Z[k] - z + own.z) ^ 2) end
+      if not own.X or sqrt(most) >= own.left then
+        local least, at = huge, nil
+        for _, t in ipairs(triangles) do
+          local d = distance(X, Y, Z, x, y, z, t[1], t[2], t[3])
+          if d < least then least, at = d, t end
+        end
+        own.left, own.x, own.y, own.z = least - ball.radius, x, y, z
+        own.X, own.Y, own.Z = table.move(X, 1, #X, 1, {}), table.move(Y, 1, #Y, 1, {}), table.move(Z, 1, #Z, 1, {})
+        if not (least > ball.radius) then
+          found[#found + 1] = string.format("the triangle of nodes %d, %d, %d is %g m inside a ball", at[1], at[2], at[3], ball.radius - least)
+        end
+      end
+    end
+  end
+
+  local function look_at_planes(found)
+    for _, plane in ipairs(planes) do
+      local p, n = plane.point, plane.normal
+      for i = 1, #X do
+        local h = (X[i] - p[1]) * n[1] + (Y[i] - p[2]) * n[2] + (Z[i] - p[3]) * n[3]
+        if not (h > 0) then found[#found + 1] = string.format("node %d is %g m behind a plane", i, -h) end
+      end
+    end
+  end
+
+  return function(run)
+    local found = {}
+    if read(run) then begin() end
+    look_at_pairs(found)
+    look_at_balls(run, found)
+    look_at_planes(found)
+    return found
+  end
+end
+
+return brute
