@@ -65,9 +65,16 @@ local function cuts(X, Y, Z, p, q, a, b, c)
   return first >= 0 and second >= 0 and first + second <= 1 and t >= 0 and t <= 1
 end
 
--- How far apart an edge and a triangle are at least: the widest gap between their shadows along a few directions.
+-- How far apart an edge and a triangle are at least: the widest gap between their boxes; where those meet, between their shadows along a
+-- few directions.
 local function apart(X, Y, Z, p, q, a, b, c)
-  local best = 0
+  local x1, x2, y1, y2, z1, z2 = X[p], X[q], Y[p], Y[q], Z[p], Z[q]
+  if x1 > x2 then x1, x2 = x2, x1 end
+  if y1 > y2 then y1, y2 = y2, y1 end
+  if z1 > z2 then z1, z2 = z2, z1 end
+  local best = max(0, min(X[a], X[b], X[c]) - x2, x1 - max(X[a], X[b], X[c]), min(Y[a], Y[b], Y[c]) - y2, y1 - max(Y[a], Y[b], Y[c]),
+    min(Z[a], Z[b], Z[c]) - z2, z1 - max(Z[a], Z[b], Z[c]))
+  if best > 0 then return best end
   local function along(x, y, z)
     local size = sqrt(x * x + y * y + z * z)
     if not (size > 0) then return end
@@ -143,16 +150,11 @@ function brute.watch(mesh, balls, planes)
     quantum = sqrt((X[e[1]] - X[e[2]]) ^ 2 + (Y[e[1]] - Y[e[2]]) ^ 2 + (Z[e[1]] - Z[e[2]]) ^ 2) / 100
     for i = 1, n_edges do
       local p, q = edges[i][1], edges[i][2]
-      local x1, x2, y1, y2, z1, z2 = X[p], X[q], Y[p], Y[q], Z[p], Z[q]
-      if x1 > x2 then x1, x2 = x2, x1 end
-      if y1 > y2 then y1, y2 = y2, y1 end
-      if z1 > z2 then z1, z2 = z2, z1 end
       for k = 1, n_triangles do
         local t = triangles[k]
         local a, b, c = t[1], t[2], t[3]
         if p ~= a and p ~= b and p ~= c and q ~= a and q ~= b and q ~= c then
-          put((i - 1) * n_triangles + k, max(0, min(X[a], X[b], X[c]) - x2, x1 - max(X[a], X[b], X[c]), min(Y[a], Y[b], Y[c]) - y2,
-            y1 - max(Y[a], Y[b], Y[c]), min(Z[a], Z[b], Z[c]) - z2, z1 - max(Z[a], Z[b], Z[c])))
+          put((i - 1) * n_triangles + k, apart(X, Y, Z, p, q, a, b, c))
         end
       end
     end
