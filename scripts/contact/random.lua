@@ -86,7 +86,7 @@ local function run(seed)
   if not ok then
     sum.crashed = sum.crashed + 1
     print("seed " .. seed .. ": " .. tostring(a))
-    return
+    return true
   end
   local touched, guarded, looks = false, false, 0
   local seldom = seed % 4 == 0
@@ -105,7 +105,9 @@ local function run(seed)
   end)
   local fine, trouble = pcall(a.advance, a, duration)
   if not fine then
-    if type(trouble) == "table" and trouble.kind == "numerical" then
+    if tostring(trouble):find("ended by SIG", 1, true) or tostring(trouble):find("interrupted", 1, true) then
+      return false -- told to end: what was done so far is told
+    elseif type(trouble) == "table" and trouble.kind == "numerical" then
       sum.stopped = sum.stopped + 1
       local said = tostring(trouble):match "stopped at time [^:]*: ([^\n]*)" or tostring(trouble)
       local kind = said:gsub("%-?%d[%d%.e%-]*", "#"):gsub(", element #", "")
@@ -121,9 +123,13 @@ local function run(seed)
   if guarded then sum.guarded = sum.guarded + 1 end
   if seed % 3 == 0 then sum.thick = sum.thick + 1 end
   sum.steps = sum.steps + #a.steps
+  return true
 end
 for seed = first, first + count - 1 do
-  run(seed)
+  if not run(seed) then
+    count = seed - first
+    break
+  end
   if count > 100 and (seed - first + 1) % 100 == 0 then
     io.stderr:write(string.format("%d scenes, %d looks, %d passed, %d stopped by themselves, %d crashed\n", seed - first + 1, sum.looks, sum.passed, sum.stopped, sum.crashed))
   end
