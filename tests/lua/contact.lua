@@ -107,6 +107,13 @@ fails(function() fabric.rigid.motion { meshes = { flat, flat }, times = { 1, 0 }
 local function run(m) return fabric.dynamic { model = m, duration = 1e-3 } end
 fails(function() run(sheet():move(ball, { z = 1 })) end, "touches nothing")
 fails(function() run(sheet():contact { between = { ball, "all" } }:move(ball, { z = function() return 0 / 0 end })) end, "move: the sphere: field 'z': expected the history to return a finite number at t = 0 s, got nan")
+-- A history that is fine at first and then no number stops the run there, and the run is not lost.
+do
+  local late = fabric.rigid.sphere { radius = 0.005, centre = { 0.01, 0.01, 0.02 } }
+  local a = run(sheet():contact { between = { late, "all" } }:move(late, { z = function(t) return t > 5e-4 and 0 / 0 or 0 end }))
+  fails(function() a:solve() end, "move: the sphere: field 'z': expected the history to return a finite number at t = ")
+  assert(a.time > 4e-4 and a.time <= 5e-4 and a:node(1).z == 0 and a.energy.error < 1e-6)
+end
 local inside = fabric.rigid.sphere { radius = 0.005, centre = { 0.01, 0.01, 0.001 } }
 fails(function() run(sheet():contact { between = { inside, "all" } }) end, "overlap at the start: node")
 fails(function() fabric.static { model = sheet():contact { between = { heavy, "all" } }, duration = 1 } end, "moves freely: expected fabric.dynamic")

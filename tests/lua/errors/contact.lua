@@ -181,6 +181,36 @@ wrong("model:move", "model:move('top', { turn=5 })",
 wrong("model:velocity", "model:velocity(fabric.rigid.sphere{ radius=1, centre={0,0,0} }, { z=1 })",
   "deck.lua:1: velocity: the sphere has no mass: expected a free body (m:move drives one that is not)")
 
+-- what a run refuses
+wrong("fabric.dynamic", "fabric.dynamic{ model=model:contact{ between={fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.001} }, 'all'} }, duration=1e-3 }",
+  "deck.lua:1: dynamic: contact: 2 pairs overlap at the start: nodes 3, 4, 5 and the sphere, one through the other; nodes 4, 6, 5 and the sphere, one through the other; expected all of it apart")
+wrong("fabric.dynamic", "fabric.dynamic{ model=model:contact{ between={fabric.rigid.plane{ point={0, 0, -0.01}, normal={0, 0, 1} }, 'all'}, stiffness=1e14 }, duration=1e-3, step=1e-6 }",
+  "deck.lua:1: dynamic: field 'step': expected at most 2.11755e-08 s, which contact carries (0.6 of the stable step of mesh and card, 1.87594e-05 s, and no more than its stiffness allows), got 1e-06 s (a smaller 'stiffness' of m:contact, or force=true, would take it)")
+wrong("fabric.dynamic", "fabric.dynamic{ model=model:move(fabric.rigid.plane{ point={0,0,-0.01}, normal={0,0,1} }, { z=1 }), duration=1e-3 }",
+  "deck.lua:1: dynamic: model: the plane that is moved touches nothing: expected m:contact{between={it, ...}}")
+wrong("fabric.dynamic", "local ball = fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.006} } fabric.dynamic{ model=model:contact{ between={ball, 'all'} }:move(ball, { z=function() return 0/0 end }), duration=1e-3 }",
+  "deck.lua:1: dynamic: move: the sphere: field 'z': expected the history to return a finite number at t = 0 s, got nan")
+wrong("fabric.static", "fabric.static{ model=model:contact{ between={fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.006}, mass=0.1 }, 'all'} }, duration=1 }",
+  "deck.lua:1: static: the model has a rigid body with a mass, which moves freely: expected fabric.dynamic, or a body without a mass")
+wrong("analysis:reaction", "fabric.dynamic{ model=model:contact{ self='all', thickness=1e-4 }, duration=1e-4 }:reaction(fabric.rigid.sphere{ radius=1, centre={0,0,2} })",
+  "deck.lua:1: reaction: the sphere touches nothing in the model of this run")
+wrong("model:contact", "model:contact{ between={fabric.rigid.plane{ point={0,0,0}, normal={0,0,1} }, fabric.rigid.sphere{ radius=1, centre={0,0,2} }} }",
+  "deck.lua:1: contact: field 'between': expected cloth on one side at least: rigid bodies do not meet each other")
+wrong("model:contact", "model:contact{ self='al' }",
+  "deck.lua:1: contact: unknown set 'al', did you mean 'all'? known sets: all, bottom, boundary, corners, left, right, top")
+wrong("model:contact", "model:contact{ between={fabric.rigid.plane{ point={0,0,-1}, normal={0,0,1} }, 'all'}, self='all' }",
+  "deck.lua:1: contact: field 'between': expected either between={...} or self=, got both")
+wrong("model:move", "local plane = fabric.rigid.plane{ point={0,0,-0.01}, normal={0,0,1} } model:move(plane, { z=1 }):move(plane, { x=1 })",
+  "deck.lua:1: move: the plane is moved already: expected one call with x, y, z and turn")
+wrong("model:velocity", "model:velocity(fabric.rigid.sphere{ radius=1, centre={0,0,2}, mass=1 }, function() return { z=1 } end)",
+  "deck.lua:1: velocity: argument 'velocity': expected {x=, y=, z=, spin=} of a rigid body, got a function")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ mesh=mesh, mass=1 }",
+  "deck.lua:1: surface: field 'mass': rigid body: expected a closed surface, whose every edge two triangles walk in opposite senses; 8 edges are not")
+wrong("fabric.rigid.surface", "fabric.rigid.surface{ file='no-such.msh' }",
+  "deck.lua:1: surface: cannot read 'no-such.msh': No such file or directory")
+wrong("fabric.rigid.sphere", "fabric.rigid.sphere{ radius=1, centre={0, 0/0, 0} }",
+  "deck.lua:1: sphere: field 'centre': expected a table of numbers in m, got nan at place 2")
+
 -- fabric.lab.ball_drop
 wrong("fabric.lab.ball_drop", "fabric.lab.ball_drop{ wrong=1 }",
   "deck.lua:1: ball_drop: unknown field 'wrong' (known: card side radius mass height friction stiffness clearance cells duration step scheme inertia points gravity damping every force ledger_limit out)")
