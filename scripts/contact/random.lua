@@ -11,7 +11,6 @@ local count, first = tonumber(arg[1] or 30), tonumber(arg[2] or 1)
 if fabric.checking() then count = 1 end
 
 local function between(low, high) return low + (high - low) * math.random() end
-local function one_of(list) return list[math.random(#list)] end
 
 -- A sheet or a strip, turned, tilted and lifted; its mesh and the direction of its warp.
 local function piece(cell, z)
@@ -41,7 +40,7 @@ local function throw(seed)
   local card = fabric.svk { young = 10 ^ between(5, 7.5), poisson = between(0, 0.4), density = between(300, 1000), thickness = between(0.2e-3, 0.6e-3),
                             through_thickness = true, name = "sheet" }
   local fastest = between(1, 30)
-  local bodies, tops, z = {}, {}, 0
+  local bodies, z = {}, 0
   for i = 1, math.random(1, 3) do
     local mesh, warp, half = piece(cell, 0)
     z = z + half + 1.05 * thickness
@@ -49,7 +48,6 @@ local function throw(seed)
     mesh:map(function(x, y, w) return x, y, w + middle end)
     z = z + half
     bodies[i] = { name = "piece" .. i, mesh = mesh, card = card, warp = warp, points = 2 }
-    tops[i] = middle
   end
   local m = fabric.model { bodies = bodies }
   m:contact { self = "all", friction = friction, thickness = thickness }
