@@ -2,6 +2,7 @@
 // else.
 #include <sys/resource.h>
 
+#include "format/frame_file.hpp"
 #include "format/mesh_file.hpp"
 #include "mesh_samples.hpp"
 #include "message_of.hpp"
@@ -265,6 +266,33 @@ TEST_CASE("a file with any one byte changed is an error or a mesh", "[files]") {
       survive(name, changed);
     }
   }
+}
+
+TEST_CASE("an .stl or a frame of a series with any one byte changed is an error or whole", "[files]") {
+  const auto changed = [](const std::string& content, const std::function<void(const std::string&)>& look) {
+    unsigned random = 1;
+    for (std::size_t i = 0; i < content.size(); ++i) {
+      random = random * 1664525u + 1013904223u;
+      std::string text = content;
+      text[i] = static_cast<char>(random >> 24);
+      look(text);
+      look(content.substr(0, i));
+    }
+  };
+  changed(samples::stl, [](const std::string& text) { survive("x.stl", text); });
+  changed(xml, [](const std::string& text) {
+    try {
+      const FrameFile frame = read_vtu_frame("x.vtu", text, {});
+      bool good = true;
+      for (const auto& cell : frame.cells)
+        for (std::size_t k = 0; k < 4; ++k)
+          good =
+              good && cell[k] < static_cast<mesh::Index>(frame.points.size()) && cell[k] >= (k == 3 ? -1 : 0);
+      CHECK(good);
+    } catch (const Error& error) {
+      CHECK(std::string(error.what()).starts_with("x.vtu:"));
+    }
+  });
 }
 
 TEST_CASE("no mesh at all", "[files]") {
