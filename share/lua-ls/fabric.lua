@@ -630,7 +630,7 @@ function fabric.lab.compare(measured, test, options) end
 ---@field processes? integer seeds side by side; default: the threads that the program may use
 ---@field every? number s: time between frames of the VTK series (default 0.1)
 ---@field out? string folder for a VTK series of each seed
----@field file? string the contours as a figure, .svg, .png or .pdf
+---@field file? string the outlines as a figure; ends in .svg
 
 ---Drape test: a disc of cloth is let down over a pedestal, in explicit motion, until it rests; once for each seed, side by side. Returns coefficient (shadow of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.
 ---@param fields fabric_lab_cusick_fields
