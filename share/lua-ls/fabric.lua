@@ -11,6 +11,8 @@
 ---@field provenance table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
 ---@field estimate fabric_woven_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field compression table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -1303,6 +1305,8 @@ function fabric.lab.unloading(fields) end
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
 ---@field estimate? fabric_linear_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp number Pa: modulus along the warp
 ---@field weft number Pa: modulus along the weft
 ---@field shear number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1612,6 +1616,8 @@ function fabric.study(fields) end
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
 ---@field estimate? fabric_svk_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp? number Pa: modulus along the warp
 ---@field weft? number Pa: modulus along the weft
 ---@field shear? number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1759,6 +1765,8 @@ function fabric.why() end
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness? boolean bending by integration through the thickness is meant where the card has no bending of its own, also where it is far stiffer than cloth, and nothing is said of it (default false)
 ---@field estimate? fabric_woven_fields.estimate of what nobody measured: fabric.card(name, { bending='estimated' }) takes it
+---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -1820,8 +1828,9 @@ function mesh:write(file) end
 ---@field between? table { body or set, ... }: every two of them touch ("all": the whole cloth)
 ---@field self? string a set whose cloth touches itself
 ---@field friction? number friction coefficient (default 0)
----@field thickness? number m: of the cloth as contact sees it; default the cloth's own
----@field stiffness? number Pa/m: pressure per gap; default what the cloth's own stable step carries
+---@field thickness? number m: of the cloth as contact sees it; default the cloth's own, or as its card's compression has it
+---@field stiffness? number Pa/m: pressure per gap; default the compression curve of the card, or else 1 MPa down to the floor; in explicit runs no more than the cloth's own stable step carries
+---@field settle? number s: time from the start in which sheets and bodies that begin too near to each other, but not one through the other, are brought apart; without it they are refused
 
 ---Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.
 ---@param fields model_contact_fields
