@@ -75,6 +75,13 @@ struct ShellBatch {
   double* s1;        // trial law states
   Sharing sharing = Sharing::none;
   bool law_only = false;  // tangent: B^T C B only, without the parts of stress and rotating directors
+  // If `changed` is null, s0 is read and all of s1 is written. Otherwise the states are updated in place:
+  // `now` is s0, and `changed` has one byte per number of the states, in which bit l is set if the number of
+  // lane l has changed. The old numbers of a pack with such a lane go to s1, and the rest of s1 is not
+  // written.
+  unsigned char* changed = nullptr;
+  double* now = nullptr;
+  int first_lane = 0;  // of the part of the batch that a kernel works on
 };
 using Shell4Batch = ShellBatch;
 

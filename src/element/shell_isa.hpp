@@ -165,6 +165,32 @@ inline void add_symmetric_tangent(const Transform& t, const double* C, double z,
   add_powers(D, z, true, k);
 }
 
+// Stores the trial states of a law; `place` is the offset of the first of them in the batch's states. In
+// place only changed packs are written: most states change in few steps, and memory traffic limits the speed.
+inline void put_states(const ShellBatch& batch, long place, int count, const Pack* old, const Pack* trial) {
+  if (batch.changed == nullptr) {
+    for (int i = 0; i < count; ++i) store(batch.s1 + place + i * lanes, trial[i]);
+    return;
+  }
+  unsigned char* changed = batch.changed + place / lanes;
+  for (int i = 0; i < count; ++i) {
+    const unsigned bits = differing(old[i], trial[i]);
+    const unsigned before = batch.first_lane == 0 ? 0 : changed[i];
+    changed[i] = static_cast<unsigned char>(before | bits << batch.first_lane);
+    if (bits == 0) continue;
+    store(batch.s1 + place + i * lanes, old[i]);
+    store(batch.now + place + i * lanes, trial[i]);
+  }
+}
+
+// The same for trial states in memory.
+inline void put_states(const ShellBatch& batch, long place, int count, const double* trial) {
+  for (int i = 0; i < count; ++i) {
+    const Pack old = load(batch.s0 + place + i * lanes), now = load(trial + i * lanes);
+    put_states(batch, place + i * lanes, 1, &old, &now);
+  }
+}
+
 // Separate bending: springs on the material curvatures (11, 22, 2 12) at the middle thickness point. Friction
 // states s0, s1: slip, lost and with fading also last, of warp, then of weft; null without friction.
 inline void add_bending(const section::Section& section, const law::Step& step, const Strains& p,
@@ -200,10 +226,13 @@ inline double height(const section::Section& section, int k) {
 // Bending at in-plane point g, with the transform of the section's only thickness point.
 inline void add_bending_at(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                            const Strains& p, const Transform& t, int g, Resultants& r, Stiffness* k) {
-  const bool rubs = section.bending_state >= 0;
+  if (section.bending_state < 0) return add_bending(section, step, p, t, nullptr, nullptr, r, k);
   const long offset = static_cast<long>(g * section.state_size + section.bending_state) * lanes;
-  add_bending(section, step, p, t, rubs ? batch.s0 + offset : nullptr, rubs ? batch.s1 + offset : nullptr, r,
-              k);
+  if (batch.changed == nullptr)
+    return add_bending(section, step, p, t, batch.s0 + offset, batch.s1 + offset, r, k);
+  alignas(64) double trial[6 * lanes];
+  add_bending(section, step, p, t, batch.s0 + offset, trial, r, k);
+  put_states(batch, offset, 2 * section.bending_states, trial);
 }
 
 // Evaluates the law through the thickness where all points have one plain law and one transform: strains E =
@@ -230,7 +259,7 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
     const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
     for (int i = 0; i < states; ++i) old[i] = load(batch.s0 + offset + i * lanes);
     const auto out = law::potential_update(*section.plain, step.at, E, old, trial);
-    for (int i = 0; i < states; ++i) store(batch.s1 + offset + i * lanes, trial[i]);
+    put_states(batch, offset, states, old, trial);
     for (int i = 0; i < 3; ++i) {
       const Pack S = weight * out.S[row[i]], zS = z * S;
       m.N[i] += S;
@@ -258,7 +287,7 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
   if (k == nullptr && batch.sharing != Sharing::none && section.plain != nullptr)
     return integrate_plain(section, step, batch, transform(columns), p, g, r);
   const int n = static_cast<int>(section.points.size());
-  alignas(64) double E[5 * lanes], S[5 * lanes], C[25 * lanes];
+  alignas(64) double E[5 * lanes], S[5 * lanes], C[25 * lanes], trial[law::most_states * lanes];
   unsigned failed = 0;
   clear(r);
   if (k != nullptr) clear(*k);
@@ -268,8 +297,10 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
     const double z = height(section, i);
     material_strain(p, t, z, E);
     const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
-    failed |= law::part_for(*point.law)(*point.law, step, E, batch.s0 + offset, batch.s1 + offset, S,
-                                        k != nullptr ? C : nullptr);
+    double* const s1 = batch.changed == nullptr ? batch.s1 + offset : trial;
+    failed |=
+        law::part_for(*point.law)(*point.law, step, E, batch.s0 + offset, s1, S, k != nullptr ? C : nullptr);
+    if (batch.changed != nullptr) put_states(batch, offset, point.law->state_size, trial);
     add_stress(t, S, z, r);
     if (k != nullptr) section.symmetric ? add_symmetric_tangent(t, C, z, *k) : add_tangent(t, C, z, *k);
     if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, k);
@@ -280,8 +311,8 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
 // Makes kernels for one part of a batch work on a whole batch.
 inline ShellBatch part(const ShellBatch& batch, int first) {
   const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
-  return {from(batch.geometry), from(batch.x),  from(batch.d), from(batch.b),
-          from(batch.s0),       from(batch.s1), batch.sharing};
+  return {from(batch.geometry), from(batch.x), from(batch.d), from(batch.b),   from(batch.s0), from(batch.s1),
+          batch.sharing,        false,         batch.changed, from(batch.now), first};
 }
 
 template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4Curvature curvature,

@@ -52,6 +52,9 @@ class Assembly {
     return made;
   }
 
+  // For runs that compute the forces once in a step: see Cloth. To be called before the first forces.
+  void update_in_place() { cloth_->update_in_place(); }
+
   // --- configurations: see Dofs
   void begin_iterate();
   void retract(std::span<const double> delta, double scale, std::span<const double> targets);

@@ -22,6 +22,7 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
   lay_into_planes(model, directors_);
   freedoms_ = number_freedoms(model, directors_);
   meet_directors();
+  find_plain_nodes();
   for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
     at(configuration_.x(), n) = X_[n];
     at(configuration_.d(), n) = directors_[n];
@@ -36,6 +37,20 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
   std::sort(driven_nodes_.begin(), driven_nodes_.end());
   driven_nodes_.erase(std::unique(driven_nodes_.begin(), driven_nodes_.end()), driven_nodes_.end());
   measure_unknowns(model);
+}
+
+void Dofs::find_plain_nodes() {
+  plain_.resize(X_.size());
+  const auto small = [](Index e) {
+    return e != tied && std::abs(e) <= std::numeric_limits<std::int32_t>::max();
+  };
+  for (std::size_t n = 0; n < X_.size(); ++n) {
+    const NodeFreedoms& node = freedoms_.nodes[n];
+    plain_[n].is_plain = !node.oblique && !node.turn_axis && node.held_axes.empty() &&
+                         std::all_of(node.equation.begin(), node.equation.end(), small);
+    if (!plain_[n].is_plain) continue;
+    for (std::size_t c = 0; c < 5; ++c) plain_[n].equation[c] = static_cast<std::int32_t>(node.equation[c]);
+  }
 }
 
 // Finds for each unknown its node, whether it is a rotation, and the length by which its moments are divided.
@@ -121,22 +136,34 @@ void Dofs::retract(std::span<const double> delta, double scale, std::span<const 
   configuration_.overwrite();
   const auto step = [&](Index equation) { return equation >= 0 ? scale * delta[equation] : 0.0; };
   const auto x = configuration_.x(), d = configuration_.d(), b1 = configuration_.b1();
+  const auto move = [&](const auto& equation, Vec3& u) {
+    for (int c = 0; c < 3; ++c)
+      if (equation[c] >= 0)
+        u[c] += step(equation[c]);
+      else
+        u[c] = equation[c] == held || equation[c] == tied ? 0.0 : targets[motion_of(equation[c])];
+  };
+  const auto turn_director = [&](Index i, double q1, double q2) {
+    if (q1 == 0 && q2 == 0) return;
+    const Vec3 director = at(d, i), first = at(b1, i);
+    turn(at(d, i), at(b1, i), q1 * first + q2 * director.cross(first));
+  };
 #pragma omp parallel for schedule(static) if (static_cast <Index>(n) >= 128)
   for (Index i = 0; i < static_cast<Index>(n); ++i) {
-    const NodeFreedoms& node = freedoms_.nodes[i];
-    Vec3 u = at(base, i) - X_[i];
-    if (node.oblique) u = node.frame * u;
-    for (int c = 0; c < 3; ++c) {
-      const Index equation = node.equation[c];
-      if (equation >= 0)
-        u[c] += step(equation);
-      else
-        u[c] = equation == held || equation == tied ? 0.0 : targets[motion_of(equation)];
-    }
-    if (node.oblique) u = node.frame.transpose() * u;
-    at(x, i) = X_[i] + u;
     at(d, i) = at(base.subspan(3 * n), i);
     at(b1, i) = at(base.subspan(6 * n), i);
+    Vec3 u = at(base, i) - X_[i];
+    if (const std::int32_t* equation = plain_equations(i)) {
+      move(equation, u);
+      at(x, i) = X_[i] + u;
+      turn_director(i, step(equation[3]), step(equation[4]));
+      continue;
+    }
+    const NodeFreedoms& node = freedoms_.nodes[i];
+    if (node.oblique) u = node.frame * u;
+    move(node.equation, u);
+    if (node.oblique) u = node.frame.transpose() * u;
+    at(x, i) = X_[i] + u;
     if (node.turn_axis) {
       const Mat3 R =
           Eigen::AngleAxisd(targets[motion_of(node.equation[3])], *node.turn_axis).toRotationMatrix();
@@ -146,8 +173,7 @@ void Dofs::retract(std::span<const double> delta, double scale, std::span<const 
     }
     const double q1 = step(node.equation[3]), q2 = step(node.equation[4]);
     if (q1 == 0 && q2 == 0) continue;
-    const Vec3 director = at(d, i), first = at(b1, i);
-    turn(at(d, i), at(b1, i), q1 * first + q2 * director.cross(first));
+    turn_director(i, q1, q2);
     realign(i);
   }
   retract_ties(delta, scale);
@@ -171,14 +197,21 @@ void Dofs::residual(std::span<const double> external, std::span<const double> in
   const auto count = static_cast<Index>(X_.size());
 #pragma omp parallel for schedule(static) if (count >= kShare)
   for (Index i = 0; i < count; ++i) {
+    const Vec3 out = at(external, i) - at(internal_x, i);
+    const auto put = [&](const auto& equation, const Vec3& f) {
+      for (int c = 0; c < 3; ++c)
+        if (equation[c] >= 0) r[equation[c]] = f[c];
+      if (equation[3] < 0) return;
+      const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(first, i);
+      r[equation[3]] = b1.dot(turning);
+      if (equation[4] >= 0) r[equation[4]] = at(d, i).cross(b1).dot(turning);
+    };
+    if (const std::int32_t* equation = plain_equations(i)) {
+      put(equation, out);
+      continue;
+    }
     const NodeFreedoms& node = freedoms_.nodes[i];
-    const Vec3 out = at(external, i) - at(internal_x, i), f = node.oblique ? Vec3(node.frame * out) : out;
-    for (int c = 0; c < 3; ++c)
-      if (node.equation[c] >= 0) r[node.equation[c]] = f[c];
-    if (node.equation[3] < 0) continue;
-    const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(first, i);
-    r[node.equation[3]] = b1.dot(turning);
-    if (node.equation[4] >= 0) r[node.equation[4]] = at(d, i).cross(b1).dot(turning);
+    put(node.equation, node.oblique ? Vec3(node.frame * out) : out);
   }
   if (has_ties()) add_tied_residual(external, internal_x, internal_d, on_d, moments, r);
 }

@@ -1,6 +1,8 @@
 // The degrees of freedom of a compiled model: which displacements and rotations are unknown, held, driven or
 // tied; how unknowns move the nodes; and how nodal forces act on unknowns.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,6 +26,11 @@ class Dofs {
   const std::vector<Vec3>& reference() const { return X_; }
   const std::vector<Vec3>& reference_directors() const { return directors_; }
   bool has_ties() const { return !freedoms_.followers.empty() || !freedoms_.bodies.empty(); }
+  // The equations of a plain node: its frame is the global one, it is not tied, and its director is neither
+  // driven nor restricted to some axes. Null for all other nodes.
+  const std::int32_t* plain_equations(Index node) const {
+    return plain_[node].is_plain ? plain_[node].equation.data() : nullptr;
+  }
   // Nodes with a driven displacement or director, ascending.
   const std::vector<Index>& driven_nodes() const { return driven_nodes_; }
 
@@ -75,6 +82,7 @@ class Dofs {
  private:
   std::span<const double> iterate() const;
   void meet_directors();
+  void find_plain_nodes();
   void measure_unknowns(const model::Model& model);
   void realign(Index node);
   void retract_ties(std::span<const double> delta, double scale);
@@ -91,6 +99,11 @@ class Dofs {
   // As in Configuration; not used while the iterate is the committed copy.
   std::vector<double> iterate_;
   bool iterate_is_committed_ = true;
+  struct PlainNode {  // an eighth of the size of NodeFreedoms; an explicit step reads it twice
+    std::array<std::int32_t, 5> equation{};
+    bool is_plain = false;
+  };
+  std::vector<PlainNode> plain_;
   std::vector<Index> driven_nodes_, unknown_node_;
   std::vector<bool> turns_;                              // per unknown
   std::vector<double> lever_;                            // per unknown: divisor of moments, m; else 1

@@ -33,6 +33,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   // multiplies it by sqrt(1 + xi^2) - xi, where xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
   const double xi = options_.stiffness_damping / stable_, undamped = stable_;
   stable_ *= std::sqrt(1 + xi * xi) - xi;
+  assembly_->update_in_place();
   if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
   check_stable_step(undamped);
   choose_step();
@@ -238,15 +239,21 @@ double Explicit::scaled_kinetic() const {
   if (!scaled_ || assembly_->dofs().has_ties()) return Dynamic::scaled_kinetic();
   const auto &scaled = assembly_->rotary_inertia(true), &own = assembly_->rotary_inertia(false);
   const auto& state = std::as_const(*assembly_).state();
-  const auto& nodes = assembly_->freedoms().nodes;
+  const auto& dofs = std::as_const(*assembly_).dofs();
+  const auto& nodes = dofs.freedoms().nodes;
   const auto& v = motion_.velocities();
   const auto rate = [&v](mechanics::Index equation) { return equation >= 0 ? v[equation] : 0.0; };
   double sum = 0;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (nodes[n].turn_axis) continue;
-    const Vec3 b1 = at(state.b1(), n), b2 = at(state.d(), n).cross(b1);
-    const Vec3 turning = rate(nodes[n].equation[3]) * b1 + rate(nodes[n].equation[4]) * b2;
-    sum += (scaled[n] - own[n]) * turning.squaredNorm() / 2;
+    const auto add = [&](const auto& equation) {
+      const Vec3 b1 = at(state.b1(), n), b2 = at(state.d(), n).cross(b1);
+      const Vec3 turning = rate(equation[3]) * b1 + rate(equation[4]) * b2;
+      sum += (scaled[n] - own[n]) * turning.squaredNorm() / 2;
+    };
+    if (const std::int32_t* equation = dofs.plain_equations(static_cast<mechanics::Index>(n)))
+      add(equation);
+    else if (!nodes[n].turn_axis)
+      add(nodes[n].equation);
   }
   return sum;
 }

@@ -124,6 +124,16 @@ inline Pack abs(Pack a) {
   return Pack(reinterpret_cast<PackBits>(reinterpret_cast<PackInts>(a.v) & ~sign));
 }
 inline double abs(double a) { return __builtin_fabs(a); }
+// Bit i set: the numbers of lane i are not the same bits.
+#if defined(__AVX512F__)
+inline unsigned differing(Pack a, Pack b) {
+  return _mm512_cmpneq_epi64_mask(reinterpret_cast<__m512i>(a.v), reinterpret_cast<__m512i>(b.v));
+}
+#else
+inline unsigned differing(Pack a, Pack b) {
+  return bits(PackMask{reinterpret_cast<PackInts>(a.v) != reinterpret_cast<PackInts>(b.v)});
+}
+#endif
 inline bool any(PackMask c) { return bits(c) != 0; }
 inline bool any(bool c) { return c; }
 inline unsigned bits(bool c) { return c ? 1u : 0u; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
@@ -25,6 +26,7 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
   states_ = LawStates(law);
   make_geometry(directors);
   make_force_slots();
+  order_batches();
   add_inertia();
   find_tested();
 }
@@ -176,6 +178,35 @@ void Cloth::make_force_slots() {
   }
 }
 
+// Sorts the batches by their first element, so that consecutive batches share nodes.
+void Cloth::order_batches() {
+  order_.resize(batches_.size());
+  std::iota(order_.begin(), order_.end(), Index{0});
+  std::stable_sort(order_.begin(), order_.end(),
+                   [this](Index a, Index b) { return batches_[a].element[0] < batches_[b].element[0]; });
+}
+
+// Prefetches the numbers that the forces of a batch read. They are far from those of the batch before, so
+// that the processor does not prefetch them by itself.
+void Cloth::fetch(const Batch& batch, const double* trial) const {
+  const Kind& kind = *batch.kind;
+  const long states = static_cast<long>(kind.in_plane) * batch.section->state_size * lanes;
+  const double* law = states_.committed().data() + batch.law;
+  for (long i = 0; i < states; i += lanes) __builtin_prefetch(law + i);
+  for (long i = 0; i < states && !states_.in_place(); i += lanes)
+    __builtin_prefetch(trial + batch.law + i, 1);
+  if (batch.sharing != element::Sharing::element) return;
+  const double* geometry = geometry_.data() + batch.geometry;
+  const auto columns = [geometry](int first, int count, int stride = 1) {
+    for (int i = 0; i < count; ++i) __builtin_prefetch(geometry + (first + i * stride) * lanes);
+  };
+  using Layout = element::Shell4Layout;
+  columns(0, Layout::distortion);
+  columns(Layout::modes, element::kEnhanced, element::kSamples);
+  columns(Layout::modes + 2, element::kEnhanced, element::kSamples);
+  columns(kind.first_point, Layout::transform);
+}
+
 void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
   const double* px = configuration_.x().data();
   const double* pd = configuration_.d().data();
@@ -198,22 +229,21 @@ void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
     }
 }
 
-// Computes the forces of one batch into its slots, and its tangent if K is not null. trial: the law's trial
-// states. Returns an element whose law failed, or -1.
-Index Cloth::evaluate(Index b, const law::Step& step, double* trial, double* K, bool law_only) {
+// Computes the forces of one batch into its slots, and its tangent if K is not null. aside: the array that
+// LawStates::evaluate() returned. Returns an element whose law failed, or -1.
+Index Cloth::evaluate(Index b, const law::Step& step, double* aside, double* K, bool law_only) {
   alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
   const Batch& batch = batches_[b];
   const auto& kernels = batch.kind->kernels;
   gather(batch, x, d, K == nullptr ? nullptr : basis);
-  const double* committed = states_.committed().data();
-  const element::ShellBatch data{geometry_.data() + batch.geometry,
-                                 x,
-                                 d,
-                                 basis,
-                                 committed + batch.law,
-                                 trial + batch.law,
-                                 batch.sharing,
-                                 law_only};
+  double* const now = states_.now() + batch.law;
+  const double* const trial = states_.in_place() ? states_.now() : aside;
+  element::ShellBatch data{
+      geometry_.data() + batch.geometry, x, d, basis, now, aside + batch.law, batch.sharing, law_only};
+  if (states_.in_place()) {
+    data.changed = states_.changed() + batch.law / lanes;
+    data.now = now;
+  }
   double* f = element_force_.data() + batch.force;
   const unsigned failed = (K == nullptr ? kernels.force(*batch.section, step, data, f)
                                         : kernels.tangent(*batch.section, step, data, f, K)) &
@@ -243,12 +273,14 @@ void Cloth::sum_forces(Forces& forces) const {
 
 // A law fails if a strain is not finite. Then an iterate nearer to the last one may succeed, unless the
 // committed state itself is not finite.
-Outcome Cloth::outcome(Index failed) const {
+Outcome Cloth::outcome(Index failed) {
   if (failed < 0) return {};
+  if (states_.in_place()) states_.rollback();
+  const auto committed = states_.committed();
   const Place place = place_[failed];
   const Batch& batch = batches_[place.batch];
   const int numbers = batch.kind->in_plane * batch.section->state_size;
-  const double* state = states_.committed().data() + batch.law + place.lane;
+  const double* state = committed.data() + batch.law + place.lane;
   for (int i = 0; i < numbers; ++i)
     if (!std::isfinite(state[static_cast<long>(i) * lanes]))
       return {Answer::broken, failed, "its state is not a number"};
@@ -257,11 +289,14 @@ Outcome Cloth::outcome(Index failed) const {
 
 Outcome Cloth::add_forces(const law::Step& step, const Trial&, Forces& forces) {
   const auto batches = static_cast<Index>(batches_.size());
-  double* trial = states_.evaluate().data();
+  double* aside = states_.evaluate().data();
   if (sums_expected_) sums_.resize(batches_.size() * law::energy_values * lanes);
   Index failed = -1;
 #pragma omp parallel for schedule(static) reduction(max : failed) if (batches >= few_batches)
-  for (Index b = 0; b < batches; ++b) failed = std::max(failed, evaluate(b, step, trial, nullptr));
+  for (Index i = 0; i < batches; ++i) {
+    if (i + 1 < batches) fetch(batches_[order_[i + 1]], aside);
+    failed = std::max(failed, evaluate(order_[i], step, aside, nullptr));
+  }
   sum_forces(forces);
   sums_version_ = sums_expected_ ? configuration_.version() : 0;
   return outcome(failed);
@@ -275,7 +310,7 @@ void Cloth::commit() {
 
 Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
                                 const Stiffness::Target& to) {
-  double* trial = states_.evaluate().data();
+  double* aside = states_.evaluate().data();
   Index failed = -1;
   for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
 #pragma omp parallel for schedule(static) \
@@ -283,7 +318,7 @@ Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness&
               : failed) if (colour_start_[c + 1] - colour_start_[c] >= few_batches)
     for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
       alignas(64) double k[element::shell4_dofs * element::shell4_dofs * lanes];
-      failed = std::max(failed, evaluate(b, step, trial, k, law_only));
+      failed = std::max(failed, evaluate(b, step, aside, k, law_only));
       stiffness.scatter(b, k, to);
     }
   }

@@ -40,6 +40,8 @@ class Cloth final : public Term {
   const char* name() const override { return "cloth"; }
   bool starts() const override { return true; }
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
+  // Updates the law's states in place (see LawStates): for runs that compute the forces once in a step.
+  void update_in_place() { states_.update_in_place(); }
   bool symmetric() const override;
   bool hangs_on_time() const;  // whether the law of any card depends on time
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
@@ -99,14 +101,16 @@ class Cloth final : public Term {
   double membrane_step() const;
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   void make_force_slots();
+  void order_batches();
+  void fetch(const Batch& batch, const double* trial) const;
   void gather(const Batch& batch, double* x, double* d, double* b) const;
   // Energies (J) of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft
   // and shear, created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
   void batch_energies(const Batch& batch, const double* x, const double* d, const double* law,
                       double* sum) const;
   std::vector<double> all_batch_energies() const;
-  Outcome outcome(Index failed) const;  // for the element that failed, -1: none
-  Index evaluate(Index batch, const law::Step& step, double* trial, double* K, bool law_only = false);
+  Outcome outcome(Index failed);  // for the element that failed, -1: none
+  Index evaluate(Index batch, const law::Step& step, double* aside, double* K, bool law_only = false);
 
   // A point through the thickness whose card states a tested range.
   struct TestedPoint {
@@ -125,6 +129,7 @@ class Cloth final : public Term {
   std::vector<Kind> kinds_;  // per region: quadrilaterals, triangles
   std::vector<Batch> batches_;
   std::vector<Index> colour_start_;  // the batches of colour c are [colour_start_[c], colour_start_[c + 1])
+  std::vector<Index> order_;         // in which the forces of the batches are computed
   std::vector<Place> place_;         // per element
   LineVector geometry_;              // all batches in one array
   LawStates states_;
