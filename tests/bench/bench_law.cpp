@@ -99,6 +99,9 @@ int main(int argc, char** argv) {
   auto card = test::thesis_card(0);
   report("potential", card, repeats);
   report("potential, biaxial", test::with_biaxial(card), repeats);
+  auto relaxing = card;
+  test::woven(relaxing).viscous = card::Viscous{{1e6, 1e-3}};
+  report("potential, viscous", relaxing, repeats);
   test::woven(card).shear.memory = card::ShearMemory::fading;
   report("potential, fading", card, repeats);
   report("incremental", test::thesis_card(0, card::LawKind::incremental), repeats);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -101,4 +102,105 @@ TEST_CASE("an element whose strain is not finite asks for a cut, one whose state
   CHECK_FALSE(a.forces({1, 1}));
   CHECK(a.outcome().element == 0);
   CHECK(a.outcome().answer == fabricsh::Answer::broken);
+}
+
+namespace {
+
+using fabricsh::lanes;
+
+// The same as evaluate() of one line of states in place: the lanes of `which` grow.
+void evaluate_in_place(LawStates& s, unsigned which, double grown) {
+  const auto aside = s.evaluate();
+  s.changed()[0] = static_cast<unsigned char>(which);
+  for (int l = 0; l < lanes; ++l) {
+    if ((which >> l & 1u) == 0) continue;
+    aside[l] = s.now()[l];
+    s.now()[l] += grown;
+  }
+}
+
+// States of an element's points, one after the other.
+std::vector<double> states_of(const fabricsh::mechanics::Assembly& a) {
+  std::vector<double> all;
+  for (fabricsh::mechanics::Index e = 0; e < a.elements(); ++e)
+    a.visit(e, [&](double, const fabricsh::law::Law& law, const double*, const double* state) {
+      all.insert(all.end(), state, state + fabricsh::law::state_size(law));
+    });
+  return all;
+}
+
+// A corner moved in its plane and out of it, there and back, every third step tried a second time from
+// farther away.
+std::vector<double> after_steps(fabricsh::mechanics::Assembly& a) {
+  const double x = a.reference()[0].x(), z = a.reference()[0].z();
+  for (int i = 1; i <= 12; ++i) {
+    const double way = 1e-3 * (i < 8 ? i : 16 - i);
+    for (const double more : {3e-3, 0.0}) {
+      if (more > 0 && i % 3 != 0) continue;
+      a.state().x()[0] = x + way + more;
+      a.state().x()[2] = z + way / 2 - more;
+      a.state().touch();
+      REQUIRE(a.forces({i - 1.0, 1}));
+      if (more > 0 && i % 2 != 0) a.rollback();
+    }
+    a.commit(i);
+  }
+  return states_of(a);
+}
+
+}  // namespace
+
+TEST_CASE("states in place: a rollback puts back what changed, what is kept is the committed state") {
+  LawStates s(lanes);
+  s.update_in_place();
+  evaluate_in_place(s, 0b10000010, 1);
+  CHECK(s.current()[1] == 1);
+  CHECK(s.current()[2] == 0);
+  evaluate_in_place(s, 0b00000010, 2);  // from the committed state again
+  CHECK(s.current()[1] == 2);
+  CHECK(s.current()[7] == 0);
+  s.commit();
+  evaluate_in_place(s, 0b11111111, 5);
+  Archive kept;
+  s.keep(kept);
+  CHECK(s.current()[1] == 7);  // keeping changes nothing
+  s.rollback();
+  CHECK(s.current()[1] == 2);
+  CHECK(s.current()[7] == 0);
+  evaluate_in_place(s, 0b11111111, 6);
+  s.commit();
+  evaluate_in_place(s, 0b11111111, 7);
+  Archive back(kept.bytes());
+  s.keep(back);
+  CHECK(s.current()[1] == 2);
+  CHECK(s.current()[0] == 0);
+  s.rollback();
+  CHECK(s.current()[1] == 2);
+}
+
+TEST_CASE("states in place are those of two copies, bit for bit, for every kind of law") {
+  using namespace fabricsh;
+  for (const char* kind : {"plain", "fading", "viscous", "thesis", "bending"}) {
+    CAPTURE(kind);
+    const std::string name = kind;
+    auto card = test::blend();
+    auto& woven = std::get<card::Woven>(card.law);
+    if (name == "fading") woven.shear.memory = card::ShearMemory::fading;
+    if (name == "viscous") woven.viscous = card::Viscous{{1e6, 1}};
+    if (name == "thesis") woven.law = card::LawKind::thesis;
+    if (name == "bending")
+      card.bending =
+          card::Bending{15e-6, 12e-6, 5e-6, card::BendingFriction{2e-6, 10}, card::BendingFriction{2e-6, 10}};
+    for (const bool triangles : {false, true}) {
+      auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, 3, 3));
+      if (triangles) mesh::split(*mesh, 3);
+      const auto model = std::make_shared<model::Model>(mesh, card, model::Options{});
+      mechanics::Assembly two(*model), one(*model);
+      one.update_in_place();
+      const auto expected = after_steps(two), got = after_steps(one);
+      CHECK(got == expected);
+      CHECK(std::any_of(got.begin(), got.end(), [](double v) { return v != 0; }));
+      CHECK(std::equal(one.internal_on_x().begin(), one.internal_on_x().end(), two.internal_on_x().begin()));
+    }
+  }
 }
