@@ -23,6 +23,7 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
   freedoms_ = number_freedoms(model, directors_);
   meet_directors();
   find_plain_nodes();
+  first_axes_.reserve(X_.size());
   for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
     at(configuration_.x(), n) = X_[n];
     at(configuration_.d(), n) = directors_[n];

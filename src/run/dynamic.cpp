@@ -21,7 +21,7 @@ namespace fabricsh::run {
 namespace {
 
 constexpr int kChecks = 200;        // checks of the ledger in a run
-constexpr int kApart = 10;          // least number of explicit steps between checks: one costs half a step
+constexpr int kApart = 16;          // least number of explicit steps between checks: one costs a step
 constexpr int kYoung = 50;          // explicit steps until the trapezoidal rule gives a reliable work
 constexpr double kYoungLimit = 10;  // factor on the limit for implicit steps until then
 constexpr double kWarning = 1e-3;   // created energy over the external work

@@ -37,6 +37,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
   check_stable_step(undamped);
   choose_step();
+  farthest_.reserve(residual_.size());
   for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i)
     farthest_.push_back(assembly_->turns(i) ? std::numbers::pi / 2 : smallest_);
 }

@@ -257,7 +257,8 @@ TEST_CASE("a term's limit shortens explicit steps, and no step passes it") {
 }
 
 TEST_CASE(
-    "an explicit run looks at the ledger all the way, ten steps apart at least, and stops where it is off") {
+    "an explicit run looks at the ledger all the way, sixteen steps apart at least, and stops where it is "
+    "off") {
   // Makes energy from a time on, and counts who asks.
   class Maker final : public mechanics::Term {
    public:
@@ -282,8 +283,8 @@ TEST_CASE(
     a->add(std::make_unique<Maker>(1, asked));
     a->solve();
     INFO(steps << " steps, " << asked << " looks");
-    CHECK(asked > (steps < 2000 ? 35 : 195));
-    CHECK(asked < (steps < 2000 ? 45 : 210));
+    CHECK(asked > (steps < 2000 ? 23 : 195));
+    CHECK(asked < (steps < 2000 ? 28 : 210));
     int late = 0;
     auto b = run::make_dynamic(make_sheet(), options, quiet());
     b->add(std::make_unique<Maker>(1e-3, late));
