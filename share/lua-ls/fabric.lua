@@ -11,6 +11,8 @@
 ---@field provenance table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
+---@field compression table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -124,7 +126,7 @@ function analysis:event(fields) end
 function analysis:every(interval, action) end
 
 ---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"gap"|"contact_pressure"|"displacement"|"velocity"|"director"|"position"|"reference"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run
 ---@return number[]
 function analysis:field(name) end
 
@@ -138,7 +140,7 @@ function analysis:gap() end
 ---@return number
 function analysis:mean(name, set) end
 
----Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; Pa).
+---Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; Pa).
 ---@param number integer of the node
 ---@return table<string, any>
 function analysis:node(number) end
@@ -207,9 +209,11 @@ function analysis:stop(reason) end
 
 ---@class analysis_vtk_fields.options
 ---@field every? number|"step" s: time between rows or frames, or 'step'
----@field fields? table names of fields, or of single numbers: see the table of fields of a run; default: displacement velocity director E S residual slack energy warp weft
+---@field fields? table names of fields, or of single numbers: see the table of fields of a run; default: displacement velocity director reference reaction E S residual slack energy warp weft. Displacement and reference are always there
+---@field points? "deformed"|"reference" where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by displacement shows the sheet as it is (default "deformed")
+---@field averaged? boolean fields of elements also on the nodes, under the same names: means of the elements that meet there, by area (default false)
 
----Writes a series for ParaView as the run goes; the .pvd is valid at any moment.
+---Writes a series for ParaView as the run goes; the .pvd is valid at any moment. Node sets are arrays of 0 and 1 on the points, E and S symmetric tensors in material axes (11 22 33 12 23 13; those of 33 are 0), units stand with the arrays.
 ---@param stem string out/drape writes out/drape.pvd and numbered .vtu files
 ---@param options? analysis_vtk_fields.options how often, and what
 ---@return analysis
@@ -218,6 +222,17 @@ function analysis:vtk(stem, options) end
 ---Why the run last failed: the steps tried with their residuals, the node, the element with its strain and the branches of its yarns, and what to try; as text. The error has it as e.why.
 ---@return string
 function analysis:why() end
+
+---@class analysis_write_fields.options
+---@field fields? table names of fields, or of single numbers: see the table of fields of a run; default: displacement velocity director reference reaction E S residual slack energy warp weft. Displacement and reference are always there
+---@field points? "deformed"|"reference" where the nodes are now, or where they were: with reference, ParaView's Warp By Vector by displacement shows the sheet as it is (default "deformed")
+---@field averaged? boolean fields of elements also on the nodes, under the same names: means of the elements that meet there, by area (default false)
+
+---Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a frame of a:vtk into a .vtu, else as mesh:write does.
+---@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
+---@param options? analysis_write_fields.options what; fields go into a .vtu alone
+---@return any
+function analysis:write(file, options) end
 
 ---@class card_check_fields.element_size
 ---@field element_size? number m: smallest in the plane, for the explicit step (default 0.1)
@@ -308,12 +323,28 @@ function fabric.expect(rows) end
 ---@return any
 function fabric.export.card(fields) end
 
+---@class fabric_export_gltf_fields
+---@field file string to write; ends in .glb
+---@field series? string a .pvd that a:vtk wrote: every frame of it
+---@field run? analysis in place of a series: the run as it stands
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
+---@field range? number[] {low, high} of the colours; default: those of all frames
+---@field every? number s: at least between two frames; default: all that there are
+---@field duration? number s: of the animation; default: that of the series
+---@field shapes? "morph"|"frames" frames: a mesh for each frame, shown by turns, as every program can; morph: one mesh that moves straight from frame to frame, with colours that few programs move. Default: frames where there is a field, else morph
+---@field up? "z"|"y" the axis that points up (default "z")
+
+---Writes a series as a binary glTF file for the web: the cloth, and what stands beside it, with an animation. Returns {file, frames, duration, bytes, low, high}; low and high are those of the colours, which are as in pictures.
+---@param fields fabric_export_gltf_fields
+---@return any
+function fabric.export.gltf(fields) end
+
 ---@class fabric_export_mesh_fields
 ---@field mesh mesh the mesh
----@field file string that ends in .obj, .ply or .stl (quadrilaterals in two), lengths in m
+---@field file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad; lengths in m
 ---@field run? analysis of that mesh: nodes where they are now; default: the reference shape
 
----Writes a mesh, or its deformed shape, as .obj, .ply or .stl. Returns the file's name.
+---Writes a mesh as mesh:write does, or its deformed shape as analysis:write does. Returns the file's name.
 ---@param fields fabric_export_mesh_fields
 ---@return any
 function fabric.export.mesh(fields) end
@@ -622,6 +653,42 @@ function fabric.lab.compare(measured, test, options) end
 ---@param fields fabric_lab_correlate_fields
 ---@return table<string, any>
 function fabric.lab.correlate(fields) end
+
+---@class fabric_lab_cusick_fields
+---@field card card the fabric
+---@field disc? number m: diameter of the cloth: 0.24, 0.30, 0.36; JIS 0.254 (default 0.3)
+---@field support? number m: diameter of the pedestal; JIS 0.127 (default 0.18)
+---@field seeds? integer how many discs, each with an irregularity and an orientation of its own (default 1)
+---@field seed? integer of the first; the next ones follow (default 1)
+---@field orientation? number degrees: of the warp in the mesh; default: drawn from the seed
+---@field cells? integer elements from the pedestal's edge to the rim (default 8)
+---@field around? integer elements around; default: so that they are square in the middle of the overhang
+---@field offset? number m: how uneven the cloth lies: deviation of the rim from the level (default 0.002)
+---@field edge? number m: radius of the pedestal's rounded edge; a smaller one lies near the held rim of a coarse mesh, and costs time (default 0.008)
+---@field held? number m: diameter of the plate on top; default: that of the pedestal
+---@field side? number m: height of the pedestal's side, 0: a plate on a thin post; default: half of the disc
+---@field friction? number of cloth on pedestal and on cloth (default 0.3)
+---@field contact? boolean false: the cloth touches nothing, it is held at the pedestal's rounded edge (default true)
+---@field self? boolean the cloth may touch itself (default true)
+---@field lowering? number s: over which the weight comes (default 1.5)
+---@field shakes? integer up and down of the pedestal, after the lowering: they work against friction (default 0)
+---@field shake? number m/s^2: their acceleration (default 5)
+---@field period? number s: of a shake (default 0.25)
+---@field damping? number 1/s: of the masses (default 5)
+---@field gravity? number m/s^2: of the place (default 9.80665)
+---@field still? number rest: no place of the rim moves by more than this part of the overhang in a window (default 0.005)
+---@field window? number s: of that rule (default 0.1)
+---@field duration? number s: to wait for rest, at most; default: 4 s after the lowering
+---@field least? number height of a fold that counts, over the overhang (default 0.03)
+---@field processes? integer seeds side by side; default: the threads that the program may use
+---@field every? number s: time between frames of the VTK series (default 0.1)
+---@field out? string folder for a VTK series of each seed
+---@field file? string the outlines as a figure; ends in .svg
+
+---Drape test: a disc of cloth is let down over a pedestal, in explicit motion, until it rests; once for each seed, side by side. Returns coefficient (shadow of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.
+---@param fields fabric_lab_cusick_fields
+---@return table<string, any>
+function fabric.lab.cusick(fields) end
 
 ---@class fabric_lab_density_fields
 ---@field mass number[] kg: of each weighed piece
@@ -1363,6 +1430,8 @@ function fabric.lab.viscous(fields) end
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate? fabric_linear_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
+---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp number Pa: modulus along the warp
 ---@field weft number Pa: modulus along the weft
 ---@field shear number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1420,8 +1489,8 @@ function fabric.mesh.disk(fields) end
 ---@return mesh
 function fabric.mesh.hemisphere(fields) end
 
----Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj. Physical groups and groups become node sets; so do integer arrays: those of 0 and 1 by their name, others as name_value. Nodes in no element are left out; the sets all and boundary are added.
----@param file string ends in .msh, .vtu, .vtk or .obj; a bare name may be a mesh shipped with the program
+---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl (text and binary; equal vertices are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
+---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k; a bare name may be a mesh shipped with the program
 ---@return mesh
 function fabric.mesh.read(file) end
 
@@ -1505,7 +1574,7 @@ function fabric.ramp(value, duration) end
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
 ---@field run? analysis in place of files: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"gap"|"contact_pressure"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
 ---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
@@ -1688,6 +1757,8 @@ function fabric.study(fields) end
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate? fabric_svk_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
+---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp? number Pa: modulus along the warp
 ---@field weft? number Pa: modulus along the weft
 ---@field shear? number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1835,6 +1906,8 @@ function fabric.why() end
 ---@field provenance? table where values come from: {['warp.loading']='fitted to 4 specimens', ['shear.unloading']='assumed: ...'}; words begin with fitted, measured, copied, typed or assumed
 ---@field through_thickness? boolean bending by integration through the thickness is intended where the card has no bending of its own: no warning, even if that is far stiffer than cloth (default false)
 ---@field estimate? fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
+---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
+---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -1865,6 +1938,14 @@ function history:value(time) end
 ---@return table<string, any>
 function mesh:check() end
 
+---The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see fabric.export.model for whole decks.
+---@param format "inp"|"k"|"rad" of Abaqus, LS-DYNA or OpenRadioss
+---@param length? number what a metre is in the deck: 1000 for mm (default 1)
+---@param membrane? boolean inp: M3D4R and M3D3 in the place of S4 and S3 (default false)
+---@param elements? string inp: name of the set of all elements (default "all")
+---@return any
+function mesh:deck_lines(format, length, membrane, elements) end
+
 ---Numbers of the elements all of whose nodes are in the set.
 ---@param set string name of a node set
 ---@return integer[]
@@ -1887,8 +1968,8 @@ function mesh:orient(direction) end
 ---@overload fun(self: mesh, name: string): integer[]
 function mesh:set(name, nodes) end
 
----Writes the mesh with its sets, so that it reads back equal; the old file stays until the new one is whole.
----@param file string ends in .vtu or .msh (Gmsh 4.1)
+---Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, .inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The old file stays until the new one is whole.
+---@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
 ---@return mesh
 function mesh:write(file) end
 
@@ -1896,8 +1977,9 @@ function mesh:write(file) end
 ---@field between? table { body or set, ... }: every two of them touch ("all": the whole cloth)
 ---@field self? string a set whose cloth touches itself
 ---@field friction? number friction coefficient (default 0)
----@field thickness? number m: of the cloth in contact; default: the cloth's own
----@field stiffness? number Pa/m: pressure per closed gap; default: as stiff as the cloth's own stable step allows
+---@field thickness? number m: of the cloth in contact; default: the cloth's own, or that of its card's compression
+---@field stiffness? number Pa/m: pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to the floor; in explicit runs no more than the cloth's own stable step carries
+---@field settle? number s: time from the start in which sheets and bodies that begin too near to each other, but not one through the other, are brought apart; without it they are refused
 
 ---Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.
 ---@param fields model_contact_fields
