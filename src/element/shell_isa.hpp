@@ -311,8 +311,9 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
 // Makes kernels for one part of a batch work on a whole batch.
 inline ShellBatch part(const ShellBatch& batch, int first) {
   const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
-  return {from(batch.geometry), from(batch.x), from(batch.d), from(batch.b),   from(batch.s0), from(batch.s1),
-          batch.sharing,        false,         batch.changed, from(batch.now), first};
+  return {from(batch.geometry), from(batch.x),   from(batch.d), from(batch.b),
+          from(batch.s0),       from(batch.s1),  batch.sharing, batch.law_only,
+          batch.changed,        from(batch.now), first};
 }
 
 template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4Curvature curvature,

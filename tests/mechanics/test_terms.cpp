@@ -71,6 +71,38 @@ double tangent_error(Assembly& a, double strain) {
 
 }  // namespace
 
+TEST_CASE(
+    "stiffness damping takes the law's part of the tangent, which a turn of a stretched sheet leaves alone") {
+  const auto m = std::make_shared<model::Model>(
+      std::make_shared<mesh::Mesh>(mesh::rectangle(0.04, 0.04, 4, 4)), test::svk(), model::Options{});
+  Assembly a(*m);
+  stretch(a, 0.05);
+  const auto n = static_cast<std::size_t>(a.unknowns());
+  // Rates of a rigid turn about z, which turns no director, and of a shear.
+  std::vector<double> turn(n, 0), shear(n, 0);
+  for (std::size_t i = 0; i < a.reference().size(); ++i) {
+    const auto& equation = a.freedoms().nodes[i].equation;
+    turn[equation[0]] = -a.reference()[i].y();
+    turn[equation[1]] = 1.05 * a.reference()[i].x();
+    shear[equation[0]] = a.reference()[i].y();
+  }
+  const auto most = [n](const linear::Matrix& K, const std::vector<double>& v) {
+    std::vector<double> product(n, 0);
+    for (std::size_t c = 0; c < n; ++c)
+      for (auto k = K.pattern->column[c]; k < K.pattern->column[c + 1]; ++k)
+        product[K.pattern->row[k]] += K.value[k] * v[c];
+    double largest = 0;
+    for (const double p : product) largest = std::max(largest, std::abs(p));
+    return largest;
+  };
+  const auto whole = tangent(a);
+  linear::Matrix law;
+  std::vector<double> driven(n);
+  REQUIRE(a.material_tangent(law, {}, driven));
+  CHECK(most(law, turn) < 1e-12 * most(law, shear));
+  CHECK(most(whole, turn) > 1e-3 * most(whole, shear));  // the stress turns with the sheet
+}
+
 TEST_CASE("the pattern grows when a term couples nodes that it did not hold, and only then") {
   const auto m = make_sheet();
   Assembly a(*m);
