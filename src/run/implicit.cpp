@@ -20,7 +20,11 @@ NewmarkScheme scheme_of(const DynamicOptions& o) {
   return s;
 }
 
-StepControl control_of(const DynamicOptions& o) { return {o.step.value_or(o.duration / 200), 0, o.max_cuts}; }
+StepControl control_of(const DynamicOptions& o, const mechanics::Assembly& assembly) {
+  StepControl control{o.step.value_or(o.duration / 200), 0, o.max_cuts};
+  if (assembly.contact() != nullptr) control.expect_friction();
+  return control;
+}
 
 }  // namespace
 
@@ -30,7 +34,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       newmark_(*assembly_, *inertia_, scheme_of(options_)),
       problem_(*assembly_, newmark_, poll_),
       newton_(assembly_->symmetric() ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()),
-      control_(control_of(options)) {
+      control_(control_of(options, *assembly_)) {
   if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit();
   tell_contacts();
   now_.step = control_.current();
@@ -39,7 +43,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
 void Implicit::take_options(const DynamicOptions& options) {
   const bool changed = options.step != options_.step || options.max_cuts != options_.max_cuts;
   options_ = options;
-  if (changed) control_ = control_of(options_);
+  if (changed) control_ = control_of(options_, *assembly_);
   now_.step = control_.current();
 }
 

@@ -38,8 +38,10 @@ bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly
   return o.linear == Linear::symmetric || (o.linear == Linear::automatic && assembly.symmetric());
 }
 
-StepControl control_of(const StaticOptions& o) {
-  return {o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
+StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assembly) {
+  StepControl control{o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
+  if (assembly.contact() != nullptr) control.expect_friction();
+  return control;
 }
 
 constexpr double kLedger = 0.05;  // share of the external work: a larger error of the ledger is reported
@@ -54,7 +56,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     : Run(std::move(model), options.duration, std::move(notices), "static"),
       options_(options),
       given_(options),
-      now_{control_of(options)} {
+      now_{control_of(options, *assembly_)} {
   check_options(options_);
   check_bodies();
   problem_ = std::make_unique<Problem>(*assembly_, 1e-7 * options_.duration, poll_);
@@ -102,14 +104,14 @@ void Static::set(const Settings& settings) {
   const StaticOptions options = with_settings(options_, settings);
   check_options(options);
   options_ = options;
-  if (settings.step || settings.max_cuts) now_.step = control_of(options_);
+  if (settings.step || settings.max_cuts) now_.step = control_of(options_, *assembly_);
 }
 
 void Static::keep_settings(Archive& archive) {
   const auto step = options_.step;
   const int max_cuts = options_.max_cuts;
   run::keep_settings(archive, given_, options_);
-  if (step != options_.step || max_cuts != options_.max_cuts) now_.step = control_of(options_);
+  if (step != options_.step || max_cuts != options_.max_cuts) now_.step = control_of(options_, *assembly_);
 }
 
 void Static::begin() {

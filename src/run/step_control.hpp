@@ -35,19 +35,21 @@ class StepControl {
     current_ = failed / 2;
     return current_ >= smallest_;
   }
-  // After a step with many iterations the next one is smaller, but not again and again (sliding friction
-  // takes many iterations whatever the step); after few it grows back to the largest.
+  // Sliding friction takes many iterations whatever the step: from here on, steps that have not failed do not
+  // shrink below this part of the largest.
+  void expect_friction() { held_ = largest_ / 16; }
+  // After a step with many iterations the next one is smaller; after few it grows back to the largest.
   void grow(int iterations, bool was_cut) {
     const double n = std::max(1, iterations);
     if (iterations > many_iterations)
-      current_ = std::max({0.5 * current_, least_, current_ * std::sqrt(wanted_iterations / n),
-                           std::min(current_, largest_ / 16)});
+      current_ = std::max(
+          {0.5 * current_, least_, current_ * std::sqrt(wanted_iterations / n), std::min(current_, held_)});
     else if (!was_cut)
       current_ = std::min(largest_, current_ * std::clamp(2 * wanted_iterations / n, 1.0, 2.0));
   }
 
  private:
-  double largest_, smallest_, least_, current_;
+  double largest_, smallest_, least_, current_, held_ = 0;
 };
 
 }  // namespace fabricsh::run

@@ -189,7 +189,7 @@ wrong("model:velocity", "model:velocity(fabric.rigid.sphere{ radius=1, centre={0
 wrong("fabric.dynamic", "fabric.dynamic{ model=model:contact{ between={fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.001} }, 'all'} }, duration=1e-3 }",
   "deck.lua:1: dynamic: contact: 2 pairs overlap at the start: nodes 3, 4, 5 and the sphere, one through the other; nodes 4, 6, 5 and the sphere, one through the other; expected all of it apart")
 wrong("fabric.dynamic", "fabric.dynamic{ model=model:contact{ between={fabric.rigid.plane{ point={0, 0, -0.01}, normal={0, 0, 1} }, 'all'}, stiffness=1e14 }, duration=1e-3, step=1e-6 }",
-  "deck.lua:1: dynamic: field 'step': expected at most 2.11755e-08 s, which contact carries (0.6 of the stable step of mesh and card, 1.87594e-05 s, and no more than its stiffness allows), got 1e-06 s (a smaller 'stiffness' of m:contact, or force=true, would take it)")
+  "deck.lua:1: dynamic: field 'step': expected at most 2.11755e-08 s, the largest step that contact allows (0.6 of the stable step of mesh and card, 1.87594e-05 s, and less where contact is stiff), got 1e-06 s (where contact is stiff, a smaller 'stiffness' of m:contact allows more; force=true uses this step all the same)")
 wrong("fabric.dynamic", "fabric.dynamic{ model=model:move(fabric.rigid.plane{ point={0,0,-0.01}, normal={0,0,1} }, { z=1 }), duration=1e-3 }",
   "deck.lua:1: dynamic: model: the plane that is moved touches nothing: expected m:contact{between={it, ...}}")
 wrong("fabric.dynamic", "local ball = fabric.rigid.sphere{ radius=0.005, centre={0.0127, 0.0381, 0.006} } fabric.dynamic{ model=model:contact{ between={ball, 'all'} }:move(ball, { z=function() return 0/0 end }), duration=1e-3 }",
