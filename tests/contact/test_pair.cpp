@@ -222,3 +222,40 @@ TEST_CASE("pair: an edge about an axis counts once, crossing or parallel", "[con
     CHECK(energy(pair, x) == Approx(one).epsilon(1e-8));
   }
 }
+
+TEST_CASE("friction: forces and torque change with the turn of a body as their derivatives say",
+          "[contact]") {
+  const Law law({0.38e-3, 0.15e-3, 2e10, {}});
+  Pair pair;
+  pair.kind = Kind::facet;
+  pair.area = 1e-5;
+  pair.offset = 0.03;  // a ball above a triangle
+  const Corners x = {Vec3(0.001, 0.0015, 0.03025), Vec3(0, 0, 0), Vec3(0.004, 0, 1e-4),
+                     Vec3(0, 0.005, -1e-4)};
+  Slip slip{0.3, 2e-5, x, Vec3(2e-4, -3e-4, 1e-4)};
+  slip.start[0] += Vec3(1e-6, 2e-6, 0);
+  for (const double creep : {2e-5, 1e-6}) {  // sticking, sliding
+    slip.creep = creep;
+    const Friction exact = pair_friction(law, pair, x, slip, true);
+    REQUIRE(exact.lost > 0);
+    const double turn = 1e-9, move = 1e-10;
+    for (int c = 0; c < 3; ++c) {
+      Slip up = slip, down = slip;
+      up.turn[c] += turn;
+      down.turn[c] -= turn;
+      const Friction a = pair_friction(law, pair, x, up, false), b = pair_friction(law, pair, x, down, false);
+      CHECK(((a.force - b.force) / (2 * turn) - exact.by_turn.col(c)).norm() < 1e-5 * exact.by_turn.norm());
+      CHECK(((a.torque - b.torque) / (2 * turn) - exact.torque_by_turn.col(c)).norm() <
+            1e-5 * exact.torque_by_turn.norm());
+    }
+    for (int k = 0; k < 12; ++k) {
+      Corners up = x, down = x;
+      up[std::size_t(k / 3)][k % 3] += move;
+      down[std::size_t(k / 3)][k % 3] -= move;
+      const Friction a = pair_friction(law, pair, up, slip, false),
+                     b = pair_friction(law, pair, down, slip, false);
+      CHECK(((a.torque - b.torque) / (2 * move) - exact.torque_by_x.col(k)).norm() <
+            1e-4 * exact.torque_by_x.norm());
+    }
+  }
+}
