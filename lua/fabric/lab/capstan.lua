@@ -1,8 +1,8 @@
 -- fabric.lab.capstan: a strip over a rigid cylinder, held by a tension T1 on one side and pulled on the other.
 --
---            _____        T2 / T1 = exp(friction * wrap) of a thread; of n facets that turn by d = wrap/n each
+--            _____        T2 / T1 = exp(friction * wrap) of a thread; of n corners that turn by d = wrap/n each
 --          /  ___  \      ((1 + friction tan(d/2)) / (1 - friction tan(d/2)))^n
---         |  /   \  |
+--         |  /   \  |     Facets touch with their middles, see scripts/contact/capstan.lua.
 --      T1 v |     | v T2
 local define = require "fabric.define"
 local curves = require "fabric.columns"
