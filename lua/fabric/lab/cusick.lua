@@ -151,7 +151,7 @@ local function mean(runs, name)
   for _, one in ipairs(runs) do sum = sum + one[name] end
   sum = sum / #runs
   for _, one in ipairs(runs) do squares = squares + (one[name] - sum) ^ 2 end
-  return sum, #runs > 1 and math.sqrt(squares / (#runs - 1)) or 0 / 0
+  return sum, #runs > 1 and math.sqrt(squares / (#runs - 1)) or -(0 / 0)
 end
 
 -- The outlines over one another, as long as wide, with the level disc and the pedestal dashed.
