@@ -130,11 +130,12 @@ properties
       = {"all", "bottom", "boundary", "corners", "left", "right", "top"}
 methods
   mesh:check                   What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, wa...
+  mesh:deck_lines              The nodes, elements and sets of nodes as lines of a deck, to which the rest of a deck is added; see fabric....
   mesh:elements                Numbers of the elements all of whose nodes are in the set
   mesh:map                     Moves every node; on an error none is moved
   mesh:orient                  Turns elements around until neighbours agree on the normal, as few as that takes; returns how many
   mesh:set                     Makes or replaces a named set of nodes; with the name alone gives its node numbers
-  mesh:write                   Writes the mesh with its sets, so that it reads back equal; the old file stays until the new one is whole]] },
+  mesh:write                   Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, .inp (Abaqus...]] },
   { "help 'mesh:map'", [[
 mesh:map(f)
   Moves every node; on an error none is moved.

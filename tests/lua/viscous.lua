@@ -93,7 +93,7 @@ end
 says(function() fabric.point(card:with { law = "thesis" }) end, "field 'viscous': expected law = \"potential\"")
 says(function() elastic:with { viscous = { shear = { modulus = 1e6 } } } end, "field 'viscous.shear.time'")
 says(function() elastic:with { viscous = { shear = { modulus = 1e6, time = -1 } } } end, "expected a positive number in s, got -1")
-says(function() fabric.static { model = sheared(card, 0), duration = 1, control = "arc" } end, "field 'control': \"arc\" walks along loads")
+says(function() fabric.static { model = sheared(card, 0), duration = 1, control = "arc" } end, "field 'control': \"arc\" follows the path of the loads")
 says(function() fabric.point(card):strain { E12 = 0.1, over = -1 } end, "'over'")
 says(function() fabric.point(card):path { { 0, 0, 0.1, -1 } } end, "argument 'strains.1.4': expected 0 s or more")
 fabric.expect(checks)
