@@ -1,6 +1,9 @@
 #include "contact/intersect.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "contact/grid.hpp"
 
 namespace fabricsh::contact {
 
@@ -19,17 +22,32 @@ std::vector<std::pair<std::size_t, std::size_t>> intersections(std::span<const V
                                                                std::span<const Triangle> triangles) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   const auto at = [&](std::int32_t node) -> const Vec3& { return x[std::size_t(node)]; };
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto [p, q] = edges[e];
-    const Vec3 low = at(p).cwiseMin(at(q)), high = at(p).cwiseMax(at(q));
-    for (std::size_t k = 0; k < triangles.size(); ++k) {
-      const auto [a, b, c] = triangles[k];
-      if (p == a || p == b || p == c || q == a || q == b || q == c) continue;
-      const Vec3 least = at(a).cwiseMin(at(b)).cwiseMin(at(c)), most = at(a).cwiseMax(at(b)).cwiseMax(at(c));
-      if ((least.array() > high.array()).any() || (most.array() < low.array()).any()) continue;
-      if (cuts(at(p), at(q), at(a), at(b), at(c))) found.emplace_back(e, k);
-    }
+  // Edges are sorted by their middles, and a triangle looks for those within half of the longest one.
+  Box room;
+  double longest = 0, sum = 0;
+  for (const auto& [p, q] : edges) {
+    room.add((at(p) + at(q)) / 2);
+    longest = std::max(longest, (at(p) - at(q)).norm());
+    sum += (at(p) - at(q)).norm();
   }
+  if (edges.empty() || !(sum > 0)) return found;
+  const Grid middles(room, sum / double(edges.size()), edges.size(),
+                     [&](std::size_t e) { return Vec3((at(edges[e][0]) + at(edges[e][1])) / 2); });
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const auto [a, b, c] = triangles[k];
+    Box box;
+    for (const std::int32_t corner : triangles[k]) box.add(at(corner));
+    middles.in(box.grown(longest / 2), [&](std::int32_t number) {
+      const auto e = std::size_t(number);
+      const auto [p, q] = edges[e];
+      if (p == a || p == b || p == c || q == a || q == b || q == c) return;
+      Box along;
+      along.add(at(p));
+      along.add(at(q));
+      if (box.meets(along) && cuts(at(p), at(q), at(a), at(b), at(c))) found.emplace_back(e, k);
+    });
+  }
+  std::sort(found.begin(), found.end());
   return found;
 }
 

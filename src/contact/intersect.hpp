@@ -1,5 +1,5 @@
-// Whether a surface intersects itself or another one. All edges are compared with all
-// triangles, so this is for tests and for the initial state, not for use in a loop.
+// Whether a surface intersects itself or another one: every edge against the triangles near it. For tests and
+// for the initial state.
 #pragma once
 #include <span>
 #include <utility>

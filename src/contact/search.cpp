@@ -23,6 +23,7 @@ class Search {
       const Interaction& it = scene.interactions()[i];
       const auto a = std::size_t(it.first), b = std::size_t(it.second);
       number_[a * surfaces.size() + b] = number_[b * surfaces.size() + a] = int(i);
+      if (!has_facets(surfaces[a]) || !has_facets(surfaces[b])) continue;  // those are simple_shapes()
       const double reach = it.law.gap() + surfaces[a].radius + surfaces[b].radius + skin;
       reach_[a] = std::max(reach_[a], reach);
       reach_[b] = std::max(reach_[b], reach);
@@ -32,8 +33,7 @@ class Search {
 
   Rows run() {
     Rows out;
-    if (scene_.interactions().empty()) return out;
-    meshes(out);
+    if (std::any_of(reach_.begin(), reach_.end(), [](double reach) { return reach > 0; })) meshes(out);
     simple_shapes(out);
     return out;
   }
@@ -42,6 +42,7 @@ class Search {
   const Vec3& at(std::int32_t p) const { return x_[std::size_t(p)]; }
   const Vec3& reference(std::int32_t p) const { return scene_.reference()[std::size_t(p)]; }
   const Surface& surface(std::int32_t s) const { return scene_.surfaces()[std::size_t(s)]; }
+  static bool has_facets(const Surface& s) { return s.shape == Shape::cloth || s.shape == Shape::solid; }
   bool cloth(std::int32_t s) const { return surface(s).shape == Shape::cloth; }
   int number(std::int32_t a, std::int32_t b) const {
     return number_[std::size_t(a) * scene_.surfaces().size() + std::size_t(b)];
@@ -297,7 +298,7 @@ class Search {
   std::span<const Vec3> x_;
   double skin_;
   std::vector<int> number_;
-  std::vector<double> reach_;                 // of each surface, m
+  std::vector<double> reach_;                 // of each surface to others that have facets, m; 0: to none
   std::vector<std::int32_t> points_, owner_;  // points of cloths and solids
   std::vector<std::int32_t> cloth_edges_;
   Box room_;

@@ -54,6 +54,9 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
   problem.accept();
   if (problem.size() > 0)
     if (const Answer answer = masses(problem); answer != Answer::ok) return stop(status_of(answer));
+  // Without loads the residual is rounding alone. Taken where the step begins: a sheet that flies apart later
+  // would raise it without bound.
+  const double rounding = problem.size() > 0 ? problem.rounding_floor(K_) : 0;
   double before = 0, renewed = std::numeric_limits<double>::infinity();  // residual when the masses were
   bool starts = true;  // from rest, the first step of the leapfrog scheme is half a step
   for (int since = 0; result.iterations < options.max_iterations; ++result.iterations, ++since) {
@@ -62,8 +65,7 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
     const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.worst = where;
     if (!std::isfinite(size) || !(relative < 1e12)) return stop(NewtonStatus::diverged);
-    // Without loads the residual is rounding alone.
-    if (problem.arrived() && (relative <= options.tolerance || size <= problem.rounding_floor(K_))) {
+    if (problem.arrived() && (relative <= options.tolerance || size <= rounding)) {
       result.residuals.push_back(relative);
       return stop(NewtonStatus::converged);
     }
