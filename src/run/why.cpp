@@ -163,8 +163,8 @@ void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
   if (beyond(f) > kBeyond)
     all.push_back("a check of the card, card:check(), and of the units of the stroke (strained " +
                   number(beyond(f)) + " times as far as it was tested)");
-  if (f.blame.stiffness_ratio > kWideRatio)
-    all.push_back("method=\"relaxation\" or fabric.dynamic (one direction of element " +
+  if (f.blame.stiffness_ratio > kWideRatio && !f.dynamic)
+    all.push_back("fabric.dynamic with damping, or method=\"relaxation\" (one direction of element " +
                   std::to_string(f.blame.element + 1) + " is " + number(f.blame.stiffness_ratio) +
                   " times as stiff as another)");
   if (2 * f.blame.slack > f.blame.elements && !f.dynamic)
