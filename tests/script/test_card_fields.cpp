@@ -45,9 +45,11 @@ TEST_CASE("every field of a card is written, read and read back", "[card]") {
       if (!field.get && field.holds != card::Holds::group) return;
       run_chunk(L, "return " + path + " ~= nil");
       CHECK(lua_toboolean(L, -1) == 1);
+      lua_pop(L, 1);
       if (field.holds != card::Holds::number) return;
       run_chunk(L, "return " + path);
       CHECK(lua_tonumber(L, -1) == std::get<double>(field.get(full)));
+      lua_pop(L, 1);
     });
     run_chunk(L, "return card:with{ name='words \"1\"\\n' } == card and #tostring(card) > 100");
     CHECK(lua_toboolean(L, -1) == 1);
