@@ -47,7 +47,7 @@ class FabricshKernel(Kernel):
         self._child = subprocess.Popen([fabricsh.find_program(), "--quiet"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, start_new_session=True)
 
-    def _hear(self, pipe, name, heard):
+    def _hear(self, pipe, name, heard, end):
         """Passes on what the program says, as it says it, up to the mark."""
         while True:
             piece = pipe.read1(65536)
@@ -56,7 +56,7 @@ class FabricshKernel(Kernel):
             if text and not self._silent:
                 self.send_response(self.iopub_socket, "stream", {"name": name, "text": text})
             if not piece or piece.endswith(b"\1"):
-                return
+                return end.set()
 
     def do_execute(self, code, silent, store_history=True, user_expressions=None, allow_stdin=False):
         if self._child is None or self._child.poll() is not None:
@@ -65,16 +65,18 @@ class FabricshKernel(Kernel):
         self._child.stdin.write(_CELL.format(_quoted(code)).encode())
         self._child.stdin.flush()
         said, complained = [], []
-        threads = [threading.Thread(target=self._hear, args=(self._child.stdout, "stdout", said)),
-                   threading.Thread(target=self._hear, args=(self._child.stderr, "stderr", complained))]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            while thread.is_alive():
-                try:
-                    thread.join()
-                except KeyboardInterrupt:
-                    self._child.send_signal(signal.SIGINT)
+        # Events, since a thread whose join was interrupted counts as ended while it still runs.
+        ends = [threading.Event(), threading.Event()]
+        for pipe, name, heard, end in ((self._child.stdout, "stdout", said, ends[0]), (self._child.stderr, "stderr", complained, ends[1])):
+            threading.Thread(target=self._hear, args=(pipe, name, heard, end)).start()
+        while not all(end.is_set() for end in ends):
+            try:
+                for end in ends:
+                    end.wait()
+            except KeyboardInterrupt:
+                self._child.send_signal(signal.SIGINT)
+        if not b"".join(said).endswith(b"\1"):
+            self._await_end()
         if not silent:
             self._show_figures(code, begun)
         status = {"execution_count": self.execution_count}
@@ -84,6 +86,14 @@ class FabricshKernel(Kernel):
         error = {"ename": "error", "evalue": message, "traceback": []}  # it stands in the stream of errors already
         self.send_response(self.iopub_socket, "error", error)
         return {**status, **error, "status": "error"}
+
+    # A program whose output has ended is about to end: the next cell must find it gone, not write to it.
+    def _await_end(self):
+        try:
+            self._child.wait(timeout=10)
+        except subprocess.TimeoutExpired:
+            self._child.kill()
+            self._child.wait()
 
     def _show_figures(self, code, begun):
         for name in re.findall(r"""["']([^"'\n]+\.(?:svg|png))["']""", code):
