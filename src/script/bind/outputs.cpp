@@ -171,17 +171,27 @@ int record(Call& call) {
   return 1;
 }
 
-int vtk(Call& call) {
-  const auto run = call.self<Run>();
-  luaL_checkstack(call.L(), 10, "vtk");
+// The table of options, an empty one where the call has none.
+Fields options_of(Call& call, const char* name) {
+  luaL_checkstack(call.L(), 10, name);
   if (!call.has("options")) {
     lua_newtable(call.L());
     lua_setfield(call.L(), -2, "options");
   }
-  const Fields options = call.fields("options");
+  return call.fields("options");
+}
+
+run::VtkContents contents_of(const Fields& options) {
   run::VtkContents contents{text_list(options, "fields")};
   contents.reference = options.text("points") == "reference";
   contents.averaged = options.flag("averaged");
+  return contents;
+}
+
+int vtk(Call& call) {
+  const auto run = call.self<Run>();
+  const Fields options = options_of(call, "vtk");
+  const run::VtkContents contents = contents_of(options);
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   std::string stem = call.text("stem");
@@ -200,15 +210,8 @@ bool is_vtu(const std::string& path) {
 // The state as it is: a frame of a series where the format holds fields, else the mesh.
 int write(Call& call) {
   const auto run = call.self<Run>();
-  luaL_checkstack(call.L(), 10, "write");
-  if (!call.has("options")) {
-    lua_newtable(call.L());
-    lua_setfield(call.L(), -2, "options");
-  }
-  const Fields options = call.fields("options");
-  run::VtkContents contents{text_list(options, "fields")};
-  contents.reference = options.text("points") == "reference";
-  contents.averaged = options.flag("averaged");
+  const Fields options = options_of(call, "write");
+  const run::VtkContents contents = contents_of(options);
   const std::string path = call.text("file");
   if (!is_vtu(path) && (!contents.fields.empty() || contents.averaged))
     options.refuse(contents.averaged ? "averaged" : "fields",
