@@ -29,11 +29,13 @@ Colour at(const std::vector<Colour>& scale, double t) {
 
 }  // namespace
 
+Colour viridis(double t) { return at(rising, t); }
+
 Colour colour(double value, double low, double high) {
   if (!std::isfinite(value)) return {0.72, 0.72, 0.72};
   const double largest = std::max(std::abs(low), std::abs(high));
   if (low < -0.02 * largest && high > 0.02 * largest) return at(two_sided, (value / largest + 1) / 2);
-  return at(rising, high > low ? (value - low) / (high - low) : 0);
+  return viridis(high > low ? (value - low) / (high - low) : 0);
 }
 
 // IEC 61966-2-1.

@@ -11,5 +11,7 @@ namespace fabricsh::plot {
 std::array<double, 3> colour(double value, double low, double high);
 // The same as the amounts of light that these are (linear).
 std::array<double, 3> light(const std::array<double, 3>& colour);
+// Dark blue to yellow, t from 0 to 1; the end colours outside.
+std::array<double, 3> viridis(double t);
 
 }  // namespace fabricsh::plot

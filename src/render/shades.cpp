@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "plot/colour_scale.hpp"
 
 namespace fabricsh::render {
 
 namespace {
 
-// viridis (S. van der Walt, N. Smith, public domain) at equal intervals; for values of both signs
-// straight lines in CIE L*a*b* from dark blue over near white to dark red, which are perceptually uniform.
-const std::vector<Colour> rising = {{68, 1, 84},    {72, 40, 120},  {62, 74, 137},  {49, 104, 142},
-                                    {38, 130, 142}, {31, 158, 137}, {53, 183, 121}, {109, 205, 89},
-                                    {180, 222, 44}, {253, 231, 37}};
+// For values of both signs straight lines in CIE L*a*b* from dark blue over near white to dark red, which are
+// perceptually uniform; for one sign viridis.
 constexpr Colour blue = {32, 8, -42}, white = {97, 0, 0}, red = {32, 34, 26};  // L*, a*, b*
 
 // Red, green and blue, from 0 to 255, of a colour in CIE L*a*b*.
@@ -42,21 +40,12 @@ Colour with_sign(double t) {
   return c;
 }
 
-Colour at(const std::vector<Colour>& scale, double t) {
-  const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(scale.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(place), scale.size() - 2);
-  const double s = place - static_cast<double>(i);
-  Colour c{};
-  for (std::size_t k = 0; k < 3; ++k) c[k] = ((1 - s) * scale[i][k] + s * scale[i + 1][k]) / 255;
-  return c;
-}
-
 }  // namespace
 
 Colour shade(double low, double high, double value) {
   const double largest = std::max(std::abs(low), std::abs(high));
   const bool both = low < -0.02 * largest && high > 0.02 * largest;
-  return both ? with_sign(value / largest) : at(rising, (value - low) / (high - low));
+  return both ? with_sign(value / largest) : plot::viridis((value - low) / (high - low));
 }
 
 }  // namespace fabricsh::render
