@@ -146,5 +146,18 @@ for name in pairs(messages) do
   if not known then miss("a case for '%s', which is not there", name) end
 end
 
+-- What a message names is in one order from one start of the program to the next, which Lua's own order of a table is not.
+do
+  local ok, message = pcall(fabric.mesh.rectangle, { width = 1, zebra = 1, apple = 1, mango = 1 })
+  if ok or not tostring(message):find("'apple'", 1, true) then miss("of several unknown fields not the first in the alphabet: %s", message) end
+  ok, message = pcall(function() return fabric.mesh.rectangle { width = 1, height = 1, nx = 1, ny = 1 }.xylophone end)
+  local before
+  for name in tostring(message):match "known: (.*)%)":gmatch "%S+" do
+    if before and name < before then miss("'%s' is listed after '%s'", name, before) end
+    before = name
+  end
+  assert(not ok and before)
+end
+
 assert(missed == 0, missed .. " missed")
 print(count .. " wrong calls, " .. rows .. " functions with arguments")

@@ -155,6 +155,7 @@ int enter(lua_State* L) {
   return lua_error(L);
 }
 
+// In alphabetical order: Lua's own order differs from one start of the program to the next.
 std::vector<std::string> keys_of(lua_State* L, int index) {
   std::vector<std::string> names;
   index = lua_absindex(L, index);
@@ -163,6 +164,7 @@ std::vector<std::string> keys_of(lua_State* L, int index) {
     lua_pop(L, 1);
     if (lua_type(L, -1) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -1));
   }
+  std::sort(names.begin(), names.end());
   return names;
 }
 
@@ -182,6 +184,7 @@ int index_object(lua_State* L) {
   {
     auto known = keys_of(L, lua_upvalueindex(1));
     for (auto& name : keys_of(L, lua_upvalueindex(2))) known.push_back(name);
+    std::sort(known.begin(), known.end());
     message += unknown("field", luaL_tolstring(L, 2, nullptr), known);
   }
   lua_pushstring(L, message.c_str());

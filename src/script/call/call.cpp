@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/number.hpp"
 #include "base/suggest.hpp"
@@ -203,6 +204,8 @@ Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::
     : L_(L), index_(lua_absindex(L, index)), rows_(&rows), path_(std::move(path)), positional_(positional) {
   luaL_checkstack(L, 10, "fields");
   make_plain(L, index_, rows);
+  std::optional<std::string>
+      wrong;  // the first in the alphabet: Lua's own order differs from one start to the next
   lua_pushnil(L);
   while (lua_next(L, index_) != 0) {
     lua_pop(L, 1);
@@ -214,12 +217,12 @@ Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::
     const std::string name = lua_tostring(L, -1);
     bool found = false;
     for (const Argument& row : rows) found = found || row.name == name;
-    if (!found)
-      throw Error(unknown("field", path_ + name, [&] {
-        auto names = names_of(rows);
-        for (auto& known : names) known = path_ + known;
-        return names;
-      }()));
+    if (!found && (!wrong || name < *wrong)) wrong = name;
+  }
+  if (wrong) {
+    auto names = names_of(rows);
+    for (auto& known : names) known = path_ + known;
+    throw Error(unknown("field", path_ + *wrong, names));
   }
   for (const Argument& row : rows) {
     lua_getfield(L, index_, row.name.c_str());
