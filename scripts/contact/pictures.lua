@@ -27,7 +27,7 @@ rows[#rows + 1] = { "edge: the gap stays open, the ledger is closed (1: yes)", a
 
 if not fabric.checking() then
   fabric.render { file = out .. "/contact_ball_drop.png", vtu = frames, field = "uz", labels = labels, columns = 2, view = { 30, 25 },
-                  size = { 120 * mm, 90 * mm }, dpi = 150, axes = false }
+                  size = { 120 * mm, 90 * mm }, dpi = 120, axes = false, edges = false }
   fabric.render { file = out .. "/contact_edge.png", run = a, field = "uz", view = { 30, 20 }, size = { 85 * mm, 60 * mm }, dpi = 200 }
 end
 fabric.expect(rows)
