@@ -194,9 +194,26 @@ local function nothing(rows, word)
   return { ("no entry contains '%s'%s"):format(word, near and ", did you mean '" .. near .. "'?" or "; help() shows what there is") }
 end
 
--- Fields of a run with this name, or with a single value of this name.
-local function result_fields(word)
+-- The pages of the manual whose name or description in the list of pages holds each of the words.
+local function pages(words)
+  local home = debug and debug.getinfo(1, "S").source:match "^@(.*)lua/fabric/help%.lua$"
+  local readable, file = pcall(io.open, (home or "") .. "share/doc/README.md")
   local lines = {}
+  if not home or not readable or not file then return lines end
+  for line in file:lines() do
+    local name, about = line:match "^| %[[^%]]*%]%(([^)]+)%) | (.-) |$"
+    local all = name ~= nil
+    for word in words:gmatch "%S+" do all = all and (name .. " " .. about):lower():find(word, 1, true) ~= nil end
+    if all then lines[#lines + 1] = ("  %-38s %s"):format("share/doc/" .. name, about) end
+  end
+  file:close()
+  if #lines > 0 then table.insert(lines, 1, "pages of the manual") end
+  return lines
+end
+
+-- Fields of a run with this name (a blank or a stroke between its words), or with a single value of this name.
+local function result_fields(words)
+  local lines, word = {}, words:gsub("%s+", "_")
   for _, field in ipairs(registry.fields()) do
     local numbers = table.concat(field.components, " ")
     if field.name == word or (" " .. numbers .. " "):find(" " .. word .. " ", 1, true) then
@@ -229,10 +246,11 @@ local function search(word)
   if row then return about_row(row) end
   local lines, found = {}, below(rows, word)
   if #found == 0 then found = speaking(rows, word:lower()) end
-  local fields = result_fields(word)
-  if #found == 0 and #fields == 0 then return nothing(rows, word) end
+  local fields, manual = result_fields(word), pages(word:lower())
+  if #found == 0 and #fields == 0 and #manual == 0 then return nothing(rows, word) end
   table.move(fields, 1, #fields, #lines + 1, lines)
   grouped(found, lines)
+  table.move(manual, 1, #manual, #lines + 1, lines)
   return lines
 end
 
@@ -262,7 +280,7 @@ define {
   name = "fabric.help",
   positional = true,
   arguments = { { name = "topic", kind = "any", optional = true, sentence = "a function, an object, a name, or words to look for; nothing: an overview" } },
-  sentence = "Prints the arguments of a function, the contents and methods of an object, or all entries that contain the given words.",
+  sentence = "Prints the arguments of a function, the contents and methods of an object, or all entries and pages that contain the given words.",
   example = "local fabric = require 'fabric'\nfabric.help(fabric.ramp)\nfabric.help 'shear'",
   run = function(...)
     local missing = select("#", ...) > 0 and (...) == nil

@@ -2,7 +2,7 @@
 --
 --   fabricsh scripts/contact/pictures.lua [out] [elements along an edge]      6; the pictures in share/doc: 16
 local fabric, out, cells = require "fabric", arg[1] or "out/contact", tonumber(arg[2] or 6)
-local rows = {}
+local rows, mm = {}, fabric.units.mm
 
 -- Four fabrics, 16 ms after the ball of 0.1 kg touched them with 1.4 m/s.
 local frames, labels = {}, {}
@@ -26,8 +26,8 @@ a:solve()
 rows[#rows + 1] = { "edge: the gap stays open, the ledger is closed (1: yes)", a:gap() > 0 and a.energy.error < 1e-2 and 1 or 0, 1, absolute = 0 }
 
 if not fabric.checking() then
-  fabric.render { file = out .. "/contact_ball_drop.png", vtu = frames, field = "uz", labels = labels, columns = 2, view = { 30, 25 }, width = 540, height = 410, axes = false,
-                  title = "a ball of 0.1 kg on a clamped square of 0.2 m, 16 ms after it touched" }
-  fabric.render { file = out .. "/contact_edge.png", run = a, field = "uz", view = { 30, 20 }, width = 600, height = 430, axes = false, title = "muslin over a rod, off its middle" }
+  fabric.render { file = out .. "/contact_ball_drop.png", vtu = frames, field = "uz", labels = labels, columns = 2, view = { 30, 25 },
+                  size = { 120 * mm, 90 * mm }, dpi = 120, axes = false, edges = false }
+  fabric.render { file = out .. "/contact_edge.png", run = a, field = "uz", view = { 30, 20 }, size = { 85 * mm, 60 * mm }, dpi = 200 }
 end
 fabric.expect(rows)

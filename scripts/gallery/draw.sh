@@ -1,6 +1,7 @@
 #!/bin/sh
-# Draws every picture of share/doc anew: those of the gallery, of the law, of the thesis and of the pages, each by the deck or
-# page that shows it. Minutes; on one processor half an hour. Usage: draw.sh <fabricsh> [gallery|law|thesis|pages ...]
+# Draws every picture of share/doc anew: those of the gallery, of the law, of the thesis, of contact and of the pages, each by the deck or
+# page that shows it. Minutes; on one processor half an hour. (drape_disc.png and drape_outlines.svg
+# are drawn by scripts/long/drape_table.lua.) Usage: draw.sh <fabricsh> [gallery|law|thesis|contact|pages ...]
 set -eu
 export OMP_WAIT_POLICY=passive OMP_NUM_THREADS=1  # beside other work idle threads would take the time of busy ones
 cd "$(dirname "$0")/../.."
@@ -54,16 +55,29 @@ page_figures() {
   done
 }
 
+# fine_figure <page> <deck on it> <file that it writes> <name in share/doc>: the deck with the argument "fine"
+fine_figure() {
+  mkdir -p "$work/fine"
+  (cd "$work/fine" && awk -v deck="$2" '$0 == "```lua " deck { on = 1; next } /^```/ { on = 0 } on' "$root/share/doc/$1.md" >"$2" &&
+    "$program" --quiet "$2" fine)
+  cp "$work/fine/$3" "$out/$4"
+}
+
+contact() { "$program" --quiet scripts/contact/pictures.lua "$work/contact" 16 && cp "$work"/contact/contact_*.png "$out"; }
+
 pages() {
   page_figures tutorial out/pull/strip.png tutorial_strip.png out/mine/compare.svg tutorial_compare.svg out/mine/bias.png tutorial_bias.png
   page_figures howto/drape out/drape.png howto_drape.png out/table.png howto_table.png
   page_figures howto/own-mesh out/disc.png howto_ring.png
   page_figures howto/bias-angle out/angle.png howto_angle.png
-  page_figures howto/sleeve out/sleeve.png howto_sleeve.png
+  page_figures howto/own-csv out/mine/weft.svg howto_own_csv.svg
+  page_figures howto/ball-drop out/drop.png howto_ball.png out/drop.svg howto_ball.svg
+  fine_figure howto/drape-coefficient drape.lua out/disc.png howto_drape_coefficient.png
+  fine_figure howto/sleeve sleeve.lua out/sleeve.png howto_sleeve.png
   page_figures howto/plot out/weft.svg howto_weft.svg out/spread.svg howto_spread.svg out/panels.svg howto_plots.svg out/bias.png \
     howto_panels.png out/views.png howto_views.png
 }
 
-[ $# -gt 0 ] || set -- gallery law thesis pages
+[ $# -gt 0 ] || set -- gallery law thesis contact pages
 for part; do "$part"; done
 find "$out" -type f -size +120k | while read -r large; do echo "$large is larger than 120 kB" && false; done

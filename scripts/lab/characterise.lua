@@ -4,7 +4,8 @@
 --
 -- The folder (default: the synthetic sample data) holds laboratory.lua and whatever there is of the files that lua/fabric/lab/folder.lua
 -- describes; what no file shows is assumed, marked so, and named with the test that would tell. Writes into out (default
--- out/characterise): card.lua, a figure and its -residual.svg for each of warp, weft, shear that was tested, report.html.
+-- out/characterise): card.lua, a figure and its -residual.svg for each of warp, weft, shear that was tested, report.html, and the card for
+-- LS-DYNA, OpenRadioss and Abaqus, card.k, card.rad and card.inp, in mm, t, s, each with what is lost in it.
 --
 -- Some elements go beyond the tested strain, as the warning says:
 -- warns: the card was tested to
@@ -31,5 +32,11 @@ for _, name in ipairs { "warp", "weft", "shear" } do
 end
 if result.shear and result.shear.viscous then print(result.shear.viscous.text) end
 for _, further in ipairs(result.further) do print(("to settle %s: %s; %s"):format(further.field, further.test, further.now)) end
+for _, target in ipairs { { "ls-dyna", "k" }, { "openradioss", "rad" }, { "abaqus", "inp" } } do
+  local file = out .. "/card." .. target[2]
+  local e = fabric.export.card { card = result.card, to = target[1], units = "mm-t-s", file = file }
+  print(("%s: %s of %s, along the yarns within %.1f %%, both at once %.0f %%, pulled to and fro %.0f %%"):format(file, e.material, target[1],
+    math.max(e.lost.warp.worst, e.lost.weft.worst), e.lost.biaxial.worst, math.max(e.lost["cyclic warp"].worst, e.lost["cyclic weft"].worst)))
+end
 print("written: " .. out .. "/report.html, " .. out .. "/card.lua")
 fabric.expect(expected)

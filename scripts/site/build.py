@@ -92,7 +92,8 @@ def lay_out(tree, source):
     index = (tree / "README.md").read_text().replace("](share/doc/README.md)", "](#pages)").replace("](share/doc/", "](")
     for name, page in own.items():
         index = index.replace(f"]({name})", f"]({page})")
-    pages = listing.split("\n", 1)[1].replace("\n## ", "\n### ")
+    # The first tasks stand further up, in README.md.
+    pages = re.sub(r"^## Seven tasks.*?(?=^## )", "", listing.split("\n", 1)[1], flags=re.M | re.S).replace("\n## ", "\n### ")
     index += "\n## Pages\n" + pages + "\n" + "\n".join(toctree(caption, names) for caption, names in groups)
     decks = shown_decks(tree, source)
     if decks:

@@ -372,7 +372,7 @@ function fabric.folder(path) end
 ---Makes the fields of fabric and fabric.units global, except where a global of that name exists.
 function fabric.globals() end
 
----Prints the arguments of a function, the contents and methods of an object, or all entries that contain the given words.
+---Prints the arguments of a function, the contents and methods of an object, or all entries and pages that contain the given words.
 ---@param topic? any a function, an object, a name, or words to look for; nothing: an overview
 function fabric.help(topic) end
 
@@ -623,7 +623,7 @@ function fabric.lab.card(fields) end
 ---@field slack? number|"find" of first contact: a stretch as in fit.specimens[i].slack where x is E, else of the unit of x; default 0; find: where a polynomial through the measured curve meets zero
 ---@field spread? table result of fabric.lab.spread: the band of the next specimen is drawn, and `inside` says what part of the points lies in it
 ---@field all? boolean unloading too; default: virgin loading up to failure
----@field file? string of the figure with both curves: .svg, .png or .pdf
+---@field file? string of the figure with both curves: .svg, .pdf, .eps or .png
 ---@field title? string of the figure
 
 ---A measured curve beside a test's: x, measured, simulated (between the test's points in virgin loading), residual = measured less simulated; rms and worst as parts of the measured peak, largest {x, residual}, outside (points beyond the test), slack, inside, text.
@@ -1527,7 +1527,7 @@ function fabric.model(fields) end
 ---@field rows? table in the place of curves: a list of tables, a test with a curve, or a table of lists
 ---@field x? string with rows: the field along x
 ---@field y? string|table with rows: the field along y, or a list of fields
----@field curves? table { {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x="E", y="S"} by the fields of a list of tables; style: line, dashed, points, line_points; error=, band={low=, high=}, colour=
+---@field curves? table { {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x="E", y="S"} by the fields of a list of tables; style: line, dashed, points, line_points; error=, xerror=, band={low=, high=}, colour=
 ---@field title? string above the axes
 ---@field xlabel? string what x is
 ---@field ylabel? string what y is
@@ -1537,7 +1537,7 @@ function fabric.model(fields) end
 ---@field yrange? number[] {low, high} shown, in SI; default: all
 ---@field log? ""|"x"|"y"|"xy" logarithmic axes
 ---@field key? "best"|"none"|"top left"|"top right"|"bottom left"|"bottom right"|"below"|"right" where the labels of the curves stand; best: the first corner free of curves, else below
----@field file? string ends in .svg, .pdf or .png; none: drawn in letters
+---@field file? string ends in .svg, .pdf, .eps or .png; none: drawn in letters
 ---@field panels? table { {curves=, title=, xlabel=, ...}, ... }: several plots on one page; what a panel does not say is taken from the call
 ---@field layout? number[] {rows, columns} of the panels; default: two columns
 ---@field letters? boolean (a), (b), ... above the panels (default true)
@@ -2067,7 +2067,7 @@ function model:pressure(value, set) end
 ---@field set string its set
 ---@field what? string as listed; without it the last of them
 
----Takes back a support or a load: a row of m:list() or its number.
+---Takes back (undoes) a support or a load: a row of m:list() or its number.
 ---@param row integer|model_remove_fields.row a row of m:list(), or its number
 ---@return model
 function model:remove(row) end

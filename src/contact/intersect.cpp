@@ -34,7 +34,7 @@ std::vector<std::pair<std::size_t, std::size_t>> intersections(std::span<const V
   const Grid middles(room, sum / double(edges.size()), edges.size(),
                      [&](std::size_t e) { return Vec3((at(edges[e][0]) + at(edges[e][1])) / 2); });
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const auto [a, b, c] = triangles[k];
+    const std::int32_t a = triangles[k][0], b = triangles[k][1], c = triangles[k][2];
     Box box;
     for (const std::int32_t corner : triangles[k]) box.add(at(corner));
     middles.in(box.grown(longest / 2), [&](std::int32_t number) {

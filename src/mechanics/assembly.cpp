@@ -14,7 +14,7 @@ T* Assembly::make(Arguments&&... arguments) {
 }
 
 Assembly::Assembly(const model::Model& model)
-    : model_(model), configuration_(model.mesh().nodes.size()), dofs_(model, configuration_) {
+    : configuration_(model.mesh().nodes.size()), dofs_(model, configuration_) {
   cloth_ = make<Cloth>(model, configuration_, dofs_.reference_directors());
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth_->mass(), cloth_->mass_moment());

@@ -184,7 +184,6 @@ class Assembly {
   void couple();
   void couple(std::vector<NodePair> pairs);
 
-  const model::Model& model_;
   Configuration configuration_;
   Dofs dofs_;
   std::vector<std::unique_ptr<Term>> terms_;  // the cloth is the first

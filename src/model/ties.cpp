@@ -114,7 +114,7 @@ mesh::NodeSet partners(const mesh::Mesh& mesh, const Tie& tie) {
 
 class Builder {
  public:
-  explicit Builder(const Model& model) : model_(model), mesh_(model.mesh()), holds_(model) {
+  explicit Builder(const Model& model) : mesh_(model.mesh()), holds_(model) {
     for (const auto& tie : model.ties()) {
       tied_ = text(tie);
       switch (tie.kind) {
@@ -225,7 +225,6 @@ class Builder {
     });
   }
 
-  const Model& model_;
   const mesh::Mesh& mesh_;
   Holds holds_;
   std::string tied_;  // the present tie, for messages

@@ -1,5 +1,5 @@
-// Colours of numbers for pictures that are not drawn here: the scales that grey print and most colour-blind
-// readers keep apart.
+// Colours of numbers, for pictures and for files of the web: scales that are even to the eye, and that grey
+// print and most colour-blind readers keep apart.
 #pragma once
 #include <array>
 
@@ -11,7 +11,5 @@ namespace fabricsh::plot {
 std::array<double, 3> colour(double value, double low, double high);
 // The same as the amounts of light that these are (linear).
 std::array<double, 3> light(const std::array<double, 3>& colour);
-// Dark blue to yellow, t from 0 to 1; the end colours outside.
-std::array<double, 3> viridis(double t);
 
 }  // namespace fabricsh::plot

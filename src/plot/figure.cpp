@@ -20,8 +20,8 @@ namespace {
 
 std::string ending_of(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == ".svg" || ending == ".png" || ending == ".pdf") return ending;
-  throw Error("figure: expected a file name that ends in .svg, .png or .pdf, got '" + path + "'");
+  if (ending == ".svg" || ending == ".png" || ending == ".pdf" || ending == ".eps") return ending;
+  throw Error("figure: expected a file name that ends in .svg, .pdf, .eps or .png, got '" + path + "'");
 }
 
 // gnuplot accepts only whole points or pixels, so the canvas may be slightly larger than the page.
@@ -35,17 +35,18 @@ std::string font_of(const Paper& paper) {
   return quoted(family + "," + number(paper.font_size));
 }
 
-// gnuplot's units differ: in its PDF a font size of 1 is 4/3 points and a line width of 1 half a point;
-// in its PNG they are 4/3 pixels and one pixel. Dashes scale with the line width.
+// gnuplot's units differ: in its PDF and EPS a font size of 1 is 4/3 points and a line width of 1 half a
+// point; in its PNG they are 4/3 pixels and one pixel. Dashes scale with the line width.
 Canvas canvas_for(const std::string& ending, const Layout& l, const Paper& paper) {
   const std::string common = " noenhanced font " + font_of(paper);
   if (ending == ".svg") {
     const double w = std::ceil(l.width), h = std::ceil(l.height);
     return {"svg size " + number(w) + "," + number(h) + common + " background '#ffffff'", w, h};
   }
-  if (ending == ".pdf") {
+  if (ending == ".pdf" || ending == ".eps") {
     const double w = std::round(l.width), h = std::round(l.height);
-    return {"pdfcairo size " + full_number((w + 0.01) / 72) + "," + full_number((h + 0.01) / 72) + common +
+    return {(ending == ".pdf" ? "pdfcairo size " : "epscairo size ") + full_number((w + 0.01) / 72) + "," +
+                full_number((h + 0.01) / 72) + common +
                 " fontscale 0.75 linewidth 2 pointscale 1 dashlength 1.8",
             w, h};
   }
@@ -73,11 +74,13 @@ std::vector<std::string> draw(const std::string& path, const Page& page) {
   const std::string ending = ending_of(path);
   const Layout layout = layout_of(page);
   const Canvas canvas = canvas_for(ending, layout, page.paper);
-  std::string drawn = run_gnuplot("set terminal " + canvas.terminal + "\n" +
-                                  script_of(page, layout, canvas.width, canvas.height) + "unset output\n");
+  std::string drawn =
+      run_gnuplot("set terminal " + canvas.terminal + "\n" +
+                  script_of(page, layout, canvas.width, canvas.height, ending == ".eps") + "unset output\n");
   if (ending == ".svg")
     drawn =
         finished_svg(std::move(drawn), layout.width, layout.height, canvas.height, !page.paper.font.empty());
+  if (ending == ".eps") drawn = finished_eps(std::move(drawn));
   if (ending == ".png") drawn = finished_png(drawn, page.paper.dpi);
   system::write_file(path, drawn, system::Sync::no);
   return layout.warnings;

@@ -1,4 +1,4 @@
-// Curves in coordinate systems, drawn by gnuplot as SVG, PNG, PDF or text.
+// Curves in coordinate systems, drawn by gnuplot as SVG, PNG, PDF, EPS or text.
 #pragma once
 #include <optional>
 #include <string>
@@ -19,8 +19,9 @@ struct Curve {
   std::vector<double> x,
       y;  // of one length; a value that is not finite interrupts the line. y empty: only a band
   CurveStyle style = CurveStyle::line;
-  Ends band = {}, error = {};
-  std::string colour = {};  // "#0072b2"; empty: by its place among the curves
+  Ends band = {}, error = {};  // along y
+  Ends x_error = {};           // error bars along x; only with y
+  std::string colour = {};     // "#0072b2"; empty: by its place among the curves
 };
 
 struct Axis {

@@ -77,6 +77,11 @@ std::string finished_svg(std::string svg, double width, double height, double ca
   return svg;
 }
 
+std::string finished_eps(std::string eps) {
+  replace_span(eps, "%%CreationDate:", "\n", "");
+  return eps;
+}
+
 // The signature and the header of a PNG have 33 bytes.
 std::string finished_png(const std::string& png, double dpi) {
   if (png.size() < 33) return png;

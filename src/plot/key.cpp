@@ -41,6 +41,8 @@ class Cover {
       for (std::size_t i = 0; i < c.x.size(); ++i)
         if (hits(spot(c.x[i], ends->low[i]), spot(c.x[i], ends->high[i]))) return true;
     }
+    for (std::size_t i = 0; i < c.x_error.low.size() && i < c.y.size(); ++i)
+      if (hits(spot(c.x_error.low[i], c.y[i]), spot(c.x_error.high[i], c.y[i]))) return true;
     return false;
   }
 

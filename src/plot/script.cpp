@@ -25,8 +25,8 @@ std::string fixed(double value) {
 
 class Script {
  public:
-  Script(const Page& page, const Layout& layout, double width, double height)
-      : page_(page), layout_(layout), width_(width), height_(height) {}
+  Script(const Page& page, const Layout& layout, double width, double height, bool opaque)
+      : page_(page), layout_(layout), width_(width), height_(height), opaque_(opaque) {}
 
   std::string made() {
     const bool several = page_.panels.size() > 1;
@@ -93,20 +93,39 @@ class Script {
            number(kMark) + coloured(l);
   }
 
+  // A fifth of the colour over white.
+  static std::string opaque_shade(const std::string& colour) {
+    std::string out = "#";
+    for (std::size_t at = 1; at < 7; at += 2) {
+      char text[8];
+      std::snprintf(text, sizeof text, "%02x", 204 + std::stoi(colour.substr(at, 2), nullptr, 16) / 5);
+      out += text;
+    }
+    return out;
+  }
+  std::string shade(const Look& l) const {
+    return opaque_ ? " fillstyle solid 1 noborder fillcolor rgb '" + opaque_shade(l.colour) + "'"
+                   : " fillstyle transparent solid 0.2 noborder fillcolor rgb '" + l.colour + "'";
+  }
+
   void draw_sample(const Curve& c, const Look& l, const Sample& s) {
     const double half = 0.35 * page_.paper.font_size;
     if (!c.band.empty())
       text_ += "set object rectangle from " + at(s.left, s.y - half) + " to " + at(s.right, s.y + half) +
-               " front fillstyle transparent solid 0.2 noborder fillcolor rgb '" + l.colour + "'\n";
+               " front" + shade(l) + "\n";
     if (c.y.empty()) return;
     const double centre = (s.left + s.right) / 2;
     if (l.line)
       text_ +=
           "set arrow from " + at(s.left, s.y) + " to " + at(s.right, s.y) + " nohead front" + line(l) + "\n";
-    if (!c.error.empty())
-      text_ += "set arrow from " + at(centre, s.y - 1.3 * half) + " to " + at(centre, s.y + 1.3 * half) +
-               " nohead front linewidth " + number(kMark) + coloured(l) + "\n";
+    if (!c.error.empty()) bar(l, at(centre, s.y - 1.3 * half), at(centre, s.y + 1.3 * half));
+    if (!c.x_error.empty()) bar(l, at(centre - 1.3 * half, s.y), at(centre + 1.3 * half, s.y));
     if (l.marker > 0) text_ += "set label '' at " + at(centre, s.y) + " point" + mark(l) + " front\n";
+  }
+
+  void bar(const Look& l, const std::string& from, const std::string& to) {
+    text_ += "set arrow from " + from + " to " + to + " nohead front linewidth " + number(kMark) +
+             coloured(l) + "\n";
   }
 
   // A row with a value that is not finite becomes an empty line, which interrupts the curve.
@@ -141,9 +160,32 @@ class Script {
     return text + "END_OF_CURVE\n";
   }
 
+  // Horizontal lines likewise.
+  std::string x_error_block(const std::string& name, const Curve& c, const PlacedPanel& p) const {
+    const double half = 1.8 / p.frame.height();
+    std::string text = name + " << END_OF_CURVE\n";
+    for (std::size_t i = 0; i < c.x.size(); ++i) {
+      const double low = c.x_error.low[i], high = c.x_error.high[i], part = p.y.part(c.y[i]);
+      if (!std::isfinite(low + high + part)) continue;
+      const std::string y = full_number(c.y[i]), a = full_number(p.y.at(part - half)),
+                        b = full_number(p.y.at(part + half)), l = full_number(low), h = full_number(high);
+      for (const auto& [x0, y0, x1, y1] : {std::array{l, y, h, y}, {l, a, l, b}, {h, a, h, b}})
+        text += x0 + " " + y0 + "\n" + x1 + " " + y1 + "\n\n";
+    }
+    return text + "END_OF_CURVE\n";
+  }
+
+  static double width_of(const Ends& band) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < band.low.size(); ++i)
+      if (const double width = band.high[i] - band.low[i]; std::isfinite(width)) sum += width, ++count;
+    return count > 0 ? sum / count : 0;
+  }
+
   // First all bands, then error bars, then the curves, so that bands lie behind the curves.
   void curves(const Figure& f, const PlacedPanel& p) {
-    std::string bands, bars, lines;
+    std::string bars, lines;
+    std::vector<std::pair<double, std::string>> bands;  // with their mean widths
     for (std::size_t i = 0; i < f.curves.size(); ++i) {
       const Curve& c = f.curves[i];
       const Look l = look_of(f, i);
@@ -151,9 +193,8 @@ class Script {
       const std::string title = c.label.empty() ? " notitle" : " title " + quoted(c.label);
       if (!c.band.empty()) {
         text_ += block("$band" + number_of, {&c.x, &c.band.low, &c.band.high});
-        bands += ", $band" + number_of +
-                 " using 1:2:3 with filledcurves fillstyle transparent solid 0.2 noborder" +
-                 " fillcolor rgb '" + l.colour + "'" + (c.y.empty() ? title : " notitle");
+        bands.push_back({width_of(c.band), ", $band" + number_of + " using 1:2:3 with filledcurves" +
+                                               shade(l) + (c.y.empty() ? title : " notitle")});
       }
       if (!c.error.empty()) {
         text_ += error_block("$error" + number_of, c, p);
@@ -161,17 +202,28 @@ class Script {
                 coloured(l) + " notitle";
       }
       if (c.y.empty()) continue;
+      if (!c.x_error.empty()) {
+        text_ += x_error_block("$across" + number_of, c, p);
+        bars += ", $across" + number_of + " using 1:2 with lines linewidth " + fabricsh::number(kMark) +
+                coloured(l) + " notitle";
+      }
       text_ += block("$curve" + number_of, {&c.x, &c.y});
       if (l.line) lines += ", $curve" + number_of + " using 1:2 with lines" + line(l) + title;
       if (l.marker > 0)
         lines += ", $curve" + number_of + " using 1:2 with points" + mark(l) + (l.line ? " notitle" : title);
     }
-    text_ += "plot " + (bands + bars + lines).substr(2) + "\n";
+    if (opaque_)
+      std::stable_sort(bands.begin(), bands.end(),
+                       [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string all;
+    for (const auto& [width, band] : bands) all += band;
+    text_ += "plot " + (all + bars + lines).substr(2) + "\n";
   }
 
   const Page& page_;
   const Layout& layout_;
   double width_, height_;
+  bool opaque_;
   std::string text_;
 };
 
@@ -196,8 +248,9 @@ std::string letters_row(double x, double y) {
 
 }  // namespace
 
-std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height) {
-  return Script(page, layout, canvas_width, canvas_height).made();
+std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height,
+                      bool opaque) {
+  return Script(page, layout, canvas_width, canvas_height, opaque).made();
 }
 
 // In text mode each line type has a different mark. A band is shown by two lines; error bars are not shown.

@@ -6,8 +6,10 @@
 
 namespace fabricsh::plot {
 
-// Everything but the terminal. canvas: size of the drawing in points; the page is its lower left part.
-std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height);
+// Everything but the terminal. canvas: size of the drawing in points; the page is its lower left part. Bands
+// are transparent, or opaque in the same shade, the wider behind the narrower (EPS has no transparency).
+std::string script_of(const Page& page, const Layout& layout, double canvas_width, double canvas_height,
+                      bool opaque = false);
 
 // One panel in text mode.
 std::string letters_script(const Figure& figure);

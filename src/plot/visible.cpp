@@ -32,6 +32,8 @@ void each_point(const Curve& curve, Take take) {
     if (!curve.y.empty()) take(curve.x[i], curve.y[i]);
     for (const Ends* ends : {&curve.band, &curve.error})
       if (!ends->empty()) take(curve.x[i], ends->low[i]), take(curve.x[i], ends->high[i]);
+    if (!curve.x_error.empty() && !curve.y.empty())
+      take(curve.x_error.low[i], curve.y[i]), take(curve.x_error.high[i], curve.y[i]);
   }
 }
 
@@ -54,6 +56,7 @@ void check_curve(const Figure& f, const Curve& curve) {
                 std::to_string(curve.x.size()));
   check_ends(who, "band", curve.band, curve.x.size());
   check_ends(who, "error bars", curve.error, curve.x.size());
+  check_ends(who, "error bars along x", curve.x_error, curve.x.size());
   bool any = false;
   each_point(curve, [&](double x, double y) { any = any || (shows(f.x, x) && shows(f.y, y)); });
   if (any) return;

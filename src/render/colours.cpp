@@ -1,6 +1,6 @@
 #include "render/colours.hpp"
 
-#include "render/shades.hpp"
+#include "plot/colour_scale.hpp"
 
 namespace fabricsh::render {
 
@@ -12,7 +12,7 @@ vtkSmartPointer<vtkLookupTable> colours(double low, double high) {
   table->SetNanColor(0.72, 0.72, 0.72, 1);  // rigid bodies have no field
   for (int i = 0; i < count; ++i) {
     const double v = low + (i + 0.5) / count * (high - low);
-    const Colour c = shade(low, high, v);
+    const auto c = plot::colour(v, low, high);
     table->SetTableValue(i, c[0], c[1], c[2], 1);
   }
   return table;

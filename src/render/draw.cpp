@@ -4,6 +4,7 @@
 #include <vtkCamera.h>
 #include <vtkDataSetMapper.h>
 #include <vtkPNGWriter.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -98,6 +99,33 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
   look->SetEdgeColor(0.25, 0.25, 0.25);
   look->SetLineWidth(static_cast<float>(points(scene.picture, 0.25)));
   return result;
+}
+
+Ref<vtkActor> body_actor(vtkPolyData* surface) {
+  const auto mapper = Ref<vtkPolyDataMapper>::New();
+  mapper->SetInputData(surface);
+  mapper->ScalarVisibilityOff();
+  const auto result = Ref<vtkActor>::New();
+  result->SetMapper(mapper);
+  return result;
+}
+
+// Grey, shaded more than the sheet, since no bar tells its colour.
+void add_bodies(const Scene& scene, const Sheet& sheet, vtkRenderer* renderer) {
+  if (sheet.bodies.faces == nullptr) return;
+  const auto faces = body_actor(sheet.bodies.faces), edges = body_actor(sheet.bodies.edges);
+  vtkProperty* look = faces->GetProperty();
+  look->SetColor(0.78, 0.78, 0.78);
+  look->SetInterpolationToFlat();
+  look->SetAmbient(0.45);
+  look->SetDiffuse(0.55);
+  look->SetSpecular(0);
+  renderer->AddActor(faces);
+  edges->GetProperty()->SetColor(0.25, 0.25, 0.25);
+  edges->GetProperty()->SetLighting(false);
+  edges->GetProperty()->SetLineWidth(static_cast<float>(points(scene.picture, 0.25)));
+  edges->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -1);
+  renderer->AddActor(edges);
 }
 
 // Sets a parallel projection that places the bounds as the layout states, seen from outside the bounds.
@@ -218,6 +246,7 @@ void add_panel(Scene& scene, std::size_t i, const Bounds& bounds) {
   const Point size = panel_size(scene, i);
   const Layout l = panel_layout(scene, i, bounds);
   renderer->AddActor(actor(scene, scene.sheets[i], !from_above(panel)));
+  add_bodies(scene, scene.sheets[i], renderer);
   aim(renderer, bounds, view_of(panel), l, size);
   for (const Line& line : l.lines) add_line(renderer, line.from, line.to, points(p, 0.5));
   for (const Word& word : l.words) write(renderer, word.text, letter, word.centre);
@@ -284,6 +313,7 @@ std::vector<std::string> draw(const Picture& picture) {
     if (picture.smooth) make_smooth(scene.sheets.back());
   }
   make_table(scene);
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();  // edges of bodies lie on their faces
   scene.window->SetOffScreenRendering(1);
   scene.window->SetMultiSamples(8);
   scene.window->SetSize(picture.width, picture.height);

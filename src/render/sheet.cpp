@@ -81,6 +81,7 @@ Sheet read_sheet(const std::string& path, const plot::Picture& picture) {
   sheet.grid = reader->GetOutput();
   if (sheet.grid == nullptr || sheet.grid->GetNumberOfCells() == 0)
     throw Error("render: '" + path + "' holds no sheet");
+  sheet.bodies = take_bodies(sheet.grid);
   if (picture.array.empty()) return sheet;
   sheet.of_cells = show(sheet.grid->GetCellData(), picture, sheet);
   sheet.of_points = !sheet.of_cells && show(sheet.grid->GetPointData(), picture, sheet);

@@ -4,6 +4,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "plot/picture.hpp"
+#include "render/bodies.hpp"
 
 namespace fabricsh::render {
 
@@ -11,6 +12,7 @@ inline constexpr const char* kShown = "shown";  // name of the array that is sho
 
 struct Sheet {
   vtkSmartPointer<vtkUnstructuredGrid> grid;
+  Bodies bodies = {};
   bool of_cells = false, of_points = false;  // the values belong to cells or points; neither: no field
   double low = 0, high = 0;                  // range of the finite numbers
 };

@@ -98,7 +98,8 @@ std::vector<std::pair<std::string, std::string>> pictures() {
 }  // namespace
 
 TEST_CASE("a picture that was cut short is refused at every length", "[files]") {
-  for (const auto& [name, bytes] : pictures()) {
+  for (const auto& picture : pictures()) {
+    const std::string &name = picture.first, &bytes = picture.second;
     REQUIRE(parse_image(name, bytes).width == 40);
     for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 200) {
       INFO(name << " cut to " << length << " of " << bytes.size() << " bytes");

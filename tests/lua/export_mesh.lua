@@ -1,4 +1,4 @@
--- fabric.export.mesh: read back by our own reader and by meshio.
+-- fabric.export.mesh: read back by our own reader, by meshio and by assimp.
 local fabric = require "fabric"
 local mesh = fabric.mesh.rectangle { width = 1, height = 2, nx = 2, ny = 3 }
 local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 90 }
@@ -34,6 +34,19 @@ for _, ending in ipairs { "vtu", "msh", "inp", "k", "stl", "obj" } do
 end
 a:write "now.rad"
 assert(io.open("now.rad"):read "a":find("/SHELL/1\n         1         1         2         5         4\n", 1, true))
+
+-- assimp: triangles, and the box of the deformed sheet.
+if os.execute "command -v assimp >/dev/null 2>&1" then
+  for _, ending in ipairs { "obj", "ply", "stl" } do
+    local pipe <close> = assert(io.popen("assimp info bent." .. ending .. " 2>&1"))
+    local said = pipe:read "a"
+    assert(tonumber(said:match "Faces:%s+(%d+)") == 12, said)
+    local low, high = tonumber(said:match "Minimum point%s+%([-%d.]+ ([-%d.]+)"), tonumber(said:match "Maximum point%s+%([-%d.]+ ([-%d.]+)")
+    assert(math.abs(low) < 1e-6 and math.abs(high - 2.1) < 1e-6, said)
+  end
+else
+  print "SKIPPED, not installed: assimp (assimp-utils)"
+end
 
 local python = "/usr/bin/python3"
 if os.execute(python .. " -c 'import meshio' 2>/dev/null") then

@@ -110,6 +110,23 @@ assert(curves_of { rows = spread, x = "E", y = "m", error = "s", band = { low = 
 assert(svg_of { file = file, curves = { { x = E, y = S, colour = "#123456" } } }:find "rgb%( *18, *52, *86%)")
 -- The axes hold the ends of bars and bands: 5 +- 3 reaches 8.
 assert(not svg.missing(svg.read(svg_of { file = file, curves = { { x = E, y = S, error = { 1, 1, 3 }, style = "points" } } }), { "8" }))
+-- Error bars along x: three strokes for each point, as long as asked for, and the axis holds their ends.
+local across = { x = { 1, 2, nan }, y = { 3, 4, 5 }, xerror = { 0.5, 1, 1 }, style = "points" }
+local picture_of = svg_of { file = file, xrange = { 0, 4 }, yrange = { 0, 8 }, curves = { across } }
+local _, strokes = picture_of:match('id="gnuplot_plot_1".-id="gnuplot_plot_2"'):gsub("%f[%u]M", "")
+assert(strokes == 6, picture_of)
+local lengths = {}
+for x1, y1, x2, y2 in picture_of:match('id="gnuplot_plot_1".-id="gnuplot_plot_2"'):gmatch "M([%d.]+),([%d.]+) L([%d.]+),([%d.]+)" do
+  if y1 == y2 then lengths[#lengths + 1] = x2 - x1 end
+end
+assert(#lengths == 2 and math.abs(lengths[2] / lengths[1] - 2) < 0.01, table.concat(lengths, " "))
+assert(not svg.missing(svg.read(svg_of { file = file, curves = { { x = { 1, 5 }, y = { 0, 1 }, xerror = 3 } } }), { "8" }))
+assert(curves_of { rows = spread, x = "E", y = "m", xerror = "s", error = "s", style = "points" } == 3)
+assert(curves_of { x = E, y = S, xerror = { low = low, high = high } } == 2)
+fails("field 'curves[1].xerror': expected lengths of at least 0, got -1 at place 1", { curves = { { x = { 1 }, y = { 1 }, xerror = -1 } } })
+fails("field 'curves[1].xerror': expected as many as there are points, got 2 for 1", { curves = { { x = { 1 }, y = { 1 }, xerror = { 1, 2 } } } })
+fails("field 'curves[1].xerror': expected y beside it", { curves = { { x = { 1 }, band = { low = { 0 }, high = { 1 } }, xerror = 1 } } })
+
 -- A band is interrupted where one of its ends is not a number.
 assert(curves_of { x = { 0, 1, 2, 3, 4 }, y = { 0, 1, 2, 3, 4 }, band = { low = { 0, 0, nan, 2, 3 }, high = { 1, 2, 3, 4, 5 } } } == 2)
 
@@ -156,4 +173,31 @@ else
   print "SKIPPED: pdftotext is not installed; the words of a PDF were not read"
 end
 os.remove(paper)
+
+-- An EPS has the size of its page, lines and letters and no pixels, and is the same file each time; of two bands the wider lies behind.
+local post = os.tmpname() .. ".eps"
+local function eps_of(fields)
+  fields.file, fields.size, fields.xlabel, fields.ylabel, fields.yunit = post, { 85 * mm, 60 * mm }, "strain", "stress", "MPa"
+  assert(fabric.plot(fields))
+  return content(post)
+end
+local narrow = { x = E, band = { low = { 0, 1.9, 4.9 }, high = { 0.1, 2.1, 5.1 } }, label = "narrow", colour = "blue" }
+local broad = { x = E, band = { low = low, high = high }, label = "broad", colour = "black" }
+bytes = eps_of { curves = { narrow, broad, line } }
+assert(bytes:find "^%%!PS%-Adobe%-3%.0 EPSF%-3%.0\n" and bytes:find "%%%%BoundingBox: 0 0 241 170\n")
+assert(not bytes:match("%%%%EndProlog(.*)"):find "image", "a picture in pixels")
+assert(bytes:find "/FontName" or bytes:find "%%%%BeginResource: font")
+assert(not bytes:find("CreationDate", 1, true) and bytes == eps_of { curves = { narrow, broad, line } })
+-- 204 and a fifth of the colour: #000000 becomes #cccccc, #0072b2 becomes #cce2ef.
+local grey, blue = bytes:find("0.8 0.8 0.8 rg", 1, true) or bytes:find("0.8 g\n", 1, true), bytes:find "0%.8 0%.88%d+ 0%.93%d+ rg"
+assert(grey and blue and grey < blue, "the wider band comes first")
+if os.execute "gs --version >/dev/null 2>&1" then
+  os.execute(("gs -q -dBATCH -dNOPAUSE -dEPSCrop -sDEVICE=txtwrite -o '%s.txt' '%s'"):format(post, post))
+  local words = content(post .. ".txt") -- what stands upright comes letter by letter
+  for _, word in ipairs { "strain", "a line", "narrow", "0.05" } do assert(words:find(word, 1, true), words) end
+  os.remove(post .. ".txt")
+else
+  print "SKIPPED: ghostscript is not installed; the words of an EPS were not read"
+end
+os.remove(post)
 os.remove(file)

@@ -113,6 +113,19 @@ fabric.ramp(value, duration)
   { "help 'rectangel'", "no entry contains 'rectangel', did you mean 'rectangle'?" },
   { "help 'grips  sag'", "no entry contains 'grips  sag'; help() shows what there is" },
   { "help 'qqqq'", "no entry contains 'qqqq'; help() shows what there is" },
+  { "help 'python'", [[
+pages of the manual
+  share/doc/howto/python.md              all this from Python: run, read records, series and cards; notebooks]] },
+  { "help 'shear angle'", [[
+shear_angle: a field of a run, number of every element, degrees
+  90 degrees less the angle between warp and weft; has the sign of E12
+laboratory: from measurement to card
+  fabric.lab.viscous           The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {she...
+pages of the manual
+  share/doc/howto/bias-angle.md          the shear angle of a bias pull at 10 N]] },
+  { "help 'undo'", [[
+models
+  model:remove                 Takes back (undoes) a support or a load: a row of m:list() or its number]] },
   { "help 'kilby'", [[
 laboratory: from measurement to card
   fabric.lab.kilby             Kilby's relation G = 1/(4/E45 - 1/E1 - 1/E2 + coupling): returns shear and bias, one of which is given]] },

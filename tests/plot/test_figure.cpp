@@ -56,7 +56,7 @@ TEST_CASE("a figure that cannot be says why and leaves the old one", "[files]") 
   says(message_of([&] {
          draw(folder / "a.gif", {"", {""}, {""}, two_curves});
        }),
-       "ends in .svg, .png or .pdf");
+       "ends in .svg, .pdf, .eps or .png");
   says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {}}); }), "at least one curve");
   says(message_of([&] { draw(folder / "a.svg", {"", {""}, {""}, {{"k", {1, 2}, {1}}}}); }), "curve 'k'");
   says(message_of([&] {

@@ -113,7 +113,7 @@ TEST_CASE("patch: constant membrane strain on a distorted mesh") {
   for (const auto& [e1, e2, g] :
        {std::array{1e-3, 0.0, 0.0}, {0.0, 1e-3, 0.0}, {0.0, 0.0, 1e-3}, {4e-4, -3e-4, 7e-4}})
     check(
-        [=](const Vec3& X) {
+        [e1 = e1, e2 = e2, g = g](const Vec3& X) {
           return std::pair(Vec3(e1 * X.x() + g / 2 * X.y(), e2 * X.y() + g / 2 * X.x(), 0), Vec3(0, 0, 0));
         },
         kThickness * plane(e1, e2, g));
@@ -124,7 +124,7 @@ TEST_CASE("patch: constant curvature on a distorted mesh") {
   for (const auto& [k1, k2, k12] :
        {std::array{1e-3, 0.0, 0.0}, {0.0, 1e-3, 0.0}, {0.0, 0.0, 1e-3}, {4e-4, -3e-4, 7e-4}})
     check(
-        [=](const Vec3& X) {
+        [k1 = k1, k2 = k2, k12 = k12](const Vec3& X) {
           const double x = X.x(), y = X.y();
           // The director keeps normal to the surface: its tilt is minus the slope.
           return std::pair(Vec3(0, 0, -k1 * x * x / 2 - k2 * y * y / 2 - k12 * x * y / 2),
@@ -137,6 +137,6 @@ TEST_CASE("patch: constant curvature on a distorted mesh") {
 TEST_CASE("patch: constant transverse shear on a distorted mesh") {
   const double G = 5.0 / 6 * kYoung / (2 * (1 + kNu));
   for (const auto& [g1, g2] : {std::array{1e-3, 0.0}, {0.0, 1e-3}, {4e-4, -3e-4}})
-    check([=](const Vec3&) { return std::pair(Vec3(0, 0, 0), Vec3(g1, g2, 0)); },
+    check([g1 = g1, g2 = g2](const Vec3&) { return std::pair(Vec3(0, 0, 0), Vec3(g1, g2, 0)); },
           kThickness * G * (g1 * g1 + g2 * g2) / 2, false);
 }

@@ -176,7 +176,7 @@ define {
       { name = "spread", kind = "table", optional = true, sentence = "result of fabric.lab.spread: the band of the next specimen is drawn, and `inside` "
         .. "says what part of the points lies in it" },
       { name = "all", kind = "boolean", optional = true, sentence = "unloading too; default: virgin loading up to failure" },
-      { name = "file", kind = "text", optional = true, sentence = "of the figure with both curves: .svg, .png or .pdf" },
+      { name = "file", kind = "text", optional = true, sentence = "of the figure with both curves: .svg, .pdf, .eps or .png" },
       { name = "title", kind = "text", optional = true, sentence = "of the figure" },
     } },
   },

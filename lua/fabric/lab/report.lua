@@ -136,9 +136,9 @@ local function outside_of(spread, E, S)
   return n > 0 and out / n or 1
 end
 
--- Some forty points on the way up and on every other way: more would be one smear in a figure.
+-- Some thirty points of each specimen: more would be one smear in a figure.
 local function thinned(E, S)
-  local e, s, stride = {}, {}, math.max(1, #E // 80)
+  local e, s, stride = {}, {}, math.max(1, #E // 30)
   for k = 1, #E, stride do e[#e + 1], s[#s + 1] = E[k], S[k] end
   return e, s
 end

@@ -298,7 +298,7 @@ std::vector<Entry> rows() {
          row.kinds |= integer;
          return row;
        }()},
-       "Takes back a support or a load: a row of m:list() or its number.",
+       "Takes back (undoes) a support or a load: a row of m:list() or its number.",
        sample + "m:fix('bottom', 'x y z'):gravity{0, 0, -9.81}\nm:remove(m:list()[2])\n"
                 "assert(#m:list() == 1)\nm:remove{ kind='fix', set='bottom' }\nassert(#m:list() == 0)",
        remove},

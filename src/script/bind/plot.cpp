@@ -16,7 +16,8 @@ namespace {
 constexpr const char* curve_list =
     "{ {x=, y=, label=, style=}, ... }: lists of numbers, a nan being a gap, or {rows=, x=\"E\", y=\"S\"} by "
     "the "
-    "fields of a list of tables; style: line, dashed, points, line_points; error=, band={low=, high=}, "
+    "fields of a list of tables; style: line, dashed, points, line_points; error=, xerror=, band={low=, "
+    "high=}, "
     "colour=";
 
 const std::vector<Argument>& curve_rows() {
@@ -36,6 +37,7 @@ const std::vector<Argument>& curve_rows() {
              "{low=, high=} or half the length of error bars, of all or a list, in SI; with rows: names of "
              "fields")
           .optional(),
+      value_("xerror", table | text | number, "error bars along x, given like error").optional(),
       value_("band", table, "{low=, high=}: lists in SI, a shade between them; with rows: names of fields")
           .optional(),
       value_("colour", text,
@@ -181,22 +183,22 @@ bool has_field(const Fields& f, const char* list, const char* name) {
   return found;
 }
 
-// Error bars, given by their ends or by half their length.
-plot::Ends error_of(const Fields& f, const std::string& path, const std::vector<double>& y) {
-  if (!f.has("error")) return {};
-  const bool list = f.is("error", LUA_TTABLE);
-  if (list && (has_field(f, "error", "low") || has_field(f, "error", "high")))
-    return both_ends(f, path, "error");
-  std::vector<double> half = f.is("error", LUA_TNUMBER) ? std::vector<double>(y.size(), f.number("error"))
-                                                        : ordinates(f, path, "error");
+// Error bars about `y`, given by their ends or by half their length.
+plot::Ends error_of(const Fields& f, const std::string& path, const char* name,
+                    const std::vector<double>& y) {
+  if (!f.has(name)) return {};
+  const bool list = f.is(name, LUA_TTABLE);
+  if (list && (has_field(f, name, "low") || has_field(f, name, "high"))) return both_ends(f, path, name);
+  std::vector<double> half =
+      f.is(name, LUA_TNUMBER) ? std::vector<double>(y.size(), f.number(name)) : ordinates(f, path, name);
   if (half.size() != y.size())
-    f.refuse("error", "expected as many as there are points, got " + std::to_string(half.size()) + " for " +
-                          std::to_string(y.size()));
+    f.refuse(name, "expected as many as there are points, got " + std::to_string(half.size()) + " for " +
+                       std::to_string(y.size()));
   plot::Ends out;
   for (std::size_t i = 0; i < y.size(); ++i) {
     if (half[i] < 0)
-      f.refuse("error", "expected lengths of at least 0, got " + fabricsh::number(half[i]) + " at place " +
-                            std::to_string(i + 1));
+      f.refuse(name, "expected lengths of at least 0, got " + fabricsh::number(half[i]) + " at place " +
+                         std::to_string(i + 1));
     out.low.push_back(y[i] - half[i]), out.high.push_back(y[i] + half[i]);
   }
   return out;
@@ -215,8 +217,11 @@ plot::Curve read_curve(lua_State* L, const std::string& path) {
     throw Error("field '" + path + "': expected x and y of one length, got " +
                 std::to_string(curve.x.size()) + " and " + std::to_string(curve.y.size()));
   if (band) curve.band = both_ends(f, path + ".", "band");
-  curve.error = error_of(f, path + ".", curve.y);
-  for (const auto& [name, ends] : {std::pair{"band", &curve.band}, std::pair{"error", &curve.error}})
+  curve.error = error_of(f, path + ".", "error", curve.y);
+  if (f.has("xerror") && curve.y.empty()) f.refuse("xerror", "expected y beside it");
+  curve.x_error = error_of(f, path + ".", "xerror", curve.x);
+  for (const auto& [name, ends] : {std::pair{"band", &curve.band}, std::pair{"error", &curve.error},
+                                   std::pair{"xerror", &curve.x_error}})
     if (!ends->empty() && (ends->low.size() != curve.x.size() || ends->high.size() != curve.x.size()))
       f.refuse(name, "expected as many ends as x, got " + std::to_string(ends->low.size()) + " and " +
                          std::to_string(ends->high.size()) + " for " + std::to_string(curve.x.size()));
@@ -295,7 +300,8 @@ plot::Key key_of(const std::string& asked) {
 }
 
 void scale(plot::Curve& curve, double x, double y) {
-  for (double& value : curve.x) value /= x;
+  for (auto* list : {&curve.x, &curve.x_error.low, &curve.x_error.high})
+    for (double& value : *list) value /= x;
   for (auto* list : {&curve.y, &curve.band.low, &curve.band.high, &curve.error.low, &curve.error.high})
     for (double& value : *list) value /= y;
 }
@@ -492,7 +498,7 @@ std::vector<Entry> rows() {
   const Range letters{10, 400};
   std::vector<Argument> arguments = panel_rows();
   const std::vector<Argument> more = {
-      value_("file", text, "ends in .svg, .pdf or .png; none: drawn in letters").optional(),
+      value_("file", text, "ends in .svg, .pdf, .eps or .png; none: drawn in letters").optional(),
       value_("panels", table,
              "{ {curves=, title=, xlabel=, ...}, ... }: several plots on one page; what a panel does not say "
              "is taken "

@@ -208,14 +208,17 @@ class PrivateFolder {
   std::string path_;
 };
 
-// Adds the rigid bodies; their field values are NaN, which is drawn in grey.
-void add_bodies(const run::Run& run, std::vector<Vec3>& points,
-                std::vector<std::array<mesh::Index, 4>>& cells) {
+// Adds the rigid bodies, and for each cell 0 or the number of its body. Bodies have no field values.
+format::Array add_bodies(const run::Run& run, std::vector<Vec3>& points,
+                         std::vector<std::array<mesh::Index, 4>>& cells) {
+  format::Array numbers{"rigid_body", 1, std::vector<double>(cells.size(), 0)};
   for (const run::BodyShown& body : run::shown_bodies(run)) {
     const auto first = static_cast<mesh::Index>(points.size());
     points.insert(points.end(), body.vertices.begin(), body.vertices.end());
     for (const auto& t : body.triangles) cells.push_back({first + t[0], first + t[1], first + t[2], -1});
+    numbers.values.resize(cells.size(), numbers.values.empty() ? 1 : numbers.values.back() + 1);
   }
+  return numbers;
 }
 
 // A file with the state of a run, removed with the object.
@@ -228,8 +231,9 @@ class Frame {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
       points.push_back(a.node(static_cast<mesh::Index>(i)).x);
     auto cells = mesh.elements;
-    add_bodies(a, points, cells);
+    format::Array bodies = add_bodies(a, points, cells);
     format::Grid grid{points, cells};
+    grid.cell_data.push_back(std::move(bodies));
     for (const auto& field : run::result_fields()) {
       const bool wanted = shown != "none" && run::find_field(shown).field == &field;
       if (!wanted && field.name != "displacement") continue;

@@ -169,7 +169,7 @@ wrong("fabric.plot", "fabric.plot{ file='x.svg', curves={ 5 } }",
 wrong("fabric.plot", "fabric.plot{ file='x.svg', curves={ {x={1}, y={1}, style='lines'} } }",
   "deck.lua:1: plot: field 'curves[1].style': expected 'line' or 'dashed' or 'points' or 'line_points', got 'lines', did you mean 'line'?")
 wrong("fabric.plot", "fabric.plot{ file='x.doc', curves={ {x={1, 2}, y={1, 2}} } }",
-  "deck.lua:1: plot: figure: expected a file name that ends in .svg, .png or .pdf, got 'x.doc'")
+  "deck.lua:1: plot: figure: expected a file name that ends in .svg, .pdf, .eps or .png, got 'x.doc'")
 wrong("fabric.render", "fabric.render{ file='x.png' }",
   "deck.lua:1: render: field 'vtu': expected either vtu or run, got neither")
 wrong("fabric.render", "fabric.render{ file='x.png', vtu='none.vtu', field='S1' }",

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "catch.hpp"
-#include "render/shades.hpp"
+#include "plot/colour_scale.hpp"
 
-using namespace fabricsh::render;
+using Colour = std::array<double, 3>;
 
 namespace {
 
@@ -18,7 +18,8 @@ struct Range {
 // CIE L*a*b* of colour i of 256 under daylight; as it is, or as seen without green cones (G.
 // Machado, M. Oliveira, L. Fernandes, 2009).
 Colour lab(const Range& bar, int i, bool without_green) {
-  const Colour rgba = shade(bar.low, bar.high, bar.low + (i + 0.5) / 256 * (bar.high - bar.low));
+  const Colour rgba =
+      fabricsh::plot::colour(bar.low + (i + 0.5) / 256 * (bar.high - bar.low), bar.low, bar.high);
   Colour c = {linear(rgba[0]), linear(rgba[1]), linear(rgba[2])};
   if (without_green)
     c = {std::max(0.0, 0.367322 * c[0] + 0.860646 * c[1] - 0.227968 * c[2]),
@@ -37,7 +38,7 @@ double distance(const Colour& p, const Colour& q) {
 
 }  // namespace
 
-TEST_CASE("one sign: lighter all the way, also without green cones", "[render]") {
+TEST_CASE("one sign: lighter all the way, also without green cones", "[plot]") {
   const Range table{0, 1};
   for (const bool without : {false, true})
     for (int i = 16; i < 256; i += 16) {
@@ -59,7 +60,7 @@ TEST_CASE("one sign: lighter all the way, also without green cones", "[render]")
 }
 
 TEST_CASE("two signs: white at zero, even steps to either end, the ends apart without green cones",
-          "[render]") {
+          "[plot]") {
   const Range table{-1, 1};
   CHECK(lab(table, 127, false)[0] > 96);
   double least = 1e9, most = 0;
@@ -76,7 +77,7 @@ TEST_CASE("two signs: white at zero, even steps to either end, the ends apart wi
     CHECK(std::abs(lab(table, i, false)[0] - lab(table, 255 - i, false)[0]) < 0.5);
 }
 
-TEST_CASE("a range of one sign with a trace of the other stays of one sign", "[render]") {
+TEST_CASE("a range of one sign with a trace of the other stays of one sign", "[plot]") {
   CHECK(lab({-0.01, 1}, 0, false)[0] < 20);
   CHECK(lab({-0.5, 1}, 85, false)[0] > 95);  // zero, at a third
 }
