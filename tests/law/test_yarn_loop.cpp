@@ -177,8 +177,10 @@ TEST_CASE("a loop that no yarn can have is refused by its field", "[law][loop][c
           "field 'warp.loop': expected law = \"potential\", the only one that takes it, got another law");
   refused([](auto& w) { w.weft.loop->curve = 0.99; },
           "field 'weft.loop': expected a tail (1 - friction) (1 - curve) unloading of at least ");
-  refused([](auto& w) { w.warp.loop->friction = 1; }, "field 'warp.loop.friction': expected a number of at ");
-  refused([](auto& w) { w.warp.loop->reach = 0; }, "field 'warp.loop.reach': expected a number above 0 to 1");
+  refused([](auto& w) { w.warp.loop->friction = 1; },
+          "field 'warp.loop.friction': expected a number from 0 to below 1, got 1");
+  refused([](auto& w) { w.warp.loop->reach = 0; },
+          "field 'warp.loop.reach': expected a number above 0 to 1, got 0");
   refused([](auto& w) { w.weft.loop->curve = 1.1; },
           "field 'weft.loop.curve': expected a number from 0 to 1");
 }
@@ -317,20 +319,25 @@ Audit audit(const Kernel& kernel) {
     // At the end nothing is stored but what the slack spring has (h x^2 / 2).
     const double slack = 0.5 * yarn.axis().slack * 1e-6;
     out.ledger = std::fmax(out.ledger, std::fabs(W - slack - dissipated(s)) / size);
-    // A closed loop from the peak to somewhere and back.
-    YarnState peak;
-    kernel(yarn, 0.12, peak);
+    // A closed loop on the way back from the peak; and the way up with and without a loop inside it.
+    YarnState s0;
     const Way way = way_of_blend();
     const double a = random(0.1, 0.5), b = random(a, 0.9);
-    double first = 0, again = 0;
-    kernel(yarn, way.strain(b), peak);
-    first = kernel(yarn, way.strain(a), peak);
+    for (const double x : {1.0, b, a}) kernel(yarn, way.strain(x), s0);
+    YarnState direct = s0, detour = s0;
     double round = 0;
-    for (const double x : {b, a}) {
-      const auto part = leg(peak, way.strain(x), true);
-      round += part.first, again = part.second;
-    }
+    for (const double x : {b, a}) round += leg(s0, way.strain(x), true).first;
+    const double first = kernel(yarn, way.strain(b), direct);
+    double again = 0;
+    const double c = a + 0.3 * (b - a), d = a + 0.8 * (b - a);
+    for (const double x : {d, c, b}) again = kernel(yarn, way.strain(x), detour);
     out.open = std::fmax(out.open, std::fabs(again - first) / way.P);
+    // A closed loop from any state, through larger strains too.
+    const double E0 = s0.E, peak0 = s0.m;
+    double other = 0;
+    for (int k = 0, n = 2 + random.below(4); k <= n; ++k)
+      other += leg(s0, k == n ? E0 : way.residual + random(-0.1, 1.5) * (peak0 - way.residual), true).first;
+    out.least = std::fmin(out.least, other / (way.P * way.P / way.Du));
     out.least = std::fmin(out.least, round / (way.P * way.P / way.Du));
   }
   return out;
