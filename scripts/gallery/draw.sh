@@ -24,7 +24,7 @@ gallery() {
 }
 
 law() {
-  for name in biaxial reload shear; do "$program" --quiet "scripts/law/$name.lua" "$out"; done
+  for name in biaxial loops reload shear; do "$program" --quiet "scripts/law/$name.lua" "$out"; done
 }
 
 # thesis_figure <name in share/doc> <deck> <file below out/thesis>

@@ -90,20 +90,22 @@ print("\n" .. tostring(made))
 made:write(folder .. "/looped.lua")
 local read = fabric.card(folder .. "/looped.lua")
 
-local c = other.curves[1]
-local function scaled(list)
-  local out = {}
-  for i, s in ipairs(list) do out[i] = s / MPa end
-  return out
+-- The second cycle of the second record.
+local c, shown = other.curves[1], { E = {}, S = {}, straight = {}, curved = {} }
+for i, e in ipairs(c.E) do
+  if e > 0.08 then
+    shown.E[#shown.E + 1] = e
+    for _, name in ipairs { "S", "straight", "curved" } do shown[name][#shown.E] = c[name][i] / MPa end
+  end
 end
 fabric.plot {
   file = folder .. "/lab_loops.svg",
   xlabel = "Green-Lagrange strain E11",
   ylabel = "second Piola-Kirchhoff stress S11, MPa",
   curves = {
-    { x = c.E, y = scaled(c.S), label = "record" },
-    { x = c.E, y = scaled(c.straight), label = "straight law", style = "dashed" },
-    { x = c.E, y = scaled(c.curved), label = "curved loop" },
+    { x = shown.E, y = shown.S, label = "record" },
+    { x = shown.E, y = shown.straight, label = "straight law", style = "dashed" },
+    { x = shown.E, y = shown.curved, label = "curved loop" },
   },
 }
 
