@@ -13,6 +13,7 @@ local fail = define.fail
 local strands = 6
 local most_rows, least_rows = 150, 8
 local taut = 0.01 -- of the peak stress: rows below it are slack, or nearly
+local near_peak = 0.85 -- of the largest strain: rows from there on tell the stress at it
 local least_way = 0.05 -- of the peak stress that a way back must let go to count
 
 -- --- the law ---
@@ -51,27 +52,48 @@ end
 
 -- --- the record ---
 
--- The stress at the largest strain so far: a line through the last rows of virgin loading.
-local function peak_of(E, S)
-  local m, n = E[#E], #E
-  local first = n
-  while first > 1 and (n - first < 2 or E[first - 1] > 0.98 * m) do first = first - 1 end
-  local count, sx, sy, xx, xy = n - first + 1, 0, 0, 0, 0
-  for k = first, n do sx, sy = sx + E[k] - m, sy + S[k] end
-  for k = first, n do
-    local x = E[k] - m - sx / count
-    xx, xy = xx + x * x, xy + x * (S[k] - sy / count)
+-- The stress of a loading curve: {d0, d1, ...}, or points.
+local function stress_of(loading, E)
+  if type(loading[1]) ~= "table" then
+    local S = 0
+    for k, d in ipairs(loading) do S = S + d * E ^ k / k end
+    return S
   end
-  return sy / count - (xx > 0 and xy / xx or 0) * sx / count
+  local k = 2
+  while k < #loading and loading[k][1] < E do k = k + 1 end
+  local a, b = loading[k - 1], loading[k]
+  return a[2] + (E - a[1]) * (b[2] - a[2]) / (b[1] - a[1])
+end
+
+-- The stress at the largest strain so far and its deviation: the fitted curve, times what the last rows of virgin loading are of it.
+local function peak_of(E, S, loading)
+  local n, first = #E, #E
+  while first > 1 and (n - first < 4 or E[first - 1] > near_peak * E[n]) do first = first - 1 end
+  local both, squares = 0, 0
+  for k = first, n do
+    local P = stress_of(loading, E[k])
+    both, squares = both + S[k] * P, squares + P * P
+  end
+  local ratio, rest = both / squares, 0
+  for k = first, n do rest = rest + (S[k] - ratio * stress_of(loading, E[k])) ^ 2 end
+  local P = stress_of(loading, E[n])
+  return ratio * P, P * math.sqrt(rest / math.max(n - first, 1) / squares)
 end
 
 -- Rows that go one way (noise may turn a reading), without those where the cloth is slack; at most so many, as means.
 local function rows_of(E, S, sign, P)
-  local kept, extreme = { E = {}, S = {} }, nil
+  local kept, extreme, way = { E = {}, S = {} }, nil, {}
   for k, e in ipairs(E) do
     extreme = extreme and (sign > 0 and math.max(extreme, e) or math.min(extreme, e)) or e
-    if S[k] > taut * P then kept.E[#kept.E + 1], kept.S[#kept.S + 1] = extreme, S[k] end
+    way[k] = extreme
   end
+  local first, last = 1, #E
+  for k = 1, #E do
+    if S[k] <= taut * P then
+      if sign > 0 then first = k + 1 else last = math.min(last, k - 1) end
+    end
+  end
+  for k = first, last do kept.E[#kept.E + 1], kept.S[#kept.S + 1] = way[k], S[k] end
   local block, out = math.ceil(#kept.E / most_rows), { E = {}, S = {}, turn = extreme }
   for from = 1, #kept.E, block do
     local to, e, s = math.min(from + block - 1, #kept.E), 0, 0
@@ -82,8 +104,8 @@ local function rows_of(E, S, sign, P)
 end
 
 -- The ways back and up again of a test, in their order; nil if there are none.
-local function legs_of(test, slack)
-  local stretch, legs, virgin, m, P = 1 + slack, {}, { E = {}, S = {} }, nil, nil
+local function legs_of(test, slack, loading)
+  local stretch, legs, virgin, m, P, deviation = 1 + slack, {}, { E = {}, S = {} }, nil, nil, nil
   local stop = test.failure or #test.E
   local rows, peak, unloads = 0, 0, false
   for _, branch in ipairs(test.branches) do
@@ -96,11 +118,14 @@ local function legs_of(test, slack)
       end
       m, P = nil, nil
     elseif branch.kind ~= "hold" and #virgin.E >= 3 and #E > 0 then
-      if not m then m, P = virgin.E[#virgin.E], peak_of(virgin.E, virgin.S) end
+      if not m then
+        m = virgin.E[#virgin.E]
+        P, deviation = peak_of(virgin.E, virgin.S, loading)
+      end
       if m > 0 and P > 0 then
         local down = branch.kind == "unloading"
         local leg = rows_of(E, S, down and -1 or 1, P)
-        leg.m, leg.P, leg.down = m, P, down
+        leg.m, leg.P, leg.deviation, leg.down = m, P, deviation, down
         legs[#legs + 1] = leg
         rows, peak = rows + #leg.E, math.max(peak, P)
         if down and #leg.S > 0 and leg.S[#leg.S] < (1 - least_way) * P then unloads = true end
@@ -177,21 +202,39 @@ end
 local function best_loop(specimen, start, least, initial)
   local best
   local low, high = { math.max(0.2, least / start), 0, 0.05, 0 }, { math.max(10, 2 * least / start), 0.9, 1, 1 }
-  for _, reach in ipairs { 0.3, 0.8 } do
-    for _, bend in ipairs { 0.2, 0.7 } do
-      local found = fabric.lab.least_squares {
-        start = { math.max(1, 1.01 * low[1]), 0.2, reach, bend }, low = low, high = high,
-        evaluate = function(points)
-          local out = {}
-          for i, x in ipairs(points) do out[i] = residuals(specimen, parameters(x, start, initial)) end
-          return out
-        end,
-      }
-      local chi2 = squares(found.residuals)
-      if not best or chi2 < best.chi2 then best = { chi2 = chi2, x = found.x } end
-    end
+  local function try(x)
+    for i = 1, 4 do x[i] = math.min(math.max(x[i], low[i] + 1e-3 * (high[i] - low[i])), high[i] - 1e-3 * (high[i] - low[i])) end
+    local found = fabric.lab.least_squares {
+      start = x, low = low, high = high,
+      evaluate = function(points)
+        local out = {}
+        for i, y in ipairs(points) do out[i] = residuals(specimen, parameters(y, start, initial)) end
+        return out
+      end,
+    }
+    local chi2 = squares(found.residuals)
+    if not best or chi2 < best.chi2 then best = { chi2 = chi2, x = found.x } end
   end
+  for _, reach in ipairs { 0.3, 0.8 } do
+    for _, bend in ipairs { 0.2, 0.7 } do try { 1, 0.2, reach, bend } end
+  end
+  -- The sum of squares has a bend wherever the end of a strand passes a row: once more from both sides.
+  for _, part in ipairs { 0.9, 1.1 } do try { best.x[1], part * best.x[2], part * best.x[3], best.x[4] } end
   local p = parameters(best.x, start, initial)
+  p.chi2, p.at_reach = best.chi2, function(reach, x)
+    local found = fabric.lab.least_squares {
+      start = { x[1], x[2], x[4] }, low = { low[1], low[2], low[4] }, high = { high[1], high[2], high[4] },
+      evaluate = function(points)
+        local out = {}
+        for i, y in ipairs(points) do out[i] = residuals(specimen, parameters({ y[1], y[2], reach, y[3] }, start, initial)) end
+        return out
+      end,
+    }
+    local y = found.x
+    local all = { y[1], y[2], reach, y[3] }
+    return squares(found.residuals), parameters(all, start, initial), all
+  end
+  p.x, p.low_reach, p.high_reach = best.x, low[3], high[3]
   p.bound = {}
   for i, name in ipairs { "unloading", "friction", "reach", "curve" } do
     local width = high[i] - low[i]
@@ -209,8 +252,28 @@ local function likeness(rest)
   return math.min(math.max(together / squares(rest), 0), 0.98)
 end
 
--- Covariance of one specimen's parameters by linearisation. Rows whose neighbours deviate alike count as fewer; a parameter on a bound is
--- taken as known.
+-- How the residuals change with the stress at each peak, per its deviation: one list for every peak.
+local function by_peak(specimen, p)
+  local out, legs = {}, specimen.legs
+  for i, leg in ipairs(legs) do
+    if (i == 1 or legs[i - 1].m ~= leg.m) and leg.deviation > 0 then
+      local function with(part)
+        local changed = { legs = {}, peak = specimen.peak }
+        for k, l in ipairs(legs) do
+          changed.legs[k] = l.m == leg.m and setmetatable({ P = l.P + part * leg.deviation }, { __index = l }) or l
+        end
+        return residuals(changed, p)
+      end
+      local up, down, column = with(0.1), with(-0.1), {}
+      for k = 1, #up do column[k] = (up[k] - down[k]) / 0.2 end
+      out[#out + 1] = column
+    end
+  end
+  return out
+end
+
+-- Covariance of one specimen's parameters by linearisation, with the noise of the rows (those whose neighbours deviate alike count as fewer) and
+-- of the peaks that they are scaled to; a parameter on a bound is taken as known.
 local function covariance(specimen, p)
   local rest, free, columns = residuals(specimen, p), {}, {}
   for _, name in ipairs(names) do
@@ -241,7 +304,37 @@ local function covariance(specimen, p)
   for i, a in ipairs(free) do
     for j, b in ipairs(free) do out[a][b] = variance * inverse[i][j] end
   end
+  for _, peak in ipairs(by_peak(specimen, p)) do
+    local right = {}
+    for i = 1, #free do
+      right[i] = 0
+      for k = 1, #rest do right[i] = right[i] + columns[i][k] * peak[k] end
+    end
+    local shift = linear.solve(normal, right)
+    for i, a in ipairs(free) do
+      for j, b in ipairs(free) do out[a][b] = out[a][b] + shift[i] * shift[j] end
+    end
+  end
   return out
+end
+
+-- Friction and reach hang together along a valley that no line follows: their bands, and with them the others', hold every reach whose best fit is
+-- not worse than noise explains. Visits the parameters along it.
+local function along_valley(specimen, p, deviation, quantile, visit)
+  if p.bound.reach or not (deviation > 0) then return end
+  local alike = likeness(residuals(specimen, p))
+  local allowed = p.chi2 + quantile ^ 2 * p.chi2 / math.max(specimen.rows - 4, 1) * (1 + alike) / (1 - alike)
+  for _, way in ipairs { -1, 1 } do
+    local x, reach = p.x, p.reach
+    for _ = 1, 20 do
+      reach = reach + way * deviation / 2
+      if reach < p.low_reach or reach > p.high_reach then break end
+      local chi2, at, next_x = p.at_reach(reach, x)
+      if chi2 > allowed then break end
+      visit(at)
+      x = next_x
+    end
+  end
 end
 
 -- Whether three more numbers are worth it, by Schwarz's criterion with the rows counted as in covariance().
@@ -295,6 +388,11 @@ local function banded(out, found, t)
       local half = quantile * math.sqrt(cov[name][name])
       out.values[name], out.low[name], out.high[name] = lists[1][i], lists[1][i] - half, lists[1][i] + half
     end
+    along_valley(found[1].specimen, found[1].loop, math.sqrt(cov.reach.reach), quantile, function(at)
+      for _, name in ipairs(names) do
+        out.low[name], out.high[name] = math.min(out.low[name], at[name]), math.max(out.high[name], at[name])
+      end
+    end)
     out.variance = cov.unloading.unloading
   end
   for _, name in ipairs { "friction", "reach", "curve" } do
@@ -367,7 +465,7 @@ local function loops(t)
   local found, bound, rms = {}, {}, { straight = {}, rule = {}, curved = {} }
   local worth = 0
   for i, test in ipairs(tests) do
-    local specimen = legs_of(test, (fit.specimens or {})[i] and fit.specimens[i].slack or 0)
+    local specimen = legs_of(test, (fit.specimens or {})[i] and fit.specimens[i].slack or 0, fit.loading)
     local start = specimen and secant(specimen)
     if start then
       local f = { specimen = specimen, line = best_line(specimen, start, least), loop = best_loop(specimen, start, least, initial) }
