@@ -132,6 +132,36 @@ assert(made.warp.loop.friction == three.loop.friction and made.provenance["warp.
 assert(made.provenance["weft.loop"]:find "^assumed")
 assert(made:with({ warp = { loop = { reach = 0.9 } } }).provenance["warp.loop"] == "typed: changed by card:with")
 
+-- --- a folder: the misfit is told; the card goes along curves where it is asked for ---
+local folder, write_report = require "fabric.lab.folder", require "fabric.lab.report".write
+local function lay(loops)
+  os.execute "mkdir -p out/folder"
+  local gauge, width, thickness = 0.2, 0.05, card.thickness
+  for i, test in ipairs(tests_of(card, 2, 0.002)) do
+    local f <close> = assert(io.open(("out/folder/warp-%d.csv"):format(i), "w"))
+    f:write "Displacement (mm),Force (N)\n0,0\n"
+    for k, E in ipairs(test.E) do
+      local stretch = math.sqrt(1 + 2 * E)
+      f:write(("%.6f,%.6f\n"):format(1e3 * gauge * (stretch - 1), test.S[k] * stretch * width * thickness))
+    end
+  end
+  local f <close> = assert(io.open("out/folder/laboratory.lua", "w"))
+  f:write(("return { name='mine', gauge_length=%g, width=%g, thickness=%.12g, density=500, plies=1, loops=%s }"):format(gauge, width, thickness, loops))
+end
+for _, asked in ipairs { "false", "true" } do
+  lay(asked)
+  local found = folder.reduce "out/folder"
+  assert(found.warp.loops.curved and (found.card.warp.loop ~= nil) == (asked == "true"))
+  write_report(found, "out/report")
+  local f <close> = assert(io.open "out/report/report.html")
+  local text = f:read "a"
+  assert(text:find("Loops of the warp", 1, true) and text:find("the straight law misses it by rms", 1, true))
+  assert((text:find("loops=true in laboratory.lua", 1, true) ~= nil) == (asked == "false"))
+  if asked == "true" then check("friction from a folder", found.card.warp.loop.friction, truth.friction, 3e-2) end
+end
+lay "5"
+says(function() folder.reduce "out/folder" end, "laboratory.lua: field 'loops': expected true or false, got 5")
+
 -- --- refused ---
 says(function() fabric.point(card:with { law = "thesis" }) end, "field 'warp.loop': expected law = \"potential\"")
 says(function() straight:with { warp = { loop = { reach = 0.5 } } } end, "field 'warp.loop.friction'")

@@ -465,6 +465,21 @@ local function lets_go(tests)
   end
 end
 
+-- What a test tells, and the secant of its way back; nil if it does not let go of enough.
+local function specimen_of(test, i, fit)
+  local specimen = legs_of(test, (fit.specimens or {})[i] and fit.specimens[i].slack or 0, fit.loading)
+  local start = specimen and secant(specimen)
+  if start then return specimen, start end
+end
+
+-- Whether any of the tests tells of loops.
+local function ready(tests, fit)
+  for i, test in ipairs(tests) do
+    if specimen_of(test, i, fit) then return true end
+  end
+  return false
+end
+
 local function loops(t)
   local tests = t.tests
   if #tests == 0 then fail "loops: field 'tests': expected at least one test, got none" end
@@ -478,9 +493,8 @@ local function loops(t)
   local found, bound, rms = {}, {}, { straight = {}, rule = {}, curved = {} }
   local worth = 0
   for i, test in ipairs(tests) do
-    local specimen = legs_of(test, (fit.specimens or {})[i] and fit.specimens[i].slack or 0, fit.loading)
-    local start = specimen and secant(specimen)
-    if start then
+    local specimen, start = specimen_of(test, i, fit)
+    if specimen then
       local f = { specimen = specimen, line = best_line(specimen, start, least), loop = best_loop(specimen, start, least, initial) }
       f.rms = { straight = rms_of(specimen, f.line), curved = rms_of(specimen, f.loop), rule = rms_of(specimen, with_unloading(straight, fit.unloading or f.line.unloading)) }
       for _, name in ipairs(names) do bound[name] = bound[name] or f.loop.bound[name] end
@@ -542,3 +556,5 @@ define {
     .. "local l = require 'fabric'.lab.loops{ tests={test} }\nassert(l.curved and l.rms.straight.unloading > 5 * l.rms.curved.unloading)",
   run = loops,
 }
+
+return { ready = ready }
