@@ -25,7 +25,9 @@ gallery() {
 }
 
 law() {
-  for name in biaxial reload shear; do "$program" --quiet "scripts/law/$name.lua" "$out"; done
+  for name in biaxial loops reload shear; do "$program" --quiet "scripts/law/$name.lua" "$out"; done
+  "$program" --quiet scripts/lab/loops.lua "$work/loops"
+  cp "$work/loops/lab_loops.svg" "$out"
 }
 
 # thesis_figure <name in share/doc> <deck> <file below out/thesis>

@@ -975,6 +975,18 @@ function fabric.lab.kilby(fields) end
 ---@return table<string, any>
 function fabric.lab.least_squares(fields) end
 
+---@class fabric_lab_loops_fields
+---@field tests table results of fabric.lab.tensile along one yarn with unloading and, better, reloading
+---@field fit? table result of fabric.lab.fit of the same tests; default: made here, with find_slack='either', rule='robust'
+---@field enough? number a straight law that misses by no more than this share of the peak stress (rms) is good enough (default 0.01)
+---@field level? number of confidence (default 0.95)
+---@field seed? integer of the bootstrap (default 1)
+
+---How far unloading and reloading are from the law's straight line, and the curved loop that follows them: a part for fabric.lab.card (loading, unloading, tested, band and, where the records ask for it, loop {friction, reach, curve}); rms {straight, rule, curved} {all, unloading} as shares of the peak stress (rule: with the modulus of the first rows), low and high of each number, curved, curves {E, S, straight, curved} per test, text.
+---@param fields fabric_lab_loops_fields
+---@return table<string, any>
+function fabric.lab.loops(fields) end
+
 ---@class fabric_lab_marks_fields
 ---@field E number[] strains of a loading branch
 ---@field S number[] Pa: stresses
@@ -1837,15 +1849,27 @@ function fabric.why() end
 ---@field bending fabric_woven_fields.estimate.bending of the bending
 ---@field source string where the estimate comes from
 
+---@class fabric_woven_fields.warp.loop
+---@field friction number share of the peak stress that friction between the fibres carries: the width of the loop
+---@field reach? number share of the way from the peak to zero stress over which that friction is lost, and built up again after a reversal (default 0.5)
+---@field curve? number share of the elastic rest that grows with the square of the way; 0: with the way (default 0)
+
 ---@class fabric_woven_fields.warp
 ---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
 ---@field unloading number Pa: unloading modulus
 ---@field poisson number nu12: contraction along weft when pulled along warp
+---@field loop? fabric_woven_fields.warp.loop unloading and reloading along curves instead of one straight line, with loops inside loops; unloading is then the secant from the peak to zero stress; law potential only
+
+---@class fabric_woven_fields.weft.loop
+---@field friction number share of the peak stress that friction between the fibres carries: the width of the loop
+---@field reach? number share of the way from the peak to zero stress over which that friction is lost, and built up again after a reversal (default 0.5)
+---@field curve? number share of the elastic rest that grows with the square of the way; 0: with the way (default 0)
 
 ---@class fabric_woven_fields.weft
 ---@field loading number[]|table Pa: tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, ...} from {0, 0} on
 ---@field unloading number Pa: unloading modulus
 ---@field poisson number nu21: contraction along warp when pulled along weft
+---@field loop? fabric_woven_fields.weft.loop unloading and reloading along curves instead of one straight line, with loops inside loops; unloading is then the secant from the peak to zero stress; law potential only
 
 ---@class fabric_woven_fields.shear.friction
 ---@field stress number Pa: stress at which friction slips at zero strain

@@ -16,10 +16,17 @@ struct Curve {
   std::vector<std::pair<double, double>> points;
 };
 
+// Unloading and reloading that are not straight. All three numbers are shares: friction of the peak stress,
+// reach of the way from the peak to zero stress, curve of the elastic part that is square in that way.
+struct YarnLoop {
+  double friction = 0, reach = 0.5, curve = 0;
+};
+
 struct Yarn {
-  Curve loading;         // in Green-Lagrange strain along the yarn
-  double unloading = 0;  // Du, Pa
-  double poisson = 0;    // nu12 on the warp, nu21 on the weft
+  Curve loading;                      // in Green-Lagrange strain along the yarn
+  double unloading = 0;               // Du, Pa; with a loop the secant from the peak to zero stress
+  double poisson = 0;                 // nu12 on the warp, nu21 on the weft
+  std::optional<YarnLoop> loop = {};  // law "potential" only
 };
 
 enum class Measure { tensor, engineering };  // dS12/dE12 in E12 | dS12/d(2 E12) in 2 E12

@@ -38,7 +38,26 @@ std::string curve_words(const Curve& curve, const std::string& strain) {
   return out;
 }
 
-Rows<Yarn> yarn_rows(const std::string& strain, const std::string& ratio) {
+Rows<YarnLoop> loop_rows(const std::string& side) {
+  return {
+      number("friction", &YarnLoop::friction, "", Range{0, 1, false, true},
+             "share of the peak stress that friction between the fibres carries: the width of the loop")
+          .on_line(side + " loop")
+          .printed("friction #"),
+      number("reach", &YarnLoop::reach, "", Range{0, 1, true, false},
+             "share of the way from the peak to zero stress over which that friction is lost, and built up "
+             "again after a reversal")
+          .or_else(0.5)
+          .on_line(side + " loop")
+          .printed("over # of the way"),
+      number("curve", &YarnLoop::curve, "", Range{0, 1},
+             "share of the elastic rest that grows with the square of the way; 0: with the way")
+          .or_else(0.0)
+          .on_line(side + " loop")
+          .printed("curve #")};
+}
+
+Rows<Yarn> yarn_rows(const std::string& side, const std::string& strain, const std::string& ratio) {
   return {
       curve("loading", &Yarn::loading,
             "tangent modulus D(E) = d0 + d1 E + ..., Pa, as {d0, d1, ...}; or measured points {{E, S}, "
@@ -51,7 +70,10 @@ Rows<Yarn> yarn_rows(const std::string& strain, const std::string& ratio) {
       number("poisson", &Yarn::poisson, "", not_negative, ratio)
           .ask(1e-3, 5, "is it the ratio of two strains?")
           .band()
-          .in_column("poisson")};
+          .in_column("poisson"),
+      group("loop", &Yarn::loop, loop_rows(side),
+            "unloading and reloading along curves instead of one straight line, with loops inside loops; "
+            "unloading is then the secant from the peak to zero stress; law potential only")};
 }
 
 Rows<ShearFriction> shear_friction_rows() {
@@ -238,9 +260,11 @@ Rows<Estimate> estimate_rows() {
 
 Rows<Woven> woven_rows() {
   return {
-      group("warp", &Woven::warp, yarn_rows("E11", "nu12: contraction along weft when pulled along warp"),
+      group("warp", &Woven::warp,
+            yarn_rows("warp", "E11", "nu12: contraction along weft when pulled along warp"),
             "along the warp"),
-      group("weft", &Woven::weft, yarn_rows("E22", "nu21: contraction along warp when pulled along weft"),
+      group("weft", &Woven::weft,
+            yarn_rows("weft", "E22", "nu21: contraction along warp when pulled along weft"),
             "along the weft"),
       group("shear", &Woven::shear, shear_rows(), "in-plane shear"),
       group("tested", &Woven::tested, tested_rows(), "strains up to which it was measured").optional(),

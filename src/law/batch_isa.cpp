@@ -20,12 +20,16 @@ unsigned run_part(int state, const double* E, const double* s0, double* s1, doub
   return bits(!healthy(e, out));
 }
 
-template <bool rubs>
+// Numbers that curved loops add to a state at most.
+template <bool curved>
+inline constexpr int loop_numbers = curved ? 2 * loop_state::count : 0;
+
+template <bool rubs, bool curved>
 [[gnu::flatten]] unsigned potential_part(const Law& law, const Step& step, const double* E, const double* s0,
                                          double* s1, double* S, double* C) {
-  return run_part<potential_state::count + 2>(
+  return run_part<potential_state::count + 2 + loop_numbers<curved>>(
       law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
-        return potential_update<rubs>(law.woven, step.at, e, old, trial);
+        return potential_update<rubs, curved>(law.woven, step.at, e, old, trial);
       });
 }
 
@@ -37,12 +41,12 @@ template <bool rubs>
                                           });
 }
 
-template <bool rubs>
+template <bool rubs, bool curved>
 [[gnu::flatten]] unsigned viscous_part(const Law& law, const Step& step, const double* E, const double* s0,
                                        double* s1, double* S, double* C) {
-  return run_part<potential_state::count + 2 + viscous_state::count>(
+  return run_part<potential_state::count + 2 + viscous_state::count + loop_numbers<curved>>(
       law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
-        return viscous_update<rubs>(law.woven, step, e, old, trial);
+        return viscous_update<rubs, curved>(law.woven, step, e, old, trial);
       });
 }
 
@@ -62,10 +66,15 @@ unsigned elastic_part(const Law& law, const Step&, const double* E, const double
 }
 
 // Selects the kernel of law "potential" by the features that the card uses, so that unused ones cost nothing.
+template <bool curved>
+BatchFunction woven_part_for(const WovenData& w) {
+  if (w.viscous.on) return w.friction.on ? viscous_part<true, curved> : viscous_part<false, curved>;
+  return w.friction.on ? potential_part<true, curved> : potential_part<false, curved>;
+}
+
 BatchFunction potential_part_for(const Law& law) {
   if (law.is_plain) return plain_part;
-  if (law.woven.viscous.on) return law.woven.friction.on ? viscous_part<true> : viscous_part<false>;
-  return law.woven.friction.on ? potential_part<true> : potential_part<false>;
+  return is_curved(law.woven) ? woven_part_for<true>(law.woven) : woven_part_for<false>(law.woven);
 }
 
 BatchFunction part_for(const Law& law) {

@@ -14,9 +14,10 @@ struct Spring {
   const char* name;
   const char* strain;
   const Backbone* curve;
-  double unloading;
-  double scale;   // argument of the backbone = scale * the user's strain
-  double stated;  // tested strain on the card, in the user's measure
+  double unloading;  // the first modulus after a reversal
+  double secant;     // from the peak to zero stress; the same unless the yarn has a loop
+  double scale;      // argument of the backbone = scale * the user's strain
+  double stated;     // tested strain on the card, in the user's measure
 };
 
 // Smallest and largest D up to the end of the tested range, and their strains.
@@ -75,6 +76,19 @@ void jump_item(const Spring& s, CheckReport& report) {
                           {{"at_tested", ratio}, {"at_zero", first}}});
 }
 
+// The slopes of a curved loop, and what a whole one (to zero stress and back) loses of the way down.
+void loop_item(const Spring& s, const LoopData& loop, CheckReport& report) {
+  double lost = 0;
+  for (int j = 0; j < loop_strands; ++j) lost += loop.stiffness[j] * loop.reach[j] * (1 - loop.reach[j]);
+  report.items.push_back(
+      {std::string("loop.") + s.name,
+       Severity::note,
+       "unloads along a curve, from " + pressure(s.unloading) + " at the peak to " +
+           pressure(s.secant * loop.flattest) + " before zero stress; a loop to zero stress and back loses " +
+           percent(lost / loop.stored) + " of what the way down gives",
+       {{"first", s.unloading}, {"last", s.secant * loop.flattest}, {"lost", lost / loop.stored}}});
+}
+
 // Jump of S at x. The comparison laws are rate laws, so they are first taken to x.
 double stress_jump(const Law& law, const double* state, int component, double x) {
   double at[5] = {}, low[5] = {}, high[5] = {}, Sl[5], Sh[5], here[32] = {}, scratch[32];
@@ -94,13 +108,17 @@ double stress_jump(const Law& law, const double* state, int component, double x)
 void check_curves(const card::Woven& woven, const Law& law, CheckReport& report) {
   const WovenData& w = law.woven;
   const bool tensor = woven.shear.measure == card::Measure::tensor;
-  const Spring springs[] = {{"warp", "E11", &w.axis[0].curve, w.axis[0].unloading, 1, woven.tested.warp},
-                            {"weft", "E22", &w.axis[1].curve, w.axis[1].unloading, 1, woven.tested.weft},
+  const Spring springs[] = {{"warp", "E11", &w.axis[0].curve, w.axis[0].unloading * w.loop[0].steepest,
+                             w.axis[0].unloading, 1, woven.tested.warp},
+                            {"weft", "E22", &w.axis[1].curve, w.axis[1].unloading * w.loop[1].steepest,
+                             w.axis[1].unloading, 1, woven.tested.weft},
                             {"shear", tensor ? "E12" : "2E12", &w.shear.curve, w.shear.unloading,
-                             tensor ? 2.0 : 1.0, woven.tested.shear}};
+                             w.shear.unloading, tensor ? 2.0 : 1.0, woven.tested.shear}};
   for (const auto& s : springs) modulus_item(s, report);
   for (const auto& s : springs) guard_item(s, report);
   for (const auto& s : springs) jump_item(s, report);
+  for (int i = 0; i < 2; ++i)
+    if (w.loop[i].on) loop_item(springs[i], w.loop[i], report);
 }
 
 void check_continuity(const Law& law, CheckReport& report) {

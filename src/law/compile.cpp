@@ -104,6 +104,45 @@ void compile_viscous(const card::Card& card, const card::Woven& woven, ViscousDa
   out = {true, woven.viscous->shear.modulus / (tensor ? 2 : 1), woven.viscous->shear.time};
 }
 
+// Unloading along a curve (yarn_loop.hpp). Strands slip evenly over the reach, so that the friction lost at
+// the distance y from the peak is friction (1 - (1 - y / reach)^2), met at the ends of each strand.
+LoopData loop_of(const card::YarnLoop& loop) {
+  LoopData out;
+  const double elastic = 1 - loop.friction, n = loop_strands;
+  out.on = true;
+  out.linear = elastic * (1 - loop.curve);
+  out.square = elastic * loop.curve;
+  out.stored = out.linear / 2 + out.square / 3;
+  out.flattest = out.linear;
+  out.steepest = out.linear + 2 * out.square;
+  for (int j = 0; j < loop_strands; ++j) {
+    const bool last = j + 1 == loop_strands;
+    out.reach[j] = last ? loop.reach : loop.reach * (j + 1) / n;
+    out.stiffness[j] = (last ? 1 : 2) * loop.friction / (n * loop.reach);
+    out.stored += out.stiffness[j] * out.reach[j] * out.reach[j] / 2;
+    out.steepest += out.stiffness[j];
+  }
+  return out;
+}
+
+// The tail may not be softer than slack cloth: with that the tangent is positive definite on every branch.
+void compile_loop(const card::Card& card, const card::Woven& woven, int i, WovenData& w) {
+  const auto& yarn = i == 0 ? woven.warp : woven.weft;
+  if (!yarn.loop) return;
+  const std::string side = i == 0 ? "warp" : "weft";
+  if (woven.law != card::LawKind::potential)
+    throw Error(card::at_field(card, side + ".loop") +
+                "expected law = \"potential\", the only one that takes it, got another law");
+  w.loop[i] = loop_of(*yarn.loop);
+  const AxisData& axis = w.axis[i];
+  const double least = axis.slack - w.coupling * axis.poisson, tail = axis.unloading * w.loop[i].flattest;
+  if (!(tail >= least))
+    throw Error(card::at_field(card, side + ".loop") +
+                "expected a tail (1 - friction) (1 - curve) unloading of at least " + pressure(least) +
+                ", the modulus of slack cloth, got " + number(1 - yarn.loop->friction) + " x " +
+                number(1 - yarn.loop->curve) + " x " + pressure(axis.unloading) + " = " + pressure(tail));
+}
+
 // c = min(nu21 d, nu12 k) / (1 - nn), h1 = c / nu21, h2 = c / nu12; for two zero ratios c = 0, h_i = D_i(0).
 void compile_coupling(WovenData& w) {
   AxisData &warp = w.axis[0], &weft = w.axis[1];
@@ -116,7 +155,7 @@ void compile_coupling(WovenData& w) {
 
 int woven_state(const Law& law) {
   if (law.kind != Kind::potential) return rate_state::count;
-  return viscous_slot(law.woven) + (law.woven.viscous.on ? viscous_state::count : 0);
+  return loop_slot(law.woven, 1) + (law.woven.loop[1].on ? loop_state::count : 0);
 }
 
 std::optional<CubicBackbone> cubic(const Backbone& curve) {
@@ -134,7 +173,7 @@ void compile_plain(Law& law) {
   const WovenData& w = law.woven;
   const auto warp = cubic(w.axis[0].curve), weft = cubic(w.axis[1].curve), shear = cubic(w.shear.curve);
   law.is_plain = law.kind == Kind::potential && warp && weft && shear && !w.shear.fading && !w.biaxial.on &&
-                 !w.viscous.on && !w.friction.on;
+                 !w.viscous.on && !w.friction.on && !is_curved(w);
   if (!law.is_plain) return;
   const auto axis = [&](int i, const CubicBackbone& curve) {
     const AxisData& a = w.axis[i];
@@ -166,6 +205,7 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
     compile_biaxial(*woven.biaxial, w.biaxial, law.biaxial_pieces);
   if (woven.shear.friction) compile_friction(card, woven, w);
   if (woven.viscous) compile_viscous(card, woven, w.viscous);
+  for (int i = 0; i < 2; ++i) compile_loop(card, woven, i, w);
   w.axis[0].softness = 1 / w.axis[0].unloading;
   w.axis[1].softness = 1 / w.axis[1].unloading;
   w.shear.softness = 1 / w.shear.unloading;

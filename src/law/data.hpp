@@ -76,8 +76,20 @@ struct ViscousData {  // of shear, in gamma = 2 E12
   double modulus = 0, time = 0;  // Pa, s
 };
 
+// Unloading of a yarn along curves (yarn_loop.hpp), in shares of the peak stress and of the way to it.
+inline constexpr int loop_strands = 6;
+struct LoopData {
+  bool on = false;
+  double linear = 0, square = 0;        // of the elastic part
+  double reach[loop_strands] = {};      // z_j, at which a strand slips
+  double stiffness[loop_strands] = {};  // k_j
+  double stored = 0.5;                  // stored at the peak, of P(m)^2 / Du
+  double steepest = 1, flattest = 1;    // largest and smallest slope, of Du
+};
+
 struct WovenData {
   AxisData axis[2];  // warp, weft
+  LoopData loop[2];
   ShearData shear;
   FrictionData friction;
   BiaxialData biaxial;
@@ -87,8 +99,10 @@ struct WovenData {
   bool follow = false;    // transverse shear uses the in-plane branch [williams2010, eq. 6.30]
 };
 
+inline bool is_curved(const WovenData& law) { return law.loop[0].on || law.loop[1].on; }
+
 // Data of law "potential" for a card with three cubic backbones,
-// without biaxial spring, fading memory or viscous shear.
+// without biaxial spring, fading memory, viscous shear or curved loops.
 struct PlainWoven {
   AxisOf<CubicBackbone> axis[2];
   ShearOf<CubicBackbone> shear;
@@ -126,12 +140,23 @@ inline constexpr int gp = 3;          // largest r (distance from g0) on that br
 inline constexpr int sg = 4;          // direction of that branch; 0 means +1
 inline constexpr int lost = 5;        // J/m^3, dissipated on earlier branches
 // Further numbers if the feature is used: the faded peak of the previous branch, or with friction the slip
-// in gamma (then gp is the largest |gamma|, sg its side, and g0 zero); the biaxial peak; viscous shear.
+// in gamma (then gp is the largest |gamma|, sg its side, and g0 zero); the biaxial peak; viscous shear; the
+// loops of warp and weft.
 inline constexpr int count = 6;
 }  // namespace potential_state
 
+// Of viscous shear: gamma and its stress q at the last step, and the energy lost so far.
+namespace viscous_state {
+inline constexpr int gamma = 0, q = 1, lost = 2, count = 3;
+}
+
+// Of a yarn's loop: where on the way each strand is slack (p_j), and the energy lost in loops, J/m^3.
+namespace loop_state {
+inline constexpr int slack = 0, lost = loop_strands, count = loop_strands + 1;
+}
+
 // Length of the longest state of any law.
-inline constexpr int most_states = 24;
+inline constexpr int most_states = potential_state::count + 2 + viscous_state::count + 2 * loop_state::count;
 
 // State of the comparison laws.
 namespace rate_state {

@@ -38,6 +38,18 @@ YarnPoint<T> yarn_point(const AxisData& axis, double coupling, T E, T m) {
   return {yarn_stored(axis, coupling, E, residual), branch_loss(curve, T(axis.unloading)), residual};
 }
 
+// The same of a yarn with a loop, if it has one; s: the whole state.
+template <class T>
+YarnPoint<T> yarn_point(const WovenData& w, int i, T E, const T* s) {
+  auto out = yarn_point(w.axis[i], w.coupling, E, s[i]);
+  if (!w.loop[i].on) return out;
+  const auto loop = loop_energy(w.axis[i], w.loop[i], E, s[i], s + loop_slot(w, i));
+  const T cross(0.5 * w.coupling * w.axis[i].poisson);
+  out.stored = select(E >= out.residual, loop.stored + cross * E * E, out.stored);
+  out.dissipated = loop.dissipated;
+  return out;
+}
+
 template <class T>
 void add_biaxial_energy(const WovenData& w, const T E[5], const T* s, EnergyOf<T>& out) {
   T m = s[biaxial_slot(w)];
@@ -75,8 +87,8 @@ ShearPoint<T> rubbing_point(const WovenData& w, T gamma, const T* s) {
 template <class T>
 EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
   using namespace potential_state;
-  const auto warp = yarn_point(w.axis[0], w.coupling, E[0], s[m1]);
-  const auto weft = yarn_point(w.axis[1], w.coupling, E[1], s[m2]);
+  const auto warp = yarn_point(w, m1, E[0], s);
+  const auto weft = yarn_point(w, m2, E[1], s);
   const auto shear = w.friction.on ? rubbing_point(w, E[4], s) : hysteretic_point(w, E[4], s);
   EnergyOf<T> out;
   out.stored = warp.stored + weft.stored + T(w.coupling) * E[0] * E[1];

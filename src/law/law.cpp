@@ -82,7 +82,7 @@ double stiffest_potential(const WovenData& w) {
   double T = w.biaxial.on ? w.biaxial.unloading : 0.0;
   const double alpha = w.biaxial.alpha;
   const auto axial = [&](int i) {
-    return std::max(w.axis[i].unloading + c * w.axis[i].poisson, w.axis[i].slack);
+    return std::max(w.axis[i].unloading * w.loop[i].steepest + c * w.axis[i].poisson, w.axis[i].slack);
   };
   return larger_eigenvalue(axial(0) + T, c + alpha * T, c + alpha * T, axial(1) + alpha * alpha * T);
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include "law/response.hpp"
 #include "law/springs.hpp"
+#include "law/yarn_loop.hpp"
 
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
@@ -30,6 +31,23 @@ inline int biaxial_slot(const WovenData& law) {
 
 // Index at which the state of viscous shear (viscous.hpp) begins, if there is one.
 inline int viscous_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
+
+// Index at which the state of a yarn's loop begins, if it has one.
+inline int loop_slot(const WovenData& law, int axis) {
+  return viscous_slot(law) + (law.viscous.on ? viscous_state::count : 0) +
+         (axis == 1 && law.loop[0].on ? loop_state::count : 0);
+}
+
+// One yarn; s1 holds its committed largest strain on entry. curved: a yarn has a loop.
+template <bool curved, class Woven, class T>
+SpringValue<T> yarn_of(const Woven& law, int i, AtSwitch at, T E, const T* s0, T* s1) {
+  if constexpr (curved) {
+    const int slot = loop_slot(law, i);
+    if (law.loop[i].on)
+      return looped_yarn(law.axis[i], law.loop[i], law.coupling, at, E, s0 + slot, s1 + slot, s1[i]);
+  }
+  return yarn_spring(law.axis[i], law.coupling, at, E, s1[i]);
+}
 
 template <class T>
 void add_biaxial(const WovenData& law, AtSwitch at, const T E[5], const T* s0, T* s1, Response<T>& out) {
@@ -72,16 +90,16 @@ SpringValue<T> rubbing_shear(const WovenData& law, AtSwitch at, T gamma, const T
   return {side * elastic.P + rubs.S, elastic.D + rubs.C};
 }
 
-// Woven: WovenData, or PlainWoven for a plain law; rubs: shear has friction.
-template <bool rubs = false, class Woven, class T>
+// Woven: WovenData, or PlainWoven for a plain law; rubs: shear has friction; curved: a yarn has a loop.
+template <bool rubs = false, bool curved = false, class Woven, class T>
 Response<T> potential_update(const Woven& law, AtSwitch at, const T E[5], const T* s0, T* s1) {
   using namespace potential_state;
   Response<T> out;
   const T c(law.coupling);
   s1[m1] = s0[m1];
   s1[m2] = s0[m2];
-  const auto warp = yarn_spring(law.axis[0], law.coupling, at, E[0], s1[m1]);
-  const auto weft = yarn_spring(law.axis[1], law.coupling, at, E[1], s1[m2]);
+  const auto warp = yarn_of<curved>(law, m1, at, E[0], s0, s1);
+  const auto weft = yarn_of<curved>(law, m2, at, E[1], s0, s1);
   SpringValue<T> shear;
   if constexpr (rubs)
     shear = rubbing_shear(law, at, E[4], s0, s1);

@@ -7,9 +7,9 @@ namespace fabricsh::law {
 
 const std::vector<std::string>& provenance_fields() {
   static const std::vector<std::string> names = {
-      "bending",      "biaxial",      "density",       "shear.loading", "shear.unloading",
-      "thickness",    "viscous",      "warp.loading",  "warp.poisson",  "warp.unloading",
-      "weft.loading", "weft.poisson", "weft.unloading"};
+      "bending",        "biaxial",      "density",      "shear.loading", "shear.unloading",
+      "thickness",      "viscous",      "warp.loading", "warp.loop",     "warp.poisson",
+      "warp.unloading", "weft.loading", "weft.loop",    "weft.poisson",  "weft.unloading"};
   return names;
 }
 

@@ -9,10 +9,16 @@ namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
 // Selects the kernel of law "potential" by the features used.
-template <bool rubs, class T>
+template <bool rubs, bool curved, class T>
 Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  return law.viscous.on ? viscous_update<rubs>(law, step, E, s0, s1)
-                        : potential_update<rubs>(law, step.at, E, s0, s1);
+  return law.viscous.on ? viscous_update<rubs, curved>(law, step, E, s0, s1)
+                        : potential_update<rubs, curved>(law, step.at, E, s0, s1);
+}
+
+template <bool curved, class T>
+Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
+  return law.friction.on ? woven_update<true, curved>(law, step, E, s0, s1)
+                         : woven_update<false, curved>(law, step, E, s0, s1);
 }
 
 template <class T>
@@ -20,8 +26,8 @@ Response<T> update(const Law& law, const Step& step, const T E[5], const T* s0, 
   const AtSwitch at = step.at;
   switch (law.kind) {
     case Kind::potential:
-      return law.woven.friction.on ? woven_update<true>(law.woven, step, E, s0, s1)
-                                   : woven_update<false>(law.woven, step, E, s0, s1);
+      return is_curved(law.woven) ? woven_update<true>(law.woven, step, E, s0, s1)
+                                  : woven_update<false>(law.woven, step, E, s0, s1);
     case Kind::incremental:
       return rate_update<true>(law.woven, at, E, s0, s1);
     case Kind::thesis:

@@ -19,14 +19,9 @@ ViscousStep viscous_step(double x);
 
 inline namespace FABRICSH_ISA {
 
-// State, after that of the rest of the law: gamma and q at the last step, and the energy lost so far.
-namespace viscous_state {
-inline constexpr int gamma = 0, q = 1, lost = 2, count = 3;
-}
-
-template <bool rubs = false, class T>
+template <bool rubs = false, bool curved = false, class T>
 Response<T> viscous_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  Response<T> out = potential_update<rubs>(law, step.at, E, s0, s1);
+  Response<T> out = potential_update<rubs, curved>(law, step.at, E, s0, s1);
   const ViscousStep w = viscous_step(step.dt / law.viscous.time);
   const int at = viscous_slot(law);
   const T G(law.viscous.modulus), q0 = s0[at + viscous_state::q];

@@ -99,6 +99,7 @@ int main(int argc, char** argv) {
   auto card = test::thesis_card(0);
   report("potential", card, repeats);
   report("potential, biaxial", test::with_biaxial(card), repeats);
+  report("potential, curved", test::with_loops(card), repeats);
   auto relaxing = card;
   test::woven(relaxing).viscous = card::Viscous{{1e6, 1e-3}};
   report("potential, viscous", relaxing, repeats);

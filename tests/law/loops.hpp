@@ -86,7 +86,8 @@ inline void no_energy_from_nothing(const card::Card& card, unsigned seed, int lo
   LoopSum sum;
   for (int k = 0; k < loops; ++k) one_loop(card, random, sum);
   const auto& w = std::get<card::Woven>(card.law);
-  const char* option = w.shear.friction                              ? "friction"
+  const char* option = w.warp.loop                                   ? "curved"
+                       : w.shear.friction                            ? "friction"
                        : w.viscous                                   ? "viscous"
                        : w.biaxial                                   ? "biaxial"
                        : w.shear.memory == card::ShearMemory::fading ? "fading"
@@ -160,6 +161,9 @@ inline void potential_loops(int f, int loops) {
   no_energy_from_nothing(with_viscous(thesis_card(f)), 500 + f, loops);
   no_energy_from_nothing(with_friction(thesis_card(f)), 600 + f, loops);
   no_energy_from_nothing(with_viscous(with_friction(thesis_card(f), -0.2)), 700 + f, loops);
+  no_energy_from_nothing(with_loops(thesis_card(f)), 800 + f, loops);
+  no_energy_from_nothing(with_loops(with_biaxial(with_viscous(with_friction(thesis_card(f))))), 900 + f,
+                         loops);
 }
 
 }  // namespace fabricsh::test

@@ -147,7 +147,9 @@ TEST_CASE("no tangent is stiffer than stiffest()", "[compile]") {
   Random random(3);
   for (const auto kind : {card::LawKind::potential, card::LawKind::incremental, card::LawKind::thesis})
     for (int f = 0; f < 4; ++f) {
-      LawPoint point(with_biaxial(thesis_card(f, kind)));
+      auto card = with_biaxial(thesis_card(f, kind));
+      if (kind == card::LawKind::potential && f % 2 == 1) card = with_loops(card);
+      LawPoint point(card);
       const double bound = law::stiffest(*point.law) * (1 + 1e-9);
       for (int k = 0; k < 2000; ++k) {
         const Strain E{random(-0.2, 0.8), random(-0.2, 0.8), 0, 0, random(-1.5, 1.5)};

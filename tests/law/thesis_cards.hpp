@@ -112,6 +112,13 @@ inline card::Card with_friction(card::Card c, double share = 0.5) {
   return c;
 }
 
+// Both yarns unload along curves.
+inline card::Card with_loops(card::Card c) {
+  woven(c).warp.loop = card::YarnLoop{0.35, 0.6, 0.5};
+  woven(c).weft.loop = card::YarnLoop{0.2, 1.0, 0.8};
+  return c;
+}
+
 // P(x) and U(x) of a polynomial modulus, written out anew.
 inline double stress_of(const std::vector<double>& D, double x) {
   double P = 0;

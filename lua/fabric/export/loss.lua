@@ -66,6 +66,7 @@ function loss.sentences(card, target)
     add("hysteresis: " .. target.hysteresis)
     add("shear flips: " .. target.flips)
     if card.biaxial then add "biaxial stiffening: the card's fourth spring is lost" end
+    if card.warp.loop or card.weft.loop then add "curved loops: the card's curve from the tested strain to zero stress is written; its loops, and those inside them, are the target's" end
     if card.law ~= "potential" then add(("law: the card's '%s' law was sampled; its path dependence beyond one axis at a time is lost"):format(card.law)) end
   end
   local bending = card.bending

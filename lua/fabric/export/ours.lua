@@ -38,14 +38,15 @@ end
 
 -- {E, S} of unloading from the virgin strain `from` to zero stress, in descending strain, down to the residual strain.
 function ours.unloading(card, part, from, n)
-  local modulus, value
+  local modulus, value, residual
+  local loop = part ~= "shear" and card.kind == "woven" and card[part].loop
   local function drive(p, E) return part == "shear" and p:strain({ E12 = E }).S12 or p:uniaxial(part, E).S end
   local p = fabric.point(card)
   drive(p, from)
   value = drive(p, from)
   local probe = 1e-4 * from
-  modulus = (value - drive(p, from - probe)) / probe
-  local residual = from - value / modulus
+  modulus = loop and card[part].unloading or (value - drive(p, from - probe)) / probe -- of a curved loop: the secant
+  residual = from - value / modulus
   local again, E, S = fabric.point(card), {}, {}
   drive(again, from)
   for i = 0, n do

@@ -116,7 +116,7 @@ local function missing_part(t, name, told)
   local twin = other[name] and t[other[name]]
   if twin then
     told[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since no test was made along it"
-    return { loading = twin.loading, tested = twin.tested, unloading = twin.unloading }
+    return { loading = twin.loading, tested = twin.tested, unloading = twin.unloading, loop = twin.loop }
   end
   if other[name] then fail(("card: field '%s': expected a result of fabric.lab.fit for one direction at least"):format(name)) end
   local sum, n = 0, 0
@@ -194,6 +194,10 @@ local function card(t)
     told[name .. ".loading"] = told[name .. ".loading"] or origin.words(fit, "loading", name)
     local poisson = name ~= "shear" and poisson_of(t, name, told) or nil
     made[name] = { loading = fit.loading, unloading = unloading_of(t, fit, name, told), poisson = poisson and ratio_of(poisson) }
+    if name ~= "shear" and fit.loop then
+      made[name].loop = fit.loop
+      told[name .. ".loop"] = told[name .. ".loading"]:find "^assumed" and told[name .. ".loading"] or origin.words(fit, "loop", name)
+    end
     tested[name] = fit.tested
     bands[name] = band_of(fit, made[name].unloading, poisson)
     bands.level = bands.level or bands[name] and fit.level

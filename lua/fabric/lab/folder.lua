@@ -6,6 +6,7 @@
 --     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
 --     viscous=true (bias tests at several speeds or with holds, whose records have seconds: the part of shear that relaxes),
+--     loops=true (a card whose yarns unload along curves, where the records show it: fabric.lab.loops),
 --     grips="free"|"clamped" (for the simulation: ends that can contract, such as loops on pins, or jaws; default free) }
 --
 -- and files whose names give their meaning; K is the specimen:
@@ -17,6 +18,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local lab, registry = fabric.lab, define.registry
+local told_of_loops = require("fabric.lab.loops").ready
 
 -- Raises an error at the line of the deck's call.
 local function stop(words) define.fail("laboratory: " .. words) end
@@ -76,7 +78,7 @@ local function along(about, path, direction)
   if #tests == 0 then return end
   local fit = lab.fit { tests = tests, find_slack = "either", common = about.shared, degree = about.degree, rule = about.rule }
   local ratio = #grids > 0 and lab.poisson { specimens = grids, common = about.shared } or about.poisson and about.poisson[direction]
-  return with_spread { tests = tests, fit = fit, ratio = ratio }
+  return with_spread { tests = tests, fit = fit, ratio = ratio, loops = told_of_loops(tests, fit) and lab.loops { tests = tests, fit = fit } or nil }
 end
 
 -- The numbers of the photographs that belong to the rows of a record; nil without a column `frame`.
@@ -162,7 +164,7 @@ local function in_shear_without_markers(about, path)
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous" }
+  "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
 
 -- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)
@@ -183,7 +185,9 @@ local function about_of(path)
   need("name", "string", "the fabric's name")
   for _, name in ipairs { "gauge_length", "width", "thickness" } do need(name, "number", "a length in m") end
   if not about.density and not about.mass_per_area then stop(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)") end
-  if about.viscous ~= nil and type(about.viscous) ~= "boolean" then need("viscous", "boolean", "true or false") end
+  for _, name in ipairs { "viscous", "loops" } do
+    if about[name] ~= nil and type(about[name]) ~= "boolean" then need(name, "boolean", "true or false") end
+  end
   about.file = file
   -- A file of words may lie beside the records.
   if type(about.vocabulary) == "string" and exists(path .. "/" .. about.vocabulary) then about.vocabulary = path .. "/" .. about.vocabulary end
@@ -220,10 +224,11 @@ function folder.reduce(path)
   end
   local viscous = out.shear and out.shear.viscous
   local function fit(name) return out[name] and out[name].fit end
+  local function yarn(name) return about.loops and out[name] and out[name].loops or fit(name) end
   out.card = lab.card {
     name = about.name, source = about.source, thickness = about.thickness,
     density = about.density or about.mass_per_area / about.thickness,
-    warp = fit "warp", weft = fit "weft", shear = viscous and viscous.viscous and viscous.shear or fit "shear",
+    warp = yarn "warp", weft = yarn "weft", shear = viscous and viscous.viscous and viscous.shear or fit "shear",
     viscous = viscous, assume = about.assume or true,
     poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = about.bending,
   }

@@ -236,6 +236,13 @@ local function html(result, figures, rows, out)
   parts[#parts + 1] = "</table>"
   local viscous = result.shear and result.shear.viscous
   if viscous then parts[#parts + 1] = "<h2>Shear that relaxes</h2><pre>" .. escaped(viscous.text) .. "</pre>" end
+  for _, name in ipairs { "warp", "weft" } do
+    local loops = result[name] and result[name].loops
+    if loops then
+      local asked = loops.curved and not result.about.loops and "\nThe card goes straight: loops=true in laboratory.lua puts the curved loop into it." or ""
+      parts[#parts + 1] = ("<h2>Loops of the %s</h2><pre>%s%s</pre>"):format(name, escaped(loops.text), asked)
+    end
+  end
   if #(result.further or {}) > 0 then
     parts[#parts + 1] = "<h2>What further tests would settle</h2><table><tr><th>at present<th>test that would determine it<th></tr>"
     for _, f in ipairs(result.further) do

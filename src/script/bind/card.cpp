@@ -96,6 +96,12 @@ law::Provenance origins_after(const Card& before, const Card& after) {
   changed("warp.unloading", a->warp.unloading == b->warp.unloading);
   changed("weft.unloading", a->weft.unloading == b->weft.unloading);
   changed("shear.unloading", a->shear.unloading == b->shear.unloading);
+  const auto loop = [&](const std::string& field, const auto& p, const auto& q) {
+    changed(field, p.has_value() == q.has_value() &&
+                       (!p || (p->friction == q->friction && p->reach == q->reach && p->curve == q->curve)));
+  };
+  loop("warp.loop", a->warp.loop, b->warp.loop);
+  loop("weft.loop", a->weft.loop, b->weft.loop);
   const auto& x = a->viscous;
   const auto& y = b->viscous;
   changed("viscous", x.has_value() == y.has_value() &&

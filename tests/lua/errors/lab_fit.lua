@@ -268,6 +268,20 @@ wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, processes=2.
 wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, progress='yes' }",
   "deck.lua:1: pool: field 'progress': expected true or false, got 'yes'")
 
+-- fabric.lab.loops
+wrong("fabric.lab.loops", "fabric.lab.loops{ tesst={} }",
+  "deck.lua:1: loops: unknown field 'tesst', did you mean 'tests'?")
+wrong("fabric.lab.loops", "fabric.lab.loops{ tests=tests_ }",
+  "deck.lua:1: loops: field 'tests': expected a table, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.loops", "fabric.lab.loops{ tests={} }",
+  "deck.lua:1: loops: field 'tests': expected at least one test, got none")
+wrong("fabric.lab.loops", "fabric.lab.loops{ tests={}, enough='1' }",
+  "deck.lua:1: loops: field 'enough': expected a number from 0 to 1, got '1'")
+wrong("fabric.lab.loops", "fabric.lab.loops{ tests={}, fit=5 }",
+  "deck.lua:1: loops: field 'fit': expected a table, got 5")
+wrong("fabric.lab.loops", "fabric.lab.loops{ tests={}, seed=1.5 }",
+  "deck.lua:1: loops: field 'seed': expected an integer of at least 0, got 1.5")
+
 -- fabric.lab.viscous
 wrong("fabric.lab.viscous", "fabric.lab.viscous{ tesst={} }",
   "deck.lua:1: viscous: unknown field 'tesst', did you mean 'tests'?")
