@@ -107,6 +107,8 @@ local function either(t, curves)
   if not with then return without, text end
   if not without then return with, with_text .. "\nthere was slack: without it no polynomial has a positive tangent" end
   local r1, r0 = residual_of(with), residual_of(without)
+  local same = with.degree == without.degree and math.abs(mean_loading(with)[1] - mean_loading(without)[1]) <= 1e-6 * mean_loading(without)[1]
+  if same then return without, text .. ("\nno slack is found (residual %.3g kPa)"):format(r0 / 1e3) end
   local best, other = without, with
   if r1 < decides * r0 then best, other, text = with, without, with_text end
   local doubt = math.min(r1, r0) >= decides * math.max(r1, r0) or likeness(best, curves) > systematic
