@@ -42,16 +42,18 @@ for letters, plain in pairs {
 } do
   for _, code in utf8.codes(letters) do plain_letters[utf8.char(code)] = plain end
 end
--- Accented letters in Latin 1, which is not valid UTF-8.
+-- Accented letters in Latin 1, and Polish ones in Windows-1250 and Latin 2, which are not valid UTF-8. (Bytes with two meanings: n with acute is n
+-- with tilde in Latin 1, c with acute is ae.)
 local latin = { ["\xe9"] = "e", ["\xc9"] = "e", ["\xe8"] = "e", ["\xe4"] = "a", ["\xc4"] = "a", ["\xfc"] = "u", ["\xdc"] = "u", ["\xf6"] = "o", ["\xd6"] = "o",
-  ["\xe0"] = "a", ["\xf2"] = "o", ["\xdf"] = "ss" }
+  ["\xe0"] = "a", ["\xf2"] = "o", ["\xdf"] = "ss", ["\xb3"] = "l", ["\xa3"] = "l", ["\xbf"] = "z", ["\xaf"] = "z", ["\xb9"] = "a", ["\xb1"] = "a",
+  ["\xea"] = "e", ["\xf3"] = "o", ["\xd3"] = "o", ["\xf1"] = "n", ["\xe6"] = "c", ["\xb6"] = "s" }
 
 -- A name in lower case without accents.
 function words.plain(name)
   if utf8.len(name) then
     name = name:gsub("[\xc2-\xf4][\x80-\xbf]+", plain_letters)
   elseif not name:find "[\x81-\x9f]" then -- bytes that Latin 1 does not use are those of Shift-JIS
-    name = name:gsub("[\xc0-\xff]", latin)
+    name = name:gsub("[\xa3-\xff]", latin)
   end
   return (name:gsub("%u", string.lower))
 end
