@@ -220,6 +220,25 @@ bool between_blocks(const Cells& cells, const Table& table) {
          });
 }
 
+// Whether `line` and all lines below it are words: what a testing machine writes under the last row. A line
+// with a number in one of its cells is a row that is cut short.
+bool only_words_follow(Source ahead, std::string_view line, const Table& table) {
+  constexpr int most = 20;
+  Cells cells;
+  double value = 0;
+  for (int i = 0; i < most; ++i) {
+    if (carries_data(line)) {
+      split_row(line, table.form.separator, table.columns.size(), cells);
+      for (const auto cell : cells)
+        if (parse_cell(cell, table.form.decimal, value)) return false;
+      if (std::none_of(line.begin(), line.end(), [](unsigned char c) { return std::isalpha(c) != 0; }))
+        return false;
+    }
+    if (!ahead.next_line(line)) return true;
+  }
+  return false;
+}
+
 // Reads the rows; returns the number of cells that are not numbers.
 std::size_t read_rows(Table& table, Source& source, const std::vector<std::string_view>& heading) {
   Cells cells;
@@ -229,6 +248,9 @@ std::size_t read_rows(Table& table, Source& source, const std::vector<std::strin
     if (!carries_data(line)) continue;
     split_row(line, table.form.separator, table.columns.size(), cells);
     if (between_blocks(cells, table) && pass_block_head(source, line, heading)) continue;
+    if (cells.size() != table.columns.size() && !table.columns.front().values.empty() &&
+        only_words_follow(source, line, table))
+      break;
     if (cells.size() != table.columns.size())
       source.fail("expected " + std::to_string(table.columns.size()) + " cells, got " +
                   std::to_string(cells.size()));

@@ -261,6 +261,40 @@ void Correlator::seed(const Spline& image, const format::Image& pixels, std::siz
   spread(image, {subset});
 }
 
+// A subset that resembles the wrong place (a pattern that repeats itself, little texture) is not where the
+// maps of its neighbours put it: it is lost. The median of their places decides [westerweel2005].
+void Correlator::part_strays() {
+  constexpr double kNear = 0.5, kSpread = 5;  // pixels; times the median distance of the neighbours' places
+  std::vector<std::size_t> strays;
+  std::vector<double> u, v, away;
+  const auto median = [](std::vector<double>& list) {
+    std::nth_element(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2), list.end());
+    return list[list.size() / 2];
+  };
+  const auto rows = static_cast<std::ptrdiff_t>(rows_), columns = static_cast<std::ptrdiff_t>(columns_);
+  for (std::size_t i = 0; i < subsets_.size(); ++i) {
+    const Subset& here = subsets_[i];
+    if (here.state != Subset::State::found) continue;
+    u.clear(), v.clear(), away.clear();
+    const auto row = static_cast<std::ptrdiff_t>(i) / columns,
+               column = static_cast<std::ptrdiff_t>(i) % columns;
+    for (std::ptrdiff_t r = std::max<std::ptrdiff_t>(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
+      for (std::ptrdiff_t c = std::max<std::ptrdiff_t>(0, column - 1); c <= std::min(columns - 1, column + 1);
+           ++c) {
+        const Subset& s = subsets_[static_cast<std::size_t>(r * columns + c)];
+        if (&s == &here || s.state != Subset::State::found) continue;
+        const double dx = here.x - s.x, dy = here.y - s.y;
+        u.push_back(s.u + s.G[0] * dx + s.G[1] * dy);
+        v.push_back(s.v + s.G[2] * dx + s.G[3] * dy);
+      }
+    if (u.size() < 4) continue;  // too few to tell which of them strays
+    const double mu = median(u), mv = median(v);
+    for (std::size_t k = 0; k < u.size(); ++k) away.push_back(std::hypot(u[k] - mu, v[k] - mv));
+    if (std::hypot(here.u - mu, here.v - mv) > kNear + kSpread * median(away)) strays.push_back(i);
+  }
+  for (const std::size_t i : strays) subsets_[i].state = Subset::State::lost;
+}
+
 // The plane of displacements through the subsets around each, and its Green-Lagrange strain.
 void Correlator::strains() {
   const int reach = options_.gauge / 2;
@@ -304,6 +338,7 @@ const std::vector<Subset>& Correlator::add(const format::Image& image) {
   // Where each was last seen is where it starts.
   for (const std::size_t i : order_) subsets_[i].state = Subset::State::lost;
   for (const std::size_t i : order_) seed(spline, image, i);
+  part_strays();
   strains();
   return subsets_;
 }

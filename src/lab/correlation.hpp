@@ -63,6 +63,7 @@ class Correlator {
   double deviation(const Pattern& p, const Subset& s, double rest) const;
   bool searched(const format::Image& pixels, Subset& s, std::size_t subset) const;
   void spread(const Spline& image, std::vector<std::size_t> found);
+  void part_strays();
   void strains();
 
   int width_, height_;

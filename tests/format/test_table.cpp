@@ -104,6 +104,16 @@ TEST_CASE("columns of text and rows without a number", "[files]") {
         2);
 }
 
+TEST_CASE("words under the last row are no rows", "[files]") {
+  const Table t = parse_table("a",
+                              "u\tP\nmm\tN\n0\t0\n1\t2\n2\t4\n3\t6\n4\t8\n5\t10\n6\t12\n7\t14\n8\t16\n\n"
+                              "Data Header: Timer: 15 Sec\nEnd of test\n");
+  CHECK(t.columns[1].values == std::vector<double>{0, 2, 4, 6, 8, 10, 12, 14, 16});
+  CHECK(trouble("u,P\n0,0\n1,1\n2,2\n3,3\n4\n").ends_with(":6: expected 2 cells, got 1"));
+  CHECK(trouble("u,P\n0,0\n1,1\n2,2\n3,3\nend\n4,4\n").ends_with(":6: expected 2 cells, got 1"));
+  CHECK(trouble("u,P\n0,0\n1,1\n2,2\n3,3\nMean,1,2\n").ends_with(":6: expected 2 cells, got 3"));
+}
+
 TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
   const auto second = [](const std::string& cell, char separator) {
     return parse_table("a", std::string("u") + separator + "P\n0.5" + separator + cell + "\n")

@@ -202,6 +202,31 @@ TEST_CASE("what leaves the picture is lost and found again, and a blank patch is
   CHECK(found + blank == correlator.subsets().size());
 }
 
+TEST_CASE("a subset that resembles the wrong place is lost, not misplaced", "[lab]") {
+  const format::Image first = photograph(speckles());
+  CorrelationOptions o = options();
+  o.step = 25;
+  Correlator correlator(first, o);
+  const std::size_t middle = correlator.rows() / 2 * correlator.columns() + correlator.columns() / 2;
+  const int x = static_cast<int>(correlator.subsets()[middle].x),
+            y = static_cast<int>(correlator.subsets()[middle].y);
+  format::Image second =
+      first;  // what the subset shows stands 9 pixels to the right, on a cloth that is still
+  for (int row = -12; row <= 12; ++row)
+    for (int column = -12; column <= 12; ++column)
+      second.at(x + 9 + column, y + row) = first.at(x + column, y + row);
+  const auto& subsets = correlator.add(second);
+  CHECK(subsets[middle].state == Subset::State::lost);
+  CHECK(std::abs(subsets[middle].u - 9) < 1e-3);  // where it was seen
+  std::size_t still = 0;
+  for (const Subset& subset : subsets) {
+    if (subset.state != Subset::State::found) continue;
+    ++still;
+    CHECK(std::hypot(subset.u, subset.v) < 0.01);
+  }
+  CHECK(still + 3 >= subsets.size());
+}
+
 TEST_CASE("photographs without a texture, or of another size, are refused", "[lab]") {
   format::Image grey{200, 200, std::vector<float>(40000, 0.5F)};
   CorrelationOptions o = options();

@@ -110,6 +110,21 @@ for i, d in ipairs(stiff) do stiff[i] = 2 * d end
 part.card = part.card:with { warp = { loading = stiff, unloading = 2 * part.card.warp.unloading } }
 figures = report.write(part, place .. "/out")
 assert(report.contradictions(figures)[1]:find "^The data contradict the card in warp: over %d+ %% of the strain")
+-- a bias pull alone: the yarns go by its shear
+part = without "^warp"
+assert(not part.warp and not part.weft and #part.further == 7)
+says(part, "warp.loading", "assumed: straight, 11 times the initial modulus in shear")
+says(part, "shear.loading", "fitted to 1 specimen")
+assert(report.write(part, place .. "/out").shear)
+-- a yarn that softens to a tenth of its first modulus: the assumed ratio is less, and where no strip can be run the report says so
+local soft = { "Extension (mm),Load (N)" }
+for k = 0, 249 do soft[#soft + 1] = ("%.4f,%.5f"):format(0.04 * k, 100 * (1 - math.exp(-k / 60))) end
+write("warp-1.csv", table.concat(soft, "\n") .. "\n")
+part = folder.reduce(place)
+says(part, "warp.poisson", "assumed: 0.1 (0.12 to 2.04 on the shipped cloths), since no markers were tracked; not 0.4, since the yarn softens")
+figures = report.write(part, place .. "/out")
+assert(figures.warp.residual < 0.02 and figures.warp.trouble:find "the law at a point takes its place" and report.contradictions(figures)[1] == "warp: " .. figures.warp.trouble)
+assert(part.card.provenance["warp.loading"]:find "1 specimen" and not (part.card.bands and part.card.bands.warp))
 local ok, message = pcall(folder.reduce)
 assert(not ok and message:find("^" .. arg[0]:gsub("%p", "%%%0") .. ":%d+: laboratory: expected the name of a folder, got nil$"), message)
 assert(os.execute("rm -r '" .. place .. "'"))

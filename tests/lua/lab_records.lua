@@ -32,6 +32,9 @@ for _, heading in ipairs {
   "CZAS (s);WYD\u{141}U\u{17b}ENIE (mm);OBCI\u{104}\u{17b}ENIE (N)", "Temps (s);Allongement (mm);Charge (N)",
   "\u{6642}\u{9593};\u{5909}\u{4f4d};\u{8a66}\u{9a13}\u{529b}\nsec;mm;N", "\u{6642}\u{9593}(\u{79d2});\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}(mm);\u{8377}\u{91cd}(N)",
   "\x8e\x9e\x8a\xd4;\x83X\x83g\x83\x8d\x81[\x83N;\x8e\x8e\x8c\xb1\x97\xcd\nsec;mm;N", "Time (sec);Stroke (mm);Force (N)",
+  "Zeit in s;Verformung in mm;Kraft in N", "Zeit;Dehnung;Standardkraft\ns;mm;N", "Temps (s);D\u{e9}formation (mm);Effort (N)",
+  "Czas [s];Wyd\xb3u\xbfenie [mm];Si\xb3a [N]", "\u{6642}\u{9593}(s);\u{ff7d}\u{ff84}\u{ff9b}\u{ff70}\u{ff78}(mm);\u{8377}\u{91cd}(N)",
+  "Tempo (s);Deformazione (mm);Forza (N)",
 } do
   local r = read(heading .. "\n0;0;0\n1;2,5;3,5\n2;5;7\n")
   assert(r.time[2] == 1 and math.abs(r.displacement[2] - 2.5e-3) < 1e-18 and r.force[2] == 3.5, heading)
@@ -48,12 +51,26 @@ fails("column 'Load' is a force per width: expected field 'width' of the specime
 r = read "Extension (%),Extension (mm),Load (N)\n0,0,0\n2,4,100\n4,8,210\n"
 assert(r.displacement[3] == 8e-3 and math.abs(r.strain[3] - 0.04) < 1e-17)
 
+-- what an elongation or a strain is, its unit says
+r = read("Dehnung in %;Kraft in N\n0;0\n2;100\n4;210\n", { gauge_length = 0.1 })
+assert(r.displacement[3] == 4e-3 and r.strain[3] == 0.04)
+-- units where the headings say none, and none in their place where they do
+r = read("Extension (cm),Load\n0,0\n2,100\n4,210\n", { default_units = { displacement = "mm", force = "cN" } })
+assert(r.displacement[3] == 0.04 and r.force[3] == 2.1)
+r = read("0;0\n1;2\n2;4\n", { columns = { displacement = 1, force = 2 }, default_units = { displacement = "mm", force = "N" } })
+assert(r.displacement[3] == 2e-3 and r.force[3] == 4)
+fails("expected displacement, force, time or strain, got 'load'", read, "a (mm),b\n0,0\n", { default_units = { load = "N" } })
+
 -- a frame that writes in blocks, the heading above each anew, words in between
 r = read("MTS793|ENU|1|0\n\nData Acquisition: Timed\nTime\tExtension\tLoad\nsec\tmm\tN\n0\t0\t0\n1\t1\t2\n2\t2\t4\n3\t3\t6\n\nData Acquisition: Timed, block 2\nTime\tExtension\tLoad\n"
   .. "sec\tmm\tN\n4\t4\t8\nTime\tExtension\tLoad\nsec\tmm\tN\n5\t5\t10\n")
 assert(r.rows == 6 and r.time[5] == 4 and r.displacement[4] == 3e-3 and r.force[6] == 10)
 fails(":6: column 'Load': expected a finite number, got 'broken'", read, "Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\n4,broken\n")
 fails(":6: expected 2 cells, got 1", read, "Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\nend of test\n4,4\n")
+-- words under the last row are none; a row that is cut short is told
+assert(read("Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\n\nData Header: Timer: 15 Sec\nend of test\n").rows == 4)
+fails(":6: expected 2 cells, got 1", read, "Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\n4\n")
+fails(":6: expected 2 cells, got 1", read, "Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\nend of test\n4\n")
 
 -- words of one's own, from a table or a file, go before those of the house
 local mine = { displacement = { "hub" }, force = { "zug" }, units = { force = { dyn = 1e-5 }, displacement = { furlong = 201.168 } } }

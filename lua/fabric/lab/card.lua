@@ -10,6 +10,8 @@ local rule = {
     said = { warp = "2.5 to 10", weft = "2.5 to 10", shear = "1.5 to 3.9" } },
   poisson = { value = 0.4, said = "0.12 to 2.04" },
   shear = { value = 0.09, said = "0.05 to 0.27" }, -- times the mean initial modulus of the yarns
+  yarns = { value = 11, said = "4 to 20" },        -- times the initial modulus in shear, the same rule the other way round
+  stable = 0.9,                                    -- of the largest ratio with which the law stays stable
 }
 
 local parts = { "warp", "weft", "shear" }
@@ -60,22 +62,22 @@ local function band_of(fit, unloading, poisson)
   return out
 end
 
--- Largest tangent of a loading curve up to `tested`, and the tangent at zero, Pa.
+-- Largest tangent of a loading curve up to `tested`, the tangent at zero, and the smallest, Pa.
 local function tangents(loading, tested)
-  local steepest, first = 0, nil
+  local steepest, least, first = 0, math.huge, nil
   if type(loading[1]) == "table" then
     for i = 2, #loading do
       local slope = (loading[i][2] - loading[i - 1][2]) / (loading[i][1] - loading[i - 1][1])
-      steepest, first = math.max(steepest, slope), first or slope
+      steepest, least, first = math.max(steepest, slope), math.min(least, slope), first or slope
     end
-    return steepest, first
+    return steepest, first, least
   end
   for i = 0, 50 do
     local D = 0
     for k, d in ipairs(loading) do D = D + d * ((tested or 0) * i / 50) ^ (k - 1) end
-    steepest = math.max(steepest, D)
+    steepest, least = math.max(steepest, D), math.min(least, D)
   end
-  return steepest, loading[1]
+  return steepest, loading[1], least
 end
 
 -- The deck's value for a missing parameter (assume = { ["warp.unloading"]=... }); nil if the rule shall be used. An error if
@@ -118,7 +120,15 @@ local function missing_part(t, name, told)
     told[name .. ".loading"] = "assumed: as the " .. other[name] .. "'s, since no test was made along it"
     return { loading = twin.loading, tested = twin.tested, unloading = twin.unloading, loop = twin.loop }
   end
-  if other[name] then fail(("card: field '%s': expected a result of fabric.lab.fit for one direction at least"):format(name)) end
+  if other[name] then
+    if not t.shear or type(t.shear.loading) ~= "table" then
+      fail(("card: field '%s': expected a result of fabric.lab.fit for one direction, or of shear, at least"):format(name))
+    end
+    local _, first = tangents(t.shear.loading, t.shear.tested)
+    told[name .. ".loading"] = ("assumed: straight, %g times the initial modulus in shear (%s on the shipped cloths), since no pull was made along a yarn"):format(
+      rule.yarns.value, rule.yarns.said)
+    return { loading = { rule.yarns.value * first } }
+  end
   local sum, n = 0, 0
   for _, yarn in ipairs { t.warp or false, t.weft or false } do
     if yarn then
@@ -157,9 +167,23 @@ local function poisson_of(t, name, told)
     return ratio
   end
   local given = assumed(t, field, "expected a ratio in poisson={ warp=, weft= }")
-  told[field] = given and "assumed: given by the deck"
-    or ("assumed: %g (%s on the shipped cloths), since no markers were tracked"):format(rule.poisson.value, rule.poisson.said)
-  return given or rule.poisson.value
+  if given then
+    told[field] = "assumed: given by the deck"
+    return given
+  end
+  -- The coupling goes by the initial modulus: a yarn that softens below it permits no more than so much (0.1 is taken at least).
+  local most = 1
+  for _, part in ipairs { "warp", "weft" } do
+    local fit = t[part]
+    if fit and type(fit.loading) == "table" then
+      local _, first, least = tangents(fit.loading, fit.tested)
+      most = math.min(most, least / first)
+    end
+  end
+  local value = math.min(rule.poisson.value, math.max(0.1, rule.stable * most))
+  told[field] = ("assumed: %.3g (%s on the shipped cloths), since no markers were tracked"):format(value, rule.poisson.said)
+  if value < rule.poisson.value then told[field] = told[field] .. ("; not %g, since the yarn softens, and the law would be unstable"):format(rule.poisson.value) end
+  return value
 end
 
 -- Shear that relaxes, where a test told of it; and the line of the card's source where the tests that were made tell of none.

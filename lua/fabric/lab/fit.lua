@@ -101,12 +101,17 @@ end
 -- noise, so that the polynomial does not describe the curve anyway, the data do not determine the toe: the coefficients (means) of the other
 -- fit are then returned besides.
 local decides, systematic = 0.9, 0.5
+local alike = 0.02 -- of D(0): two answers that are the same
 local function either(t, curves)
   local with, with_text = polynomial(t, curves, true)
   local without, text = polynomial(t, curves, false)
   if not with then return without, text end
   if not without then return with, with_text .. "\nthere was slack: without it no polynomial has a positive tangent" end
   local r1, r0 = residual_of(with), residual_of(without)
+  local same = with.degree == without.degree and math.abs(mean_loading(with)[1] - mean_loading(without)[1]) <= alike * mean_loading(without)[1]
+  if same and (r1 >= decides * r0 or #curves == 1) then
+    return r1 < decides * r0 and with or without, text .. ("\nwith slack or without, D(0) is the same within %g %% (residual %.3g kPa)"):format(100 * alike, r0 / 1e3)
+  end
   local best, other = without, with
   if r1 < decides * r0 then best, other, text = with, without, with_text end
   local doubt = math.min(r1, r0) >= decides * math.max(r1, r0) or likeness(best, curves) > systematic
@@ -254,7 +259,8 @@ local function counted(n) return n == 1 and "1 specimen" or n .. " specimens" en
 local function remember(out, known, t)
   local how = out.degree and ("polynomial of degree %d"):format(out.degree) or "monotone curve"
   origin.remember(out, {
-    loading = ("fitted to %s, %s%s"):format(counted(out.tests), how, out.loose and "; " .. out.loose or ""),
+    loading = ("fitted to %s, %s%s"):format(counted(out.tests), how,
+      out.loose and "; " .. out.loose or "") .. (out.tests == 1 and out.band and out.band.low and "; the band is that of the toe, one specimen tells nothing of others" or ""),
     unloading = ("fitted to %s%s, rule '%s'"):format(known < out.tests and known .. " of " or "", counted(out.tests), t.rule),
   })
 end

@@ -219,8 +219,8 @@ function folder.reduce(path)
   local about = about_of(path)
   local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"),
                 shear = in_shear(about, path) or in_shear_without_markers(about, path) }
-  if not out.warp and not out.weft then
-    stop(path .. ": expected files of pulls named warp-1.csv or weft-1.csv, there is none")
+  if not out.warp and not out.weft and not out.shear then
+    stop(path .. ": expected files of pulls named warp-1.csv, weft-1.csv or bias-1.csv, there is none")
   end
   local viscous = out.shear and out.shear.viscous
   local function fit(name) return out[name] and out[name].fit end

@@ -14,6 +14,7 @@ local define = require "fabric.define"
 local check = require "fabric.lab.identify_check"
 local identify = require "fabric.lab.identify"
 local linear = require "fabric.lab.linear"
+local shape = require "fabric.lab.shape"
 local fail = define.fail
 
 local rounds, settled = 6, 0.02 -- rounds of fitting and estimating the differences of specimens; relative change of `between` that ends them
@@ -180,11 +181,12 @@ local function derivatives(t, tests, found)
   return out
 end
 
--- Normal equations for some specimens: the matrix (with the bounds as prior information) and the right side.
+-- Normal equations for some specimens: the matrix (with the bounds as prior information), the right side, and for each specimen the slopes and
+-- the direction of its factor, both over the noise and multiplied by the inverse covariance.
 local function normal_equations(t, state, between, leave)
   local slopes, rest = state.slopes, state.rest
   local n, own = #t.parameters, directions(t, state.predicted)
-  local A, b = linear.zeros(n), {}
+  local A, b, weighted = linear.zeros(n), {}, {}
   for j, p in ipairs(t.parameters) do A[j][j], b[j] = 1 / (p.high - p.low) ^ 2, 0 end
   for i, test in ipairs(t.tests) do
     if i ~= leave then
@@ -197,43 +199,110 @@ local function normal_equations(t, state, between, leave)
       local r = {}
       for k = 1, #test.measured do r[k] = rest[i][k] / noise_of(test, k) end
       r = whitened(r, own[i], between ^ 2)
+      weighted[i] = { factor = own[i] }
       for j = 1, n do
         b[j] = b[j] + dot(columns[j], r)
         for l = 1, n do A[j][l] = A[j][l] + dot(columns[j], columns[l]) end
+        weighted[i][j] = whitened(columns[j], own[i], between ^ 2)
       end
     end
   end
-  return A, b
+  return A, b, weighted
 end
 
--- Deviations of a test's predictions: for the mean, and for the next specimen.
-local function deviations(test, slopes, predicted, covariance, between, widening, mesh)
+-- The two parts of the variance of x . parameters; single points' noise is the least of the second.
+local function parts_of(covariance, x)
+  return { factors = linear.quadratic(covariance.factors, x), others = math.max(linear.quadratic(covariance.others, x), linear.quadratic(covariance.noise, x)) }
+end
+
+-- What specimens differ by beyond their factors, from all but one of them.
+local function shape_of(t, state, leave)
+  local own, residuals, along = directions(t, state.predicted), {}, {}
+  for i, test in ipairs(t.tests) do
+    if i ~= leave then
+      local r = {}
+      for k = 1, #test.measured do r[k] = state.rest[i][k] / noise_of(test, k) end
+      residuals[#residuals + 1], along[#along + 1] = r, own[i]
+    end
+  end
+  local out = shape.of(residuals, along, #t.parameters)
+  out.variance = math.max(1, out.variance) -- the stated noise at least
+  return out
+end
+
+-- A^-1 M A^-1
+local function enclosed(inverse, M)
+  local n, half, out = #M, linear.zeros(#M), linear.zeros(#M)
+  for i = 1, n do
+    for j = 1, n do
+      for k = 1, n do half[i][j] = half[i][j] + inverse[i][k] * M[k][j] end
+    end
+  end
+  for i = 1, n do
+    for j = 1, n do
+      for k = 1, n do out[i][j] = out[i][j] + half[i][k] * inverse[k][j] end
+    end
+  end
+  return out
+end
+
+-- Covariance of the parameters in two parts: by the specimens' factors, and by what they differ by besides (which hangs together along a curve).
+local function covariances(t, A, weighted, between, rest)
+  local n, factors, others, noise = #t.parameters, linear.zeros(#t.parameters), linear.zeros(#t.parameters), linear.zeros(#t.parameters)
+  for _, columns in pairs(weighted) do
+    for j = 1, n do
+      local along = dot(columns[j], columns.factor)
+      for l = 1, n do
+        factors[j][l] = factors[j][l] + between ^ 2 * along * dot(columns[l], columns.factor)
+        others[j][l] = others[j][l] + rest.variance * shape.between(rest.correlation, columns[j], columns[l])
+        noise[j][l] = noise[j][l] + dot(columns[j], columns[l])
+      end
+    end
+  end
+  for j, p in ipairs(t.parameters) do others[j][j] = others[j][j] + 1 / (p.high - p.low) ^ 2 end
+  local inverse = linear.inverse(A)
+  return { factors = enclosed(inverse, factors), others = enclosed(inverse, others), noise = enclosed(inverse, noise), stated = inverse }
+end
+
+-- Half the width of a band: the deviation times Student's quantile for the degrees of freedom that its parts have together.
+local function half_width(t, parts, freedom, rest, known)
+  local variance = parts.factors + parts.others + (known or 0)
+  if variance <= 0 then return 0 end
+  local together = variance ^ 2 / (parts.factors ^ 2 / math.max(1, freedom) + parts.others ^ 2 / rest.freedom)
+  return math.sqrt(variance) * fabric.lab.student(0.5 + t.level / 2, math.min(1e6, together))
+end
+
+-- Half widths of the bands of a test's predictions: of the mean, and of the next specimen.
+local function half_widths(t, test, slopes, predicted, covariance, between, freedom, rest, mesh)
   local mean, next_one = {}, {}
   for k, f in ipairs(predicted) do
-    local variance = widening * linear.quadratic(covariance, slopes[k]) + (test.finer and (mesh * f) ^ 2 or 0)
-    mean[k] = math.sqrt(variance)
-    next_one[k] = math.sqrt(variance + (between * f) ^ 2 + widening * noise_of(test, k) ^ 2)
+    local parts = parts_of(covariance, slopes[k])
+    local known = test.finer and (mesh * f) ^ 2 or 0
+    mean[k] = half_width(t, parts, freedom, rest, known)
+    parts.factors, parts.others = parts.factors + (between * f) ^ 2, parts.others + rest.variance * noise_of(test, k) ^ 2
+    next_one[k] = half_width(t, parts, freedom, rest, known)
   end
   return mean, next_one
 end
 
-local function edges(values, half, quantile)
+local function edges(values, half)
   local low, high = {}, {}
-  for k, y in ipairs(values) do low[k], high[k] = y - quantile * half[k], y + quantile * half[k] end
+  for k, y in ipairs(values) do low[k], high[k] = y - half[k], y + half[k] end
   return low, high
 end
 
 -- Predicts a left-out specimen from the others: one Gauss-Newton step from the fit of all, then the simulation itself.
 local function left_out(t, tests, state, i)
   local between = scatter_of(without(state.factors, i), without(state.variances, i), t.spent)
-  local A, b = normal_equations(t, state, between, i)
+  local A, b, weighted = normal_equations(t, state, between, i)
+  local rest = shape_of(t, state, i)
   local step, p = linear.solve(A, b), {}
   for j, parameter in ipairs(t.parameters) do
     p[parameter.name] = math.max(parameter.low, math.min(parameter.high, state.found.parameters[parameter.name] + step[j]))
   end
   local test, predicted = t.tests[i], tests[i].predict(p)
-  local _, half = deviations(test, state.slopes[i], predicted, linear.inverse(A), between, state.widening, state.mesh)
-  local low, high = edges(predicted, half, fabric.lab.student(0.5 + t.level / 2, math.max(1, #tests - 1 - t.spent)))
+  local _, half = half_widths(t, test, state.slopes[i], predicted, covariances(t, A, weighted, between, rest), between, #tests - 1 - t.spent, rest, state.mesh)
+  local low, high = edges(predicted, half)
   local inside, squares = 0, 0
   for k, y in ipairs(test.measured) do
     if low[k] <= y and y <= high[k] then inside = inside + 1 end
@@ -312,7 +381,7 @@ local function iterate(t)
     parameters = {}
     for i, p in ipairs(t.parameters) do parameters[i] = { name = p.name, start = found.parameters[p.name], low = p.low, high = p.high } end
   end
-  state.found, state.predicted, state.rest, state.widening = found, predicted, {}, math.max(1, found.chi2)
+  state.found, state.predicted, state.rest = found, predicted, {}
   for i, test in ipairs(t.tests) do
     state.rest[i] = {}
     for k, y in ipairs(test.measured) do state.rest[i][k] = y - predicted[i][k] end
@@ -333,25 +402,29 @@ local function pool(t)
   t.predicted = function(i, p) return with_rate(t, i, p) end
   local state, tests = iterate(t)
   state.slopes = derivatives(t, tests, state.found)
-  local A = normal_equations(t, state, state.between)
-  local covariance = linear.inverse(A)
-  local freedom = #t.tests - t.spent
-  local quantile = fabric.lab.student(0.5 + t.level / 2, state.between > 0 and freedom or 1e6)
+  local A, _, weighted = normal_equations(t, state, state.between)
+  local rest, freedom = shape_of(t, state), #t.tests - t.spent
+  local covariance = covariances(t, A, weighted, state.between, rest)
   local out = { parameters = state.found.parameters, on_bound = state.found.on_bound, chi2 = state.found.chi2, between = state.between, mesh = state.mesh,
     deviation = {}, low = {}, high = {}, covariance = {}, tests = {}, level = t.level, simulations = state.found.simulations }
   for j, p in ipairs(t.parameters) do
-    local width = p.high - p.low
-    local scale = state.mesh > 0 and state.found.deviation[j] or 0 -- the part of the mesh correlates all specimens
-    out.deviation[j] = math.min(width, math.max(math.sqrt(state.widening * covariance[j][j]), scale == scale and scale or 0))
-    out.low[p.name] = math.max(p.low, out.parameters[p.name] - quantile * out.deviation[j])
-    out.high[p.name] = math.min(p.high, out.parameters[p.name] + quantile * out.deviation[j])
-    for l = 1, #t.parameters do out.covariance[(j - 1) * #t.parameters + l] = state.widening * covariance[j][l] end
+    local unit = {}
+    for l = 1, #t.parameters do unit[l] = l == j and 1 or 0 end
+    local parts = parts_of(covariance, unit)
+    -- The mesh's error is common to all specimens: the fit's own deviation has it.
+    local with_mesh = state.mesh > 0 and state.found.deviation[j] or 0
+    local known = math.max(0, (with_mesh == with_mesh and with_mesh or 0) ^ 2 / math.max(1, state.found.chi2) - covariance.stated[j][j])
+    out.deviation[j] = math.min(p.high - p.low, math.sqrt(parts.factors + parts.others + known))
+    local half = half_width(t, parts, freedom, rest, known)
+    out.low[p.name] = math.max(p.low, out.parameters[p.name] - half)
+    out.high[p.name] = math.min(p.high, out.parameters[p.name] + half)
+    for l = 1, #t.parameters do out.covariance[(j - 1) * #t.parameters + l] = covariance.factors[j][l] + covariance.others[j][l] end
   end
   for i, test in ipairs(t.tests) do
-    local mean, next_one = deviations(test, state.slopes[i], state.predicted[i], covariance, state.between, state.widening, state.mesh)
+    local mean, next_one = half_widths(t, test, state.slopes[i], state.predicted[i], covariance, state.between, freedom, rest, state.mesh)
     local own = { predicted = state.predicted[i], factor = 1 + state.factors[i] }
-    own.low, own.high = edges(own.predicted, mean, quantile)
-    own.next_low, own.next_high = edges(own.predicted, next_one, quantile)
+    own.low, own.high = edges(own.predicted, mean)
+    own.next_low, own.next_high = edges(own.predicted, next_one)
     own.rms = math.sqrt(dot(state.rest[i], state.rest[i]) / #own.predicted) / test.peak
     out.tests[test.name] = own
   end

@@ -41,14 +41,14 @@ local function split_unit(vocabulary, column)
   if column.unit ~= "" then return end
   local name, unit = column.name:match "^(.-)[%s_]+(%S+)$"
   local quantity = name and quantity_of(vocabulary, name)
-  if quantity and unit_of(vocabulary, quantity, unit) then column.unit, column.bare = unit, name end
+  if quantity and (unit_of(vocabulary, quantity, unit) or quantity == "strain" and unit_of(vocabulary, "displacement", unit)) then column.unit, column.bare = unit, name end
 end
 
--- The quantity in a column, from its name and unit.
+-- The quantity in a column, from its name and unit: an elongation in per cent is a strain, a strain in mm a displacement.
 local function held(vocabulary, column)
   local quantity = quantity_of(vocabulary, column.bare or column.name)
-  if quantity ~= "displacement" then return quantity end
-  local _, meant = unit_of(vocabulary, quantity, column.unit)
+  if quantity ~= "displacement" and quantity ~= "strain" then return quantity end
+  local _, meant = unit_of(vocabulary, "displacement", column.unit)
   return meant or quantity
 end
 
@@ -114,6 +114,7 @@ end
 -- SI size of the column's unit and the quantity it measures; nil if not known.
 local function known_factor(vocabulary, t, quantity, column)
   local unit = (t.units or {})[quantity] or column.unit
+  if unit == "" then unit = (t.default_units or {})[quantity] or "" end
   if unit == "" and quantity == "strain" then return 1, "strain" end
   return unit_of(vocabulary, quantity, unit)
 end
@@ -150,14 +151,14 @@ local function vocabulary_of(t)
 end
 
 local function check_names(t)
-  for _, field in ipairs { "columns", "units" } do
+  for _, field in ipairs { "columns", "units", "default_units" } do
     for quantity, value in pairs(t[field] or {}) do
       local known = quantity == "displacement" or quantity == "force" or quantity == "time" or quantity == "strain"
       local kind = type(value)
       if not known then
         fail(("read: field '%s': expected displacement, force, time or strain, got '%s'"):format(field, tostring(quantity)))
-      elseif kind ~= "string" and (field == "units" or math.type(value) ~= "integer") then
-        fail(("read: field '%s.%s': expected %s, got %s"):format(field, quantity, field == "units" and "a unit" or "a heading or a place", tostring(value)))
+      elseif kind ~= "string" and (field ~= "columns" or math.type(value) ~= "integer") then
+        fail(("read: field '%s.%s': expected %s, got %s"):format(field, quantity, field ~= "columns" and "a unit" or "a heading or a place", tostring(value)))
       end
     end
   end
@@ -223,6 +224,7 @@ define {
     { name = "columns", kind = "table", optional = true,
       sentence = "{displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading" },
     { name = "units", kind = "table", optional = true, sentence = "{displacement='mm', force='N'}; default: those of the headings" },
+    { name = "default_units", kind = "table", optional = true, sentence = "the same, for columns whose heading says none" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, optional = true, sentence = "for a record of strains: the displacement follows" },
     { name = "width", kind = "number", unit = "m", above = 0, optional = true, sentence = "for a record of forces per width: the force follows" },
     { name = "vocabulary", kind = "table|text", optional = true,

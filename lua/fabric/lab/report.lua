@@ -70,6 +70,15 @@ local function simulate(result, part, direction)
   return E, S
 end
 
+-- The same at a point of the law, for a card with which no strip can be run.
+local function at_point(result, part, direction)
+  local strains = {}
+  for i = 1, 100 do strains[i] = part.fit.tested * i / 100 end
+  local point = fabric.point(result.card)
+  if direction == "shear" then return strains, point:path({ E12 = strains }, { "S12" }).S12 end
+  return strains, point:uniaxial(direction, strains, { "S" }).S
+end
+
 -- Points of a test up to failure relative to first contact, reduced to a few hundred; all, or only those of virgin loading.
 local function measured(part, i, all)
   local test, slack = part.tests[i], slack_of(part, i)
@@ -145,13 +154,15 @@ end
 
 local function overlay(result, name, out)
   local part = result[name]
-  local E, S = simulate(result, part, name)
+  local run, E, S = pcall(simulate, result, part, name)
+  local trouble = not run and ("The strip cannot be run with this card, the law at a point takes its place: " .. tostring(E)) or nil
+  if trouble then E, S = at_point(result, part, name) end
   local curves = {}
   for i = 1, #part.tests do
     local e, s = thinned(measured(part, i, true))
     curves[i] = { x = e, y = scaled(s, 1 / u.MPa), label = "specimen " .. i, style = "points", colour = "grey" }
   end
-  curves[#curves + 1] = { x = E, y = scaled(S, 1 / u.MPa), label = "card, simulated" }
+  curves[#curves + 1] = { x = E, y = scaled(S, 1 / u.MPa), label = trouble and "card, at a point" or "card, simulated" }
   if part.spread then
     local spread = part.spread
     curves[#curves + 1] = { x = spread.E, band = { low = scaled(spread.next_low, 1 / u.MPa), high = scaled(spread.next_high, 1 / u.MPa) },
@@ -170,7 +181,7 @@ local function overlay(result, name, out)
   local rest, differences = residual(part, E, S)
   plot { file = out .. "/" .. name .. "-residual.svg", curves = differences, key = "below", xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
     ylabel = "measured less simulated, % of the peak", size = { 120 * u.mm, 90 * u.mm } }
-  return { files = files, residual = rest, outside = outside_of(part.spread, E, S) }
+  return { files = files, residual = rest, outside = outside_of(part.spread, E, S), trouble = trouble }
 end
 
 -- Replaces the fit where there was no test.
@@ -267,11 +278,12 @@ end
 -- A tenth of a curve may lie outside a band for 95 % of the specimens.
 local tolerated = 0.1
 
--- Texts for the parts whose card contradicts the specimens.
+-- Texts for the parts whose card contradicts the specimens, or cannot be run.
 function report.contradictions(figures)
   local out = {}
   for _, name in ipairs(names) do
     local outside = figures[name] and figures[name].outside
+    if figures[name] and figures[name].trouble then out[#out + 1] = name .. ": " .. figures[name].trouble end
     if outside and outside > tolerated then
       out[#out + 1] = ("The data contradict the card in %s: over %.0f %% of the strain its curve lies outside of the band in which the next specimen would lie.")
         :format(name, 100 * outside)

@@ -23,7 +23,8 @@ local function record_of(t)
     return t.record
   end
   if not t.file then fail "tensile: field 'file': expected a file (or record: a table of displacement and force), got nil" end
-  return fabric.lab.read { file = t.file, columns = t.columns, units = t.units, vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width }
+  return fabric.lab.read { file = t.file, columns = t.columns, units = t.units, default_units = t.default_units,
+    vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width }
 end
 
 -- A rupture is permanent: the last rows of the loading are below the share of the peak that defines failure. If the force recovers,
@@ -131,6 +132,7 @@ define {
     { name = "record", kind = "table", optional = true, sentence = "{displacement=, force=} in SI, instead of a file" },
     { name = "columns", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
+    { name = "default_units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "vocabulary", kind = "table|text", optional = true, sentence = "as in fabric.lab.read" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },

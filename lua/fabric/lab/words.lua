@@ -18,12 +18,13 @@ words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "i
   ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um" }
 
 -- Parts of names, in lower case without accents: English, German, French, Italian, Polish, Japanese (UTF-8 and Shift-JIS, whose second bytes
--- may be letters, here in lower case).
+-- may be letters, here in lower case; frames also write Katakana of half width). The unit decides between a displacement and a strain.
 words.names = {
   displacement = { "displacement", "extension", "elongation", "crosshead", "stroke", "position", "travel", "weg", "verlangerung", "verlaengerung",
-    "deplacement", "allongement", "spostamento", "allungamento", "estensione", "corsa", "przemieszczenie", "wydluzenie", "droga",
+    "verformung", "auszug", "deplacement", "allongement", "deformation", "course", "elongazione", "spostamento", "allungamento", "estensione", "corsa", "przemieszczenie", "wydluzenie", "droga", "skok",
+    "\u{ff7d}\u{ff84}\u{ff9b}\u{ff70}\u{ff78}", "\u{4f38}\u{5ea6}",
     "\u{5909}\u{4f4d}", "\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}", "\u{4f38}\u{3073}", "\x95\xcf\x88\xca", "\x83x\x83g\x83\x8d\x81[\x83n" },
-  force = { "force", "load", "kraft", "charge", "forza", "carico", "sila", "obciazenie", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
+  force = { "force", "load", "kraft", "effort", "charge", "forza", "carico", "sila", "obciazenie", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
     "\x8e\x8e\x8c\xb1\x97\xcd" },
   time = { "time", "zeit", "temps", "tempo", "czas", "\u{6642}\u{9593}", "\x8e\x9e\x8a\xd4" },
   strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
@@ -41,16 +42,18 @@ for letters, plain in pairs {
 } do
   for _, code in utf8.codes(letters) do plain_letters[utf8.char(code)] = plain end
 end
--- Accented letters in Latin 1, which is not valid UTF-8.
+-- Accented letters in Latin 1, and Polish ones in Windows-1250 and Latin 2, which are not valid UTF-8. (Bytes with two meanings: n with acute is n
+-- with tilde in Latin 1, c with acute is ae.)
 local latin = { ["\xe9"] = "e", ["\xc9"] = "e", ["\xe8"] = "e", ["\xe4"] = "a", ["\xc4"] = "a", ["\xfc"] = "u", ["\xdc"] = "u", ["\xf6"] = "o", ["\xd6"] = "o",
-  ["\xe0"] = "a", ["\xf2"] = "o", ["\xdf"] = "ss" }
+  ["\xe0"] = "a", ["\xf2"] = "o", ["\xdf"] = "ss", ["\xb3"] = "l", ["\xa3"] = "l", ["\xbf"] = "z", ["\xaf"] = "z", ["\xb9"] = "a", ["\xb1"] = "a",
+  ["\xea"] = "e", ["\xf3"] = "o", ["\xd3"] = "o", ["\xf1"] = "n", ["\xe6"] = "c", ["\xb6"] = "s" }
 
 -- A name in lower case without accents.
 function words.plain(name)
   if utf8.len(name) then
     name = name:gsub("[\xc2-\xf4][\x80-\xbf]+", plain_letters)
   elseif not name:find "[\x81-\x9f]" then -- bytes that Latin 1 does not use are those of Shift-JIS
-    name = name:gsub("[\xc0-\xff]", latin)
+    name = name:gsub("[\xa3-\xff]", latin)
   end
   return (name:gsub("%u", string.lower))
 end

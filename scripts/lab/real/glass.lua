@@ -1,32 +1,65 @@
--- Plain-weave glass/PP of two specimen sizes and two laboratories, bias extension without markers [cao2008]: the shear curve from both together,
--- what each says of the other, and a card.
+-- Plain-weave glass/PP of two specimen sizes and two laboratories, bias extension without markers [cao2008]: the shear curve from all sizes together,
+-- what the others say of each, and a card.
 --
---   fabricsh scripts/lab/real/glass.lua [out]
+--   fabricsh scripts/lab/real/glass.lua [out] [file or folder ...]
 --
--- The records are not part of the program: they lie in ../shared/data beside this checkout, or the deck says SKIPPED.
+-- Each file is displacement and force of one size (mm and N, where its headings say nothing else; without headings the first two columns), and its
+-- name says which: ...150x450....csv is 150 mm wide and 450 mm long. A folder gives its files with such a name, but not those of rate.lua, which say
+-- their speed. The records are not part of the program: the default is ../shared/data beside this checkout, or the deck says SKIPPED.
 local fabric = require "fabric"
 local lab, mm = fabric.lab, fabric.units.mm
 
-local place = (arg[0]:match "^(.*)scripts/" or "") .. "../shared/data/cao-2008/"
+local default = (arg[0]:match "^(.*)scripts/" or "") .. "../shared/data/cao-2008"
 local out = arg[1] or "out/glass"
-local sizes = {
-  { name = "150 x 450 mm", file = "bias-extension-150x450.csv", width = 150 * mm, length = 450 * mm },
-  { name = "115 x 230 mm", file = "bias-extension-115x230-INSA.csv", width = 115 * mm, length = 230 * mm },
-}
-if not io.open(place .. sizes[1].file) then
+local given = #arg > 1 and table.move(arg, 2, #arg, 1, {}) or { default }
+if #arg < 2 and not io.open(default .. "/bias-extension-150x450.csv") then
   print "SKIPPED: the records are not beside this checkout, in ../shared/data"
   return
 end
 if fabric.checking() then return end
 
+local sizes = {}
+local function add(path)
+  local width, length = path:match "(%d+%.?%d*)x(%d+%.?%d*)[^/]*$"
+  if not width then error(path .. ": expected the size in the file's name, such as 150x450 (width and length in mm)", 0) end
+  width, length = tonumber(width), tonumber(length)
+  if length < 2 * width then
+    error(("%s: expected a length of at least twice the width, since the middle zone is clamped otherwise, got %g x %g mm"):format(path, width, length), 0)
+  end
+  local stem = path:match "([^/]*)%.%w+$"
+  sizes[#sizes + 1] = { name = ("%g x %g mm"):format(width, length), path = path, stem = stem, width = width * mm, length = length * mm }
+end
+for _, path in ipairs(given) do
+  local is_folder, names = pcall(fabric.folder, path)
+  if not is_folder then
+    add(path)
+  else
+    for _, name in ipairs(names) do
+      if name:match "%d+x%d+.*%.%w+$" and name:match "%.[ctd][sxa][vt]$" and not name:match "mm%-min" then add(path .. "/" .. name) end
+    end
+  end
+end
+if #sizes == 0 then error("glass: expected files with their size in the name (150x450), there are none in " .. table.concat(given, ", "), 0) end
+local times = {}
+for _, size in ipairs(sizes) do -- two files of one size are told apart by their names
+  times[size.name] = (times[size.name] or 0) + 1
+end
+for _, size in ipairs(sizes) do
+  if times[size.name] > 1 then size.name = size.name .. ", " .. size.stem end
+end
+
 local thickness = 1 * mm -- assumed: the shear force per width is what the test shows
 
 -- N over the angle, up to the limit, as a test for the fit.
 for _, size in ipairs(sizes) do
-  size.record = lab.read { file = place .. size.file, units = { displacement = "mm", force = "N" } }
+  local headings = fabric.table({ file = size.path, lenient = true }).header
+  size.record = lab.read { file = size.path, columns = not headings and { displacement = 1, force = 2 } or nil,
+    default_units = { displacement = "mm", force = "N" } }
   size.shear = lab.bias_shear { displacement = size.record.displacement, force = size.record.force, width = size.width, length = size.length,
     thickness = thickness, cut = true }
   size.test = { E = size.shear.E12, S = size.shear.S12, branches = { { kind = "loading", first = 1, last = #size.shear.E12 } } }
+  print(("%s: %d rows of %s, %d of them to %.0f degrees"):format(size.name, size.record.rows, size.path:match "[^/]*$", #size.shear.rows,
+    size.shear.angle[#size.shear.angle]))
 end
 
 local function card_of(tests)
@@ -42,45 +75,61 @@ local function misfit(card, tested, size)
   for i, row in ipairs(size.shear.rows) do
     if size.shear.angle[i] <= reach then d[#d + 1], force[#force + 1] = size.record.displacement[row], size.record.force[row] end
   end
+  if #d < 2 then return nil end
   local predicted = lab.bias_shear { displacement = d, card = card, width = size.width, length = size.length }
   local c = lab.compare({ displacement = d, force = force }, { displacement = d, force = predicted.force },
-    { file = out .. "/" .. size.file:gsub("%.csv$", ".svg"), title = "glass, " .. size.name })
+    { file = out .. "/" .. size.stem .. ".svg", title = "glass, " .. size.name })
   return c, predicted.force[#d] / force[#d] - 1
 end
 
-local rows = {}
-local both, tested = card_of { sizes[1].test, sizes[2].test }
-print "fitted on both:"
+local rows, tests = {}, {}
+for i, size in ipairs(sizes) do tests[i] = size.test end
+local all, tested = card_of(tests)
+print(#sizes > 1 and ("fitted on all %d:"):format(#sizes) or "fitted on the only one, no other size to predict:")
 for i, size in ipairs(sizes) do
-  local c, at_end = misfit(both, tested, size)
+  local c, at_end = misfit(all, tested, size)
   print(("  %s: %s; at the end %+.1f %%"):format(size.name, c.text, 100 * at_end))
-  rows[#rows + 1] = { size.name .. ": rms over the peak, fitted on both", c.rms, 0, absolute = 0.1 }
-  local other, reach = card_of { sizes[3 - i].test }
-  local held, end_held = misfit(other, reach, size)
-  print(("  left out, predicted from the other: %s; at the end %+.1f %%"):format(held.text, 100 * end_held))
-  rows[#rows + 1] = { size.name .. ": rms over the peak, left out", held.rms, 0, absolute = 0.15 }
-end
--- At equal angles the two laboratories differ by this, which no single curve can fit: slip of the edge yarns, and the laboratories.
-local sum, n = 0, 0
-for i, angle in ipairs(sizes[1].shear.angle) do
-  if angle > 10 then
-    for k = 2, #sizes[2].shear.angle do
-      local a, b = sizes[2].shear.angle[k - 1], sizes[2].shear.angle[k]
-      if a <= angle and angle < b then
-        local N = sizes[2].shear.normal_force
-        local other = N[k - 1] + (N[k] - N[k - 1]) * (angle - a) / (b - a)
-        sum, n = sum + (other / sizes[1].shear.normal_force[i] - 1), n + 1
-      end
+  rows[#rows + 1] = { size.name .. ": rms over the peak, fitted on all", c.rms, 0, absolute = 0.1 }
+  if #sizes > 1 then
+    local others = table.move(tests, 1, #tests, 1, {})
+    table.remove(others, i)
+    local other, reach = card_of(others)
+    local held, end_held = misfit(other, reach, size)
+    if held then
+      print(("  left out, predicted from the others: %s; at the end %+.1f %%"):format(held.text, 100 * end_held))
+      rows[#rows + 1] = { size.name .. ": rms over the peak, left out", held.rms, 0, absolute = 0.15 }
+    else
+      print "  left out: the others were not sheared as far as its first rows, no prediction"
     end
   end
 end
-print(("between sizes: from 10 to 30 degrees the shear force of %s is %+.1f %% of that of %s on the mean (slip of edge yarns, pull-out, laboratories)"):format(
-  sizes[2].name, 100 * sum / n, sizes[1].name))
-local specimens = {}
-for i, size in ipairs(sizes) do
-  specimens[i] = { name = size.name, displacement = size.record.displacement, force = size.record.force, width = size.width, length = size.length }
+-- At equal angles the laboratories differ by this, which no single curve can fit: slip of the edge yarns, and the laboratories.
+local first = sizes[1].shear
+for k = 2, #sizes do
+  local other, sum, n = sizes[k].shear, 0, 0
+  for i, angle in ipairs(first.angle) do
+    for j = 2, angle > 10 and #other.angle or 0 do
+      local a, b = other.angle[j - 1], other.angle[j]
+      if a <= angle and angle < b then
+        local N = other.normal_force[j - 1] + (other.normal_force[j] - other.normal_force[j - 1]) * (angle - a) / (b - a)
+        sum, n = sum + (N / first.normal_force[i] - 1), n + 1
+      end
+    end
+  end
+  if n > 0 then
+    print(("between sizes: from 10 to 30 degrees the shear force of %s is %+.1f %% of that of %s on the mean (slip of edge yarns, pull-out, laboratories)"):format(
+      sizes[k].name, 100 * sum / n, sizes[1].name))
+  else
+    print(("between sizes: %s and %s have no angle above 10 degrees in common"):format(sizes[k].name, sizes[1].name))
+  end
 end
-print(lab.bias_sizes({ specimens = specimens, thickness = thickness }).text)
-both:write(out .. "/card.lua")
-print(both)
+if #sizes > 1 then
+  local specimens = {}
+  for i, size in ipairs(sizes) do
+    specimens[i] = { name = size.name, displacement = size.record.displacement, force = size.record.force, width = size.width, length = size.length }
+  end
+  print(lab.bias_sizes({ specimens = specimens, thickness = thickness }).text)
+end
+all:write(out .. "/card.lua")
+print(all)
 fabric.expect(rows)

@@ -50,7 +50,7 @@ wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01
 wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, weft={ loading={1e6} } }",
   "deck.lua:1: card: field 'warp': there is no test of it; give assume=true to take it by rule (share/doc/laboratory.md), or assume={ ['warp.loading']=... }")
 wrong("fabric.lab.card", "fabric.lab.card{ name='x', density=500, thickness=0.01, assume=true }",
-  "deck.lua:1: card: field 'warp': expected a result of fabric.lab.fit for one direction at least")
+  "deck.lua:1: card: field 'warp': expected a result of fabric.lab.fit for one direction, or of shear, at least")
 
 -- fabric.lab.fit
 wrong("fabric.lab.fit", "fabric.lab.fit{ tesst={} }",
