@@ -48,9 +48,20 @@ class Grid {
       if (in[i] >= 0) points_[next[std::size_t(in[i])]++] = std::int32_t(i);
   }
 
+  // The points in the order of their cells.
+  const std::vector<std::int32_t>& order() const { return points_; }
+
   // Calls visit(point) for every point in the cells that intersect the box.
   template <class Visit>
   void in(const Box& box, Visit visit) const {
+    rows(box, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) visit(points_[i]);
+    });
+  }
+
+  // Calls visit(first, last) for every row of cells that intersects the box: places in order().
+  template <class Visit>
+  void rows(const Box& box, Visit visit) const {
     if (!box.meets(room_)) return;
     std::int64_t from[3], to[3];
     for (int k = 0; k < 3; ++k) {
@@ -60,7 +71,7 @@ class Grid {
     for (std::int64_t c = from[2]; c <= to[2]; ++c)
       for (std::int64_t b = from[1]; b <= to[1]; ++b) {
         const auto first = std::size_t(number(from[0], b, c)), last = std::size_t(number(to[0], b, c));
-        for (std::size_t i = start_[first]; i < start_[last + 1]; ++i) visit(points_[i]);
+        visit(start_[first], start_[last + 1]);
       }
   }
 

@@ -90,7 +90,7 @@ class Contacts final : public Term {
   };
   Nearest nearest() const;
   double gap(Index node) const;       // m, above the floor; at most the range of contact
-  double pressure(Index node) const;  // Pa, without friction
+  double pressure(Index node) const;  // Pa, without friction, of both faces added
   std::size_t touching() const { return read().totals.touching; }
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
@@ -129,6 +129,7 @@ class Contacts final : public Term {
     std::uint64_t version = 0;
     contact::Totals totals;
     std::vector<Vec3> x;
+    contact::Contact::AtPoints at_points;
   };
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
            const Freedoms& freedoms, const model::Surfaces& surfaces);
@@ -144,6 +145,7 @@ class Contacts final : public Term {
   double opening_pace(std::span<const Vec3> x, double time, double dt);
   bool work_of_opening();
   void refuse_overlaps();
+  void begin_pressed();
   void positions(std::span<const double> x, double share, std::vector<Vec3>& out) const;
   void find_motion(double dt);
   void find_turning(double factor);
