@@ -61,7 +61,7 @@ double narrowest(const Scene& scene, double least) {
 
 Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins), patches_(scene) {
   const double edge = mean_edge(scene);
-  if (!(skins_.outer > 0)) skins_.outer = edge / 3;
+  if (!(skins_.outer > 0)) skins_.outer = edge / 2;
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());

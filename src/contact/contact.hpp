@@ -39,7 +39,7 @@ struct Totals {
 };
 
 struct Skins {
-  double outer = 0, inner = 0;  // m; 0: a third and an eighth of the cloth's mean edge
+  double outer = 0, inner = 0;  // m; 0: half and an eighth of the cloth's mean edge
 };
 
 class Contact {
@@ -88,7 +88,8 @@ class Contact {
   Overlap nearest(std::span<const Vec3> x);
   double reach() const { return widest_; }  // m, above the floor: the largest range of all laws
 
-  // Whether anything may have passed on the straight way `by` (m) from `x`. `gap`: m, the smallest at its end.
+  // Whether anything may have passed on the straight way `by` (m) from `x`. `gap`: m, the smallest at its
+  // end.
   bool may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap);
 
   // For each point the smallest gap (m, at most the law's) and the pressure (Pa), those on both faces of a
@@ -113,7 +114,8 @@ class Contact {
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x);
   void index_slots();
-  double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x, std::span<const Vec3> by) const;
+  double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
+                  std::span<const Vec3> by) const;
   void gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals);
   const Law& law(const Candidate& c) const { return scene_->interactions()[std::size_t(c.interaction)].law; }
 
@@ -124,13 +126,14 @@ class Contact {
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_, at_check_;
   Patches patches_;
-  double checked_ = 0, change_ = 0;  // m: how much near gaps may have changed since refine(), at_check_ and now
-  std::vector<double> margin_;       // of each pair of the inner list: how far out of reach it was in refine()
+  double checked_ = 0,
+         change_ = 0;           // m: how much near gaps may have changed since refine(), at_check_ and now
+  std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
   std::vector<Force> slots_;
-  std::vector<char> active_;  // whether the slot of a pair is in use
+  std::vector<char> active_;                     // whether the slot of a pair is in use
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
-  std::vector<double> energy_, guard_, lost_;  // by touched point
+  std::vector<double> energy_, guard_, lost_;    // by touched point
   std::size_t searches_ = 0;
   std::uint64_t version_ = 0;
 };

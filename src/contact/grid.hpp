@@ -1,7 +1,10 @@
 // Points sorted into the cells of a uniform grid; within a cell they are in ascending order.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geometry/vec.hpp"
@@ -18,6 +21,52 @@ struct Box {
   bool meets(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
+};
+
+// Boxes in single precision, rounded outwards, for a first look at many at a time.
+class Boxes {
+ public:
+  static constexpr std::size_t pack = 8;
+  struct Bounds {
+    std::array<float, 3> low, high;
+  };
+  static Bounds outside(const Box& box) {
+    Bounds out;
+    for (int k = 0; k < 3; ++k) {
+      out.low[std::size_t(k)] = std::nextafter(float(box.low[k]), -std::numeric_limits<float>::infinity());
+      out.high[std::size_t(k)] = std::nextafter(float(box.high[k]), std::numeric_limits<float>::infinity());
+    }
+    return out;
+  }
+
+  // box_of(i): the box of thing i, for all things of a list.
+  template <class BoxOf>
+  Boxes(const std::vector<std::int32_t>& things, BoxOf box_of) {
+    const std::size_t n = things.size();
+    for (auto* side : {&low_, &high_})
+      for (auto& row : *side) row.assign(n + pack, 0);
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Bounds bounds = outside(box_of(things[i]));
+      for (std::size_t k = 0; k < 3; ++k) {
+        low_[k][i] = bounds.low[k];
+        high_[k][i] = bounds.high[k];
+      }
+    }
+  }
+  // Which of the boxes from `first` on meet a box; those after the last are not to be read.
+  std::array<int, pack> meeting(const Bounds& box, std::size_t first) const {
+    std::array<int, pack> out;
+    const float *a = &low_[0][first], *b = &low_[1][first], *c = &low_[2][first], *d = &high_[0][first],
+                *e = &high_[1][first], *f = &high_[2][first];
+    for (std::size_t i = 0; i < pack; ++i)
+      out[i] = (a[i] <= box.high[0]) & (b[i] <= box.high[1]) & (c[i] <= box.high[2]) & (d[i] >= box.low[0]) &
+               (e[i] >= box.low[1]) & (f[i] >= box.low[2]);
+    return out;
+  }
+
+ private:
+  std::array<std::vector<float>, 3> low_, high_;
 };
 
 class Grid {

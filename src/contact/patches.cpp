@@ -117,7 +117,9 @@ void Patches::compare(std::int32_t first, std::int32_t second, double reach, dou
     compare(a.left, a.right, reach, most);
     return;
   }
-  const auto size = [](const Node& n) { return n.left < 0 ? -1 : (n.place.high - n.place.low).squaredNorm(); };
+  const auto size = [](const Node& n) {
+    return n.left < 0 ? -1 : (n.place.high - n.place.low).squaredNorm();
+  };
   if (size(a) >= size(b)) {
     compare(a.left, second, reach, most);
     compare(a.right, second, reach, most);
@@ -141,7 +143,8 @@ void Patches::compare(std::int32_t first, const Walls& wall, double& most) const
   };
   if (out_of_reach(wall.is) && (!wall.whole_way || out_of_reach(wall.was))) return;
   const Vec3 moved = wall.is.place - wall.was.place;
-  const double far = std::max((middle - wall.is.place).norm(), (middle - wall.was.place).norm()) + half.norm(),
+  const double far =
+                   std::max((middle - wall.is.place).norm(), (middle - wall.was.place).norm()) + half.norm(),
                way = (node.way.high - moved).cwiseMax(moved - node.way.low).norm() + wall.turn * far;
   if (way * way <= most) return;
   if (node.left < 0) {
@@ -161,7 +164,8 @@ double Patches::largest(std::span<const Vec3> from, std::span<const Vec3> to, do
     const double reach = it.law.gap() + a.radius + b.radius + margin;
     if (b.shape == Shape::wall) {
       const Wall was = wall_of(b, from), is = wall_of(b, to);
-      compare(root_[std::size_t(it.first)], {was, is, (is.normal - was.normal).norm(), reach, whole_way}, most);
+      compare(root_[std::size_t(it.first)], {was, is, (is.normal - was.normal).norm(), reach, whole_way},
+              most);
     } else {
       compare(root_[std::size_t(it.first)], root_[std::size_t(it.second)], reach, most);
     }

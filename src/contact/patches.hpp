@@ -12,8 +12,8 @@ class Patches {
  public:
   explicit Patches(const Scene& scene);
 
-  // m: a bound of |u_i - u_j|, where u is the way of a point between two states, for all points i and j of any
-  // two shapes that meet and whose gap is below the law's gap plus `margin` (m) in the later state, `to`.
+  // m: a bound of |u_i - u_j|, where u is the way of a point between two states, for all points i and j of
+  // any two shapes that meet and whose gap is below the law's gap plus `margin` (m) in the later state, `to`.
   double against(std::span<const Vec3> from, std::span<const Vec3> to, double margin);
   // m: the same for all shapes that may have met anywhere on the way.
   double against_on_way(std::span<const Vec3> from, std::span<const Vec3> to);
@@ -48,8 +48,8 @@ class Patches {
   void compare(std::int32_t a, std::int32_t b, double reach, double& most) const;
 
   const Scene* scene_;
-  std::vector<Node> nodes_;          // parents before their children
-  std::vector<std::int32_t> root_;   // of each surface
+  std::vector<Node> nodes_;         // parents before their children
+  std::vector<std::int32_t> root_;  // of each surface
   std::vector<std::int32_t> points_;
 };
 

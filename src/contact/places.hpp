@@ -13,8 +13,8 @@ struct Place {
 };
 
 // Calls visit(place) for each place of the pair whose gap (distance of the touch less the
-// offset) is below `reach`, m. Returns the smallest gap; infinity for edges that do not cross. The edges and corners of a facet
-// are never nearer than the facet, so they are skipped when the facet is out of reach.
+// offset) is below `reach`, m. Returns the smallest gap; infinity for edges that do not cross. The edges and
+// corners of a facet are never nearer than the facet, so they are skipped when the facet is out of reach.
 template <class Visit>
 double visit_places(const Pair& pair, const Corners& x, double reach, Visit visit) {
   const auto within = [&](const Touch& touch, double plain, double modulated) {

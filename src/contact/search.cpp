@@ -94,28 +94,25 @@ class Search {
     for (const Rows& rows : found) out.insert(out.end(), rows.begin(), rows.end());
   }
 
-  // The boxes of what a grid has sorted, in its order.
-  template <class BoxOf>
-  static std::vector<Box> boxes_of(const Grid& grid, BoxOf box_of) {
-    std::vector<Box> out(grid.order().size());
-#pragma omp parallel for schedule(static) if (out.size() > 4096)
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = box_of(grid.order()[i]);
-    return out;
-  }
-  // The numbers, ascending, of what a grid has sorted and whose box meets another.
-  static void meeting(const Grid& grid, const std::vector<Box>& boxes, const Box& cells, const Box& box,
-                      std::vector<std::int32_t>& near) {
+  // The numbers, ascending, of what a grid has sorted, whose box meets another, and which are wanted.
+  template <class Wanted>
+  static void meeting(const Grid& grid, const Boxes& boxes, const Box& cells, const Box& box,
+                      std::vector<std::int32_t>& near, Wanted wanted) {
     near.clear();
+    const Boxes::Bounds bounds = Boxes::outside(box);
     grid.rows(cells, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        if (box.meets(boxes[i])) near.push_back(grid.order()[i]);
+      for (std::size_t i = first; i < last; i += Boxes::pack) {
+        const std::array<int, Boxes::pack> meets = boxes.meeting(bounds, i);
+        for (std::size_t k = 0; k < Boxes::pack && i + k < last; ++k)
+          if (meets[k] != 0 && wanted(grid.order()[i + k])) near.push_back(grid.order()[i + k]);
+      }
     });
     std::sort(near.begin(), near.end());
   }
 
   void meshes(Rows& out) const {
     const Grid points(room_, cell_, points_.size(), [&](std::size_t i) { return at(points_[i]); });
-    const std::vector<Box> places = boxes_of(points, [&](std::int32_t i) {
+    const Boxes places(points.order(), [&](std::int32_t i) {
       const Vec3& p = at(points_[std::size_t(i)]);
       return Box{p, p};
     });
@@ -124,7 +121,7 @@ class Search {
       const double reach = reach_[std::size_t(row.surface)];
       if (reach == 0) return;
       const Box box = box_of({row.nodes[0], row.nodes[1], row.nodes[2]}, reach);
-      meeting(points, places, box, box, near);
+      meeting(points, places, box, box, near, [](std::int32_t) { return true; });
       for (const std::int32_t i : near)
         facet(points_[std::size_t(i)], owner_[std::size_t(i)], std::int32_t(t), rows);
     });
@@ -136,17 +133,16 @@ class Search {
       const EdgeRow& row = scene_.edges()[std::size_t(cloth_edges_[i])];
       return Vec3(0.5 * (at(row.a) + at(row.b)));
     });
-    const std::vector<Box> boxes = boxes_of(middles, ends);
+    const Boxes boxes(middles.order(), ends);
     join(scene_.edges().size(), out, [&](std::size_t e, std::vector<std::int32_t>& near, Rows& rows) {
       const EdgeRow& row = scene_.edges()[e];
       const double reach = reach_[std::size_t(row.surface)];
       if (reach == 0 || surface(row.surface).shape == Shape::rod) return;
       const Box box = box_of({row.a, row.b}, reach);
-      meeting(middles, boxes, box.grown(half_), box, near);
-      for (const std::int32_t i : near) {
-        const std::int32_t other = cloth_edges_[std::size_t(i)];
-        if (!cloth(row.surface) || other > std::int32_t(e)) edges(std::int32_t(e), other, rows);
-      }
+      const std::int32_t after = cloth(row.surface) ? std::int32_t(e) : -1;  // each two once
+      meeting(middles, boxes, box.grown(half_), box, near,
+              [&](std::int32_t i) { return cloth_edges_[std::size_t(i)] > after; });
+      for (const std::int32_t i : near) edges(std::int32_t(e), cloth_edges_[std::size_t(i)], rows);
     });
   }
 

@@ -75,7 +75,7 @@ bool from_above(const plot::Panel& p) { return p.elevation > 89.9; }
 
 Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
   const auto mapper = Ref<vtkDataSetMapper>::New();
-  mapper->SetInputData(sheet.grid);
+  mapper->SetInputData(cloth_of(sheet));
   mapper->SetScalarVisibility(scene.table != nullptr);
   if (scene.table) {
     mapper->SetLookupTable(scene.table);
@@ -98,6 +98,24 @@ Ref<vtkActor> actor(const Scene& scene, const Sheet& sheet, bool lit) {
   look->SetEdgeColor(0.25, 0.25, 0.25);
   look->SetLineWidth(static_cast<float>(points(scene.picture, 0.25)));
   return result;
+}
+
+// Rigid bodies: smooth and grey, without the edges of their facets.
+void add_bodies(vtkRenderer* renderer, const Sheet& sheet) {
+  const auto bodies = bodies_of(sheet);
+  if (bodies == nullptr) return;
+  const auto mapper = Ref<vtkDataSetMapper>::New();
+  mapper->SetInputData(bodies);
+  mapper->SetScalarVisibility(false);
+  const auto result = Ref<vtkActor>::New();
+  result->SetMapper(mapper);
+  vtkProperty* look = result->GetProperty();
+  look->SetColor(0.78, 0.78, 0.78);
+  look->SetInterpolationToGouraud();
+  look->SetAmbient(0.35);
+  look->SetDiffuse(0.65);
+  look->SetSpecular(0);
+  renderer->AddActor(result);
 }
 
 // Sets a parallel projection that places the bounds as the layout states, seen from outside the bounds.
@@ -218,6 +236,7 @@ void add_panel(Scene& scene, std::size_t i, const Bounds& bounds) {
   const Point size = panel_size(scene, i);
   const Layout l = panel_layout(scene, i, bounds);
   renderer->AddActor(actor(scene, scene.sheets[i], !from_above(panel)));
+  add_bodies(renderer, scene.sheets[i]);
   aim(renderer, bounds, view_of(panel), l, size);
   for (const Line& line : l.lines) add_line(renderer, line.from, line.to, points(p, 0.5));
   for (const Word& word : l.words) write(renderer, word.text, letter, word.centre);

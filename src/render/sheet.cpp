@@ -12,11 +12,14 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "geometry/vec.hpp"
 #include "render/complaints.hpp"
 
 namespace fabricsh::render {
 
 namespace {
+
+constexpr double kSharp = 0.77;  // cosine of the angle between facets beyond which an edge is sharp
 
 std::string names(vtkFieldData* data) {
   std::string list;
@@ -89,6 +92,76 @@ Sheet read_sheet(const std::string& path, const plot::Picture& picture) {
                 "; cells:" + names(sheet.grid->GetCellData()) +
                 "; points:" + names(sheet.grid->GetPointData()));
   return sheet;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> cloth_of(const Sheet& sheet) {
+  vtkDataArray* rigid = sheet.grid->GetCellData()->GetArray(kRigid);
+  if (rigid == nullptr) return sheet.grid;
+  const auto out = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  out->SetPoints(sheet.grid->GetPoints());
+  out->GetPointData()->ShallowCopy(sheet.grid->GetPointData());
+  out->GetCellData()->CopyAllocate(sheet.grid->GetCellData());
+  const auto corners = vtkSmartPointer<vtkIdList>::New();
+  for (vtkIdType c = 0; c < sheet.grid->GetNumberOfCells(); ++c) {
+    if (rigid->GetComponent(c, 0) != 0) continue;
+    sheet.grid->GetCellPoints(c, corners);
+    const vtkIdType cell = out->InsertNextCell(sheet.grid->GetCellType(c), corners);
+    out->GetCellData()->CopyData(sheet.grid->GetCellData(), c, cell);
+  }
+  return out;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> bodies_of(const Sheet& sheet) {
+  vtkDataArray* rigid = sheet.grid->GetCellData()->GetArray(kRigid);
+  if (rigid == nullptr) return nullptr;
+  struct Facet {
+    std::vector<vtkIdType> points;
+    Vec3 normal;  // its length is twice the area, m2
+  };
+  std::vector<Facet> facets;
+  std::vector<std::vector<std::size_t>> at(static_cast<std::size_t>(sheet.grid->GetNumberOfPoints()));
+  const auto place = [&](vtkIdType id) {
+    Vec3 p;
+    sheet.grid->GetPoint(id, p.data());
+    return p;
+  };
+  const auto corners = vtkSmartPointer<vtkIdList>::New();
+  for (vtkIdType c = 0; c < sheet.grid->GetNumberOfCells(); ++c) {
+    if (rigid->GetComponent(c, 0) == 0) continue;
+    sheet.grid->GetCellPoints(c, corners);
+    Facet facet;
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) {
+      facet.points.push_back(corners->GetId(k));
+      at[static_cast<std::size_t>(corners->GetId(k))].push_back(facets.size());
+    }
+    const Vec3 a = place(facet.points[0]);
+    facet.normal = (place(facet.points[1]) - a).cross(place(facet.points[2]) - a);
+    facets.push_back(std::move(facet));
+  }
+  if (facets.empty()) return nullptr;
+  const auto out = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const auto normals = vtkSmartPointer<vtkDoubleArray>::New();
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  for (const Facet& facet : facets) {
+    std::vector<vtkIdType> ids;
+    for (const vtkIdType p : facet.points) {
+      Vec3 sum = Vec3::Zero();
+      for (const std::size_t f : at[static_cast<std::size_t>(p)]) {
+        const Vec3& other = facets[f].normal;
+        if (other.dot(facet.normal) > kSharp * other.norm() * facet.normal.norm()) sum += other;
+      }
+      if (!(sum.norm() > 0)) sum = Vec3::UnitZ();
+      ids.push_back(points->InsertNextPoint(place(p).data()));
+      normals->InsertNextTuple(Vec3(sum.normalized()).data());
+    }
+    out->InsertNextCell(ids.size() == 3 ? VTK_TRIANGLE : VTK_QUAD, static_cast<vtkIdType>(ids.size()),
+                        ids.data());
+  }
+  out->SetPoints(points);
+  out->GetPointData()->SetNormals(normals);
+  return out;
 }
 
 void make_smooth(Sheet& sheet) {

@@ -104,12 +104,14 @@ model::Surfaces split_by_kind(const model::Model& model, const model::Surfaces& 
   }
   const auto cloth = static_cast<int>(given.elements.size());
   const auto parts_of = [&](int side) {
-    return side < cloth ? parts[side] : std::vector<int>{static_cast<int>(out.elements.size()) + side - cloth};
+    return side < cloth ? parts[side]
+                        : std::vector<int>{static_cast<int>(out.elements.size()) + side - cloth};
   };
   for (const model::Meeting& m : given.meetings)
     for (const int a : parts_of(m.first))
       for (const int b : parts_of(m.second))
-        if (m.first != m.second || a <= b) out.meetings.push_back({std::min(a, b), std::max(a, b), m.contact});
+        if (m.first != m.second || a <= b)
+          out.meetings.push_back({std::min(a, b), std::max(a, b), m.contact});
   return out;
 }
 
@@ -731,12 +733,8 @@ Contacts::Nearest Contacts::nearest() const {
   return {found.gap, found.point};
 }
 
-double Contacts::gap(Index node) const {
-  return read().at_points.gap[node];
-}
+double Contacts::gap(Index node) const { return read().at_points.gap[node]; }
 
-double Contacts::pressure(Index node) const {
-  return read().at_points.pressure[node];
-}
+double Contacts::pressure(Index node) const { return read().at_points.pressure[node]; }
 
 }  // namespace fabricsh::mechanics

@@ -208,7 +208,7 @@ class PrivateFolder {
   std::string path_;
 };
 
-// Adds the rigid bodies; their field values are NaN, which is drawn in grey.
+// Adds the rigid bodies; they have no values of fields.
 void add_bodies(const run::Run& run, std::vector<Vec3>& points,
                 std::vector<std::array<mesh::Index, 4>>& cells) {
   for (const run::BodyShown& body : run::shown_bodies(run)) {
@@ -239,6 +239,11 @@ class Frame {
           (of_nodes ? points.size() : cells.size()) * static_cast<std::size_t>(array.components),
           std::numeric_limits<double>::quiet_NaN());
       (of_nodes ? grid.point_data : grid.cell_data).push_back(std::move(array));
+    }
+    if (cells.size() > mesh.elements.size()) {
+      format::Array rigid{"rigid", 1, std::vector<double>(cells.size(), 1)};
+      std::fill_n(rigid.values.begin(), mesh.elements.size(), 0.0);
+      grid.cell_data.push_back(std::move(rigid));
     }
     format::write_vtu(path(), grid, system::Sync::no);
   }
