@@ -89,7 +89,7 @@ double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
 void Contact::prepare(std::span<const Vec3> x) {
   if (at_search_.size() != x.size()) return search(x);
   change_ = checked_ + 2 * farthest(x, at_check_);
-  if (change_ <= nearly * skins_.inner) return;
+  if (change_ <= nearly * skins_.inner && points_tell(at_check_, x)) return;
   mark_checked(x, patches_.against(at_refine_, x, skins_.inner));
   if (change_ <= nearly * skins_.inner) return;
   if (patches_.against(at_search_, x, skins_.inner) + skins_.inner > nearly * skins_.outer)
@@ -311,7 +311,10 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) co
   mean /= double(by.size());
   double most = 0;
   for (const Vec3& u : by) most = std::max(most, (u - mean).norm());
-  return share_of(find(x, 2 * most * (1 + rounding)), x, by);
+  std::vector<Vec3> end(x.begin(), x.end());
+  for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
+  const double against = points_tell(x, end) ? 2 * most : patches_.against_on_way(x, end);
+  return share_of(find(x, against * (1 + rounding)), x, by);
 }
 
 bool Contact::may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap) {

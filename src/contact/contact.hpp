@@ -88,6 +88,10 @@ class Contact {
   Overlap nearest(std::span<const Vec3> x);
   double reach() const { return widest_; }  // m, above the floor: the largest range of all laws
 
+  // Whether the largest way of the points bounds how far anything moves between two states.
+  bool points_tell(std::span<const Vec3> from, std::span<const Vec3> to) const {
+    return !patches_.walls_turn(from, to);
+  }
   // Whether anything may have passed on the straight way `by` (m) from `x`. `gap`: m, the smallest at its
   // end.
   bool may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap);
@@ -125,7 +129,7 @@ class Contact {
   double widest_ = 0, narrowest_ = 0;  // m: largest and smallest distance from gap to floor of any pair
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_, at_check_;
-  Patches patches_;
+  mutable Patches patches_;  // its boxes are worked out anew each time
   double checked_ = 0,
          change_ = 0;           // m: how much near gaps may have changed since refine(), at_check_ and now
   std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()

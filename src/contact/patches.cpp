@@ -7,6 +7,7 @@
 namespace fabricsh::contact {
 namespace {
 
+constexpr double no_turn = 1e-13;  // of a normal: rounding
 constexpr std::size_t patch = 32;  // largest number of triangles in a leaf
 
 }  // namespace
@@ -132,6 +133,12 @@ void Patches::compare(std::int32_t first, std::int32_t second, double reach, dou
 Patches::Wall Patches::wall_of(const Surface& surface, std::span<const Vec3> x) {
   const auto v = std::size_t(surface.first_vertex);
   return {x[v], (x[v + 1] - x[v]).cross(x[v + 2] - x[v]).normalized()};
+}
+
+bool Patches::walls_turn(std::span<const Vec3> from, std::span<const Vec3> to) const {
+  return std::any_of(scene_->surfaces().begin(), scene_->surfaces().end(), [&](const Surface& s) {
+    return s.shape == Shape::wall && (wall_of(s, from).normal - wall_of(s, to).normal).norm() > no_turn;
+  });
 }
 
 // A wall that turns moves farther the farther away a place is.

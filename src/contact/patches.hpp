@@ -15,7 +15,9 @@ class Patches {
   // m: a bound of |u_i - u_j|, where u is the way of a point between two states, for all points i and j of
   // any two shapes that meet and whose gap is below the law's gap plus `margin` (m) in the later state, `to`.
   double against(std::span<const Vec3> from, std::span<const Vec3> to, double margin);
-  // m: the same for all shapes that may have met anywhere on the way.
+  // Whether a wall turns on the way: then what is far from its three points moves more than they do.
+  bool walls_turn(std::span<const Vec3> from, std::span<const Vec3> to) const;
+  // m: the same bound for all shapes that may have met anywhere on the way.
   double against_on_way(std::span<const Vec3> from, std::span<const Vec3> to);
 
  private:

@@ -368,8 +368,20 @@ double Contacts::largest_step(bool scaled) const {
   return std::min(kOfCloth * cloth_.stable_step(scaled), std::sqrt(kCarried * least_areal_ / stiffest));
 }
 
+double Contacts::speed_stopped() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& it : scene_.interactions()) {
+    // Two sheets that meet share the speed: half of the mass has all of it.
+    const bool sheets = it.second < static_cast<std::int32_t>(sheets_.size());
+    const double range = it.law.gap() - it.law.guard_gap(), mass = sheets ? least_areal_ / 2 : least_areal_;
+    least = std::min(least, range * std::sqrt(it.law.stiffest() / mass));
+  }
+  return least;
+}
+
 bool Contacts::may_have_passed() {
-  if (blocked_ || contact::cannot_meet(moved_, trial_.gap)) return blocked_;
+  if (blocked_) return true;
+  if (contact::cannot_meet(moved_, trial_.gap) && contact_->points_tell(start_, x_)) return false;
   by_.resize(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) by_[i] = x_[i] - start_[i];
   return contact_->may_have_passed(start_, by_, trial_.gap);
@@ -674,12 +686,13 @@ double Contacts::near_share(const Trial& trial) {
 
 double Contacts::safe_share(const Trial& trial) {
   positions(trial.configuration.x(), share_, by_);
+  const bool points_tell = contact_->points_tell(marked_, by_);
   double most = 0;
   for (std::size_t i = 0; i < by_.size(); ++i) {
     by_[i] -= marked_[i];
     most = std::max(most, by_[i].squaredNorm());
   }
-  if (evaluated_ && contact::cannot_meet(std::sqrt(most), trial_.gap)) return 1;
+  if (evaluated_ && contact::cannot_meet(std::sqrt(most), trial_.gap) && points_tell) return 1;
   return contact_->safe_share(marked_, by_);
 }
 
