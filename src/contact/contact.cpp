@@ -8,7 +8,8 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double nearly = 1 - 1e-9;  // of the motion that a list allows for: rounding never decides
+constexpr double rounding = 1e-9;        // share of a skin: rounding never decides what is looked at
+constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
   double sum = 0, count = 0;
@@ -58,44 +59,48 @@ double narrowest(const Scene& scene, double least) {
 
 }  // namespace
 
-Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins) {
+Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins), patches_(scene) {
   const double edge = mean_edge(scene);
-  if (!(skins_.outer > 0)) skins_.outer = edge / 3;
+  if (!(skins_.outer > 0)) skins_.outer = edge / 2;
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
   opened_.assign(scene.interactions().size(), 1);
   narrowest_ = narrowest(scene, widest_);
-  gap_.assign(scene.reference().size(), widest_);
-  pressure_.assign(scene.reference().size(), 0);
 }
 
-// The largest displacement relative to the mean one, m. The mean decides only how long the lists last.
-double Contact::moved(std::span<const Vec3> x, const std::vector<Vec3>& since) const {
+namespace {
+
+// The largest way of any point, m.
+double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
   const auto n = std::ptrdiff_t(x.size());
-  double a = 0, b = 0, c = 0, most = 0;
-#pragma omp parallel for schedule(static) reduction(+ : a, b, c) if (n > 4096)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    a += x[std::size_t(i)].x() - since[std::size_t(i)].x();
-    b += x[std::size_t(i)].y() - since[std::size_t(i)].y();
-    c += x[std::size_t(i)].z() - since[std::size_t(i)].z();
-  }
-  const Vec3 mean = Vec3(a, b, c) / double(n);
+  double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most) if (n > 4096)
   for (std::ptrdiff_t i = 0; i < n; ++i)
-    most = std::max(most, (x[std::size_t(i)] - since[std::size_t(i)] - mean).squaredNorm());
+    most = std::max(most, (x[std::size_t(i)] - since[std::size_t(i)]).squaredNorm());
   return std::sqrt(most);
 }
 
+}  // namespace
+
+// The inner list holds all pairs that were within its skin of their reach in refine(). What is within reach
+// now is one of them, as long as near surfaces have moved against each other by less than the skin. The way
+// since at_check_ of whatever moved most bounds that cheaply; the patches find it out where it does not.
 void Contact::prepare(std::span<const Vec3> x) {
-  if (at_search_.size() != x.size()) {
+  if (at_search_.size() != x.size()) return search(x);
+  change_ = checked_ + 2 * farthest(x, at_check_);
+  if (change_ <= nearly * skins_.inner && points_tell(at_check_, x)) return;
+  mark_checked(x, patches_.against(at_refine_, x, skins_.inner));
+  if (change_ <= nearly * skins_.inner) return;
+  if (patches_.against(at_search_, x, skins_.inner) + skins_.inner > nearly * skins_.outer)
     search(x);
-  } else if (2 * moved(x, at_refine_) > nearly * skins_.inner) {
-    if (2 * moved(x, at_search_) + skins_.inner > nearly * skins_.outer)
-      search(x);
-    else
-      refine(x);
-  }
+  else
+    refine(x);
+}
+
+void Contact::mark_checked(std::span<const Vec3> x, double change) {
+  at_check_.assign(x.begin(), x.end());
+  checked_ = change_ = change;
 }
 
 void Contact::scale(Candidate& c) const {
@@ -138,15 +143,19 @@ void Contact::search(std::span<const Vec3> x) {
 }
 
 void Contact::refine(std::span<const Vec3> x) {
-  std::vector<char> near(outer_.size());
+  std::vector<double> margin(outer_.size());
 #pragma omp parallel for schedule(static) if (outer_.size() > 1024)
   for (std::size_t i = 0; i < outer_.size(); ++i)
-    near[i] =
-        gap_of(outer_[i], corners_of(outer_[i], x)) < law(outer_[i]).gap() * outer_[i].whole + skins_.inner;
+    margin[i] = gap_of(outer_[i], corners_of(outer_[i], x)) - law(outer_[i]).gap() * outer_[i].whole;
   inner_.clear();
-  for (std::size_t i = 0; i < outer_.size(); ++i)
-    if (near[i]) inner_.push_back(outer_[i]);
+  margin_.clear();
+  for (std::size_t i = 0; i < outer_.size(); ++i) {
+    if (!(margin[i] < skins_.inner)) continue;
+    inner_.push_back(outer_[i]);
+    margin_.push_back(margin[i]);
+  }
   at_refine_.assign(x.begin(), x.end());
+  mark_checked(x, 0);
   ++version_;
   index_slots();
 }
@@ -154,6 +163,7 @@ void Contact::refine(std::span<const Vec3> x) {
 // For each point, the slots that hold forces on it, in the order of the pairs.
 void Contact::index_slots() {
   slots_.resize(inner_.size());
+  active_.assign(inner_.size(), 0);
   std::vector<std::uint32_t> count(scene_->reference().size() + 1, 0);
   for (const Candidate& c : inner_)
     for (const std::int32_t p : c.point)
@@ -175,8 +185,6 @@ void Contact::index_slots() {
   energy_.resize(touched_.size());
   guard_.resize(touched_.size());
   lost_.resize(touched_.size());
-  std::fill(gap_.begin(), gap_.end(), widest_);
-  std::fill(pressure_.begin(), pressure_.end(), 0);
 }
 
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion,
@@ -184,9 +192,12 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
   prepare(x);
   Totals totals;
   double least = narrowest_;
+  const double change = change_ + rounding * skins_.inner;
   const auto n = std::ptrdiff_t(inner_.size());
 #pragma omp parallel for schedule(static) reduction(min : least) if (n > 256)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
+    active_[std::size_t(i)] = 0;
+    if (margin_[std::size_t(i)] > change) continue;  // still out of reach
     const Candidate& c = inner_[std::size_t(i)];
     const Corners corners = corners_of(c, x);
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
@@ -204,6 +215,7 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     }
     Force& slot = slots_[std::size_t(i)];
     slot = pair_force(it.law, c.pair, corners, slides ? &sliding : nullptr);
+    active_[std::size_t(i)] = slot.active;
     if (slot.active) least = std::min(least, slot.gap);
   }
   totals.gap = least;
@@ -219,11 +231,10 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     const auto row = std::size_t(t);
     const auto p = std::size_t(touched_[row]);
     Vec3 sum = Vec3::Zero(), turning = Vec3::Zero();
-    double contact = 0, guard = 0, lost = 0, nearest = widest_;
+    double contact = 0, guard = 0, lost = 0;
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
+      if (!active_[of_point_[k] / 4]) continue;
       const Force& slot = slots_[of_point_[k] / 4];
-      if (!slot.active) continue;
-      nearest = std::min(nearest, slot.gap);
       sum += slot.on[of_point_[k] % 4];
       if (!torque.empty() && holds_torque(of_point_[k])) turning += slot.torque;
       if (of_point_[k] % 4 != 0) continue;  // the energies of a pair are counted at its first corner
@@ -237,9 +248,6 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     energy_[row] = contact;
     guard_[row] = guard;
     lost_[row] = lost;
-    gap_[p] = nearest;
-    const double area = scene_->area(std::int32_t(p));
-    pressure_[p] = area > 0 ? sum.norm() / area : 0;
   }
   totals.touching = touching;
   // Over all points and not only those in the lists, which depend on the skin.
@@ -303,7 +311,23 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) co
   mean /= double(by.size());
   double most = 0;
   for (const Vec3& u : by) most = std::max(most, (u - mean).norm());
-  const auto pairs = find(x, 2 * most * (1 + 1e-9));
+  std::vector<Vec3> end(x.begin(), x.end());
+  for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
+  const double against = points_tell(x, end) ? 2 * most : patches_.against_on_way(x, end);
+  return share_of(find(x, against * (1 + rounding)), x, by);
+}
+
+bool Contact::may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap) {
+  std::vector<Vec3> end(x.begin(), x.end());
+  for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
+  // Half of it, as far as each goes, against the gap.
+  const double most = patches_.against_on_way(x, end);
+  if (cannot_meet(most / 2 * (1 + rounding), gap)) return false;
+  return share_of(find(x, most * (1 + rounding)), x, by) < 1;
+}
+
+double Contact::share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
+                         std::span<const Vec3> by) const {
   double share = 1;
 #pragma omp parallel for schedule(static) reduction(min : share) if (pairs.size() > 64)
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -313,6 +337,31 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) co
     share = std::min(share, pair_share(pairs[i], law(pairs[i]), start, end));
   }
   return share;
+}
+
+Contact::AtPoints Contact::at_points(std::span<const Vec3> x) const {
+  AtPoints out{std::vector<double>(x.size(), widest_), std::vector<double>(x.size(), 0)};
+  for (std::size_t row = 0; row < touched_.size(); ++row) {
+    const std::int32_t p = touched_[row];
+    Vec3 normal = Vec3::Zero();
+    for (const std::int32_t t : scene_->triangles_at_point(p)) {
+      const Triangle& n = scene_->triangles()[std::size_t(t)].nodes;
+      const Vec3& a = x[std::size_t(n[0])];
+      normal += (x[std::size_t(n[1])] - a).cross(x[std::size_t(n[2])] - a);
+    }
+    Vec3 face[2] = {Vec3::Zero(), Vec3::Zero()};
+    for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
+      if (!active_[of_point_[k] / 4]) continue;
+      const Force& slot = slots_[of_point_[k] / 4];
+      out.gap[std::size_t(p)] = std::min(out.gap[std::size_t(p)], slot.gap);
+      // A pair that takes off what others count twice pulls towards the side from which those push.
+      const Vec3& f = slot.on[of_point_[k] % 4];
+      face[(f.dot(normal) < 0) == (slot.contact + slot.guard < 0) ? 0 : 1] += f;
+    }
+    const double area = scene_->area(p);
+    if (area > 0) out.pressure[std::size_t(p)] = (face[0].norm() + face[1].norm()) / area;
+  }
+  return out;
 }
 
 std::vector<Contact::Overlap> Contact::overlaps(std::span<const Vec3> x) const {

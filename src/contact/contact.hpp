@@ -1,14 +1,15 @@
 // Contact between the surfaces of a scene at given positions: forces, energies, stiffness, safe share of a
 // step.
 //
-// Lists of near pairs are kept until a point has moved, relative to the mean motion, farther than they allow
-// for: an outer list, found with the grid, and an inner one with its nearest pairs. The results do not
+// Lists of near pairs are kept until surfaces that are near have moved against each other farther than they
+// allow for: an outer list, found with the grid, and an inner one with its nearest pairs. The results do not
 // depend on the lists: pairs come in a fixed order, and their forces go into separate slots that are summed
 // node by node in that order. The bits are therefore the same for any number of threads and any skin.
 #pragma once
 #include <functional>
 #include <vector>
 
+#include "contact/patches.hpp"
 #include "contact/search.hpp"
 
 namespace fabricsh::contact {
@@ -38,7 +39,7 @@ struct Totals {
 };
 
 struct Skins {
-  double outer = 0, inner = 0;  // m; 0: a third and an eighth of the cloth's mean edge
+  double outer = 0, inner = 0;  // m; 0: half and an eighth of the cloth's mean edge
 };
 
 class Contact {
@@ -87,9 +88,20 @@ class Contact {
   Overlap nearest(std::span<const Vec3> x);
   double reach() const { return widest_; }  // m, above the floor: the largest range of all laws
 
-  // For each point the smallest gap (m, at most the law's) and the pressure (Pa) when forces were last added.
-  std::span<const double> gaps() const { return gap_; }
-  std::span<const double> pressures() const { return pressure_; }
+  // Whether the largest way of the points bounds how far anything moves between two states.
+  bool points_tell(std::span<const Vec3> from, std::span<const Vec3> to) const {
+    return !patches_.walls_turn(from, to);
+  }
+  // Whether anything may have passed on the straight way `by` (m) from `x`. `gap`: m, the smallest at its
+  // end.
+  bool may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap);
+
+  // For each point the smallest gap (m, at most the law's) and the pressure (Pa), those on both faces of a
+  // sheet added, as of the forces that were last added at `x`.
+  struct AtPoints {
+    std::vector<double> gap, pressure;
+  };
+  AtPoints at_points(std::span<const Vec3> x) const;
 
   std::size_t searches() const { return searches_; }  // how often the grid was searched
   std::size_t listed() const { return inner_.size(); }
@@ -102,10 +114,12 @@ class Contact {
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
-  double moved(std::span<const Vec3> x, const std::vector<Vec3>& since) const;
+  void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x);
   void index_slots();
+  double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
+                  std::span<const Vec3> by) const;
   void gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& totals);
   const Law& law(const Candidate& c) const { return scene_->interactions()[std::size_t(c.interaction)].law; }
 
@@ -114,12 +128,16 @@ class Contact {
   std::vector<double> opened_;         // by interaction
   double widest_ = 0, narrowest_ = 0;  // m: largest and smallest distance from gap to floor of any pair
   std::vector<Candidate> outer_, inner_;
-  std::vector<Vec3> at_search_, at_refine_;
+  std::vector<Vec3> at_search_, at_refine_, at_check_;
+  mutable Patches patches_;  // its boxes are worked out anew each time
+  double checked_ = 0,
+         change_ = 0;           // m: how much near gaps may have changed since refine(), at_check_ and now
+  std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
   std::vector<Force> slots_;
+  std::vector<char> active_;                     // whether the slot of a pair is in use
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
-  std::vector<double> gap_, pressure_;
-  std::vector<double> energy_, guard_, lost_;  // by touched point
+  std::vector<double> energy_, guard_, lost_;    // by touched point
   std::size_t searches_ = 0;
   std::uint64_t version_ = 0;
 };

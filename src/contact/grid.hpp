@@ -1,7 +1,10 @@
 // Points sorted into the cells of a uniform grid; within a cell they are in ascending order.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geometry/vec.hpp"
@@ -18,6 +21,52 @@ struct Box {
   bool meets(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
+};
+
+// Boxes in single precision, rounded outwards, for a first look at many at a time.
+class Boxes {
+ public:
+  static constexpr std::size_t pack = 8;
+  struct Bounds {
+    std::array<float, 3> low, high;
+  };
+  static Bounds outside(const Box& box) {
+    Bounds out;
+    for (int k = 0; k < 3; ++k) {
+      out.low[std::size_t(k)] = std::nextafter(float(box.low[k]), -std::numeric_limits<float>::infinity());
+      out.high[std::size_t(k)] = std::nextafter(float(box.high[k]), std::numeric_limits<float>::infinity());
+    }
+    return out;
+  }
+
+  // box_of(i): the box of thing i, for all things of a list.
+  template <class BoxOf>
+  Boxes(const std::vector<std::int32_t>& things, BoxOf box_of) {
+    const std::size_t n = things.size();
+    for (auto* side : {&low_, &high_})
+      for (auto& row : *side) row.assign(n + pack, 0);
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Bounds bounds = outside(box_of(things[i]));
+      for (std::size_t k = 0; k < 3; ++k) {
+        low_[k][i] = bounds.low[k];
+        high_[k][i] = bounds.high[k];
+      }
+    }
+  }
+  // Which of the boxes from `first` on meet a box; those after the last are not to be read.
+  std::array<int, pack> meeting(const Bounds& box, std::size_t first) const {
+    std::array<int, pack> out;
+    const float *a = &low_[0][first], *b = &low_[1][first], *c = &low_[2][first], *d = &high_[0][first],
+                *e = &high_[1][first], *f = &high_[2][first];
+    for (std::size_t i = 0; i < pack; ++i)
+      out[i] = (a[i] <= box.high[0]) & (b[i] <= box.high[1]) & (c[i] <= box.high[2]) & (d[i] >= box.low[0]) &
+               (e[i] >= box.low[1]) & (f[i] >= box.low[2]);
+    return out;
+  }
+
+ private:
+  std::array<std::vector<float>, 3> low_, high_;
 };
 
 class Grid {
@@ -48,9 +97,20 @@ class Grid {
       if (in[i] >= 0) points_[next[std::size_t(in[i])]++] = std::int32_t(i);
   }
 
+  // The points in the order of their cells.
+  const std::vector<std::int32_t>& order() const { return points_; }
+
   // Calls visit(point) for every point in the cells that intersect the box.
   template <class Visit>
   void in(const Box& box, Visit visit) const {
+    rows(box, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) visit(points_[i]);
+    });
+  }
+
+  // Calls visit(first, last) for every row of cells that intersects the box: places in order().
+  template <class Visit>
+  void rows(const Box& box, Visit visit) const {
     if (!box.meets(room_)) return;
     std::int64_t from[3], to[3];
     for (int k = 0; k < 3; ++k) {
@@ -60,7 +120,7 @@ class Grid {
     for (std::int64_t c = from[2]; c <= to[2]; ++c)
       for (std::int64_t b = from[1]; b <= to[1]; ++b) {
         const auto first = std::size_t(number(from[0], b, c)), last = std::size_t(number(to[0], b, c));
-        for (std::size_t i = start_[first]; i < start_[last + 1]; ++i) visit(points_[i]);
+        visit(start_[first], start_[last + 1]);
       }
   }
 

@@ -1,5 +1,7 @@
 // The places where a pair touches; used for forces, stiffness and friction.
 #pragma once
+#include <limits>
+
 #include "contact/pair.hpp"
 
 namespace fabricsh::contact {
@@ -11,8 +13,8 @@ struct Place {
 };
 
 // Calls visit(place) for each place of the pair whose gap (distance of the touch less the
-// offset) is below `reach`, m. Returns the smallest gap. The edges and corners of a facet
-// are never nearer than the facet, so they are skipped when the facet is out of reach.
+// offset) is below `reach`, m. Returns the smallest gap; infinity for edges that do not cross. The edges and
+// corners of a facet are never nearer than the facet, so they are skipped when the facet is out of reach.
 template <class Visit>
 double visit_places(const Pair& pair, const Corners& x, double reach, Visit visit) {
   const auto within = [&](const Touch& touch, double plain, double modulated) {
@@ -34,9 +36,8 @@ double visit_places(const Pair& pair, const Corners& x, double reach, Visit visi
     case Kind::plane:
       return within(point_plane(x), 1, 0);
     case Kind::edges: {
-      const Touch touch = segment_segment(x);
-      if (touch.feature == Feature::crossing) return within(touch, 0, 1);
-      return touch.distance - pair.offset;
+      const std::optional<Touch> touch = segments_crossing(x);
+      return touch ? within(*touch, 0, 1) : std::numeric_limits<double>::infinity();
     }
     case Kind::wrap: {
       const double gap = within(segment_segment(x), 0, 1);

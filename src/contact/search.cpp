@@ -94,40 +94,55 @@ class Search {
     for (const Rows& rows : found) out.insert(out.end(), rows.begin(), rows.end());
   }
 
+  // The numbers, ascending, of what a grid has sorted, whose box meets another, and which are wanted.
+  template <class Wanted>
+  static void meeting(const Grid& grid, const Boxes& boxes, const Box& cells, const Box& box,
+                      std::vector<std::int32_t>& near, Wanted wanted) {
+    near.clear();
+    const Boxes::Bounds bounds = Boxes::outside(box);
+    grid.rows(cells, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; i += Boxes::pack) {
+        const std::array<int, Boxes::pack> meets = boxes.meeting(bounds, i);
+        for (std::size_t k = 0; k < Boxes::pack && i + k < last; ++k)
+          if (meets[k] != 0 && wanted(grid.order()[i + k])) near.push_back(grid.order()[i + k]);
+      }
+    });
+    std::sort(near.begin(), near.end());
+  }
+
   void meshes(Rows& out) const {
     const Grid points(room_, cell_, points_.size(), [&](std::size_t i) { return at(points_[i]); });
+    const Boxes places(points.order(), [&](std::int32_t i) {
+      const Vec3& p = at(points_[std::size_t(i)]);
+      return Box{p, p};
+    });
     join(scene_.triangles().size(), out, [&](std::size_t t, std::vector<std::int32_t>& near, Rows& rows) {
-      near.clear();
       const TriangleRow& row = scene_.triangles()[t];
       const double reach = reach_[std::size_t(row.surface)];
       if (reach == 0) return;
       const Box box = box_of({row.nodes[0], row.nodes[1], row.nodes[2]}, reach);
-      points.in(box, [&](std::int32_t i) {
-        const Vec3& p = at(points_[std::size_t(i)]);
-        if (Box{p, p}.meets(box)) near.push_back(i);
-      });
-      std::sort(near.begin(), near.end());
+      meeting(points, places, box, box, near, [](std::int32_t) { return true; });
       for (const std::int32_t i : near)
         facet(points_[std::size_t(i)], owner_[std::size_t(i)], std::int32_t(t), rows);
     });
+    const auto ends = [&](std::int32_t e) {
+      const EdgeRow& row = scene_.edges()[std::size_t(cloth_edges_[std::size_t(e)])];
+      return box_of({row.a, row.b}, 0);
+    };
     const Grid middles(room_, cell_, cloth_edges_.size(), [&](std::size_t i) {
       const EdgeRow& row = scene_.edges()[std::size_t(cloth_edges_[i])];
       return Vec3(0.5 * (at(row.a) + at(row.b)));
     });
+    const Boxes boxes(middles.order(), ends);
     join(scene_.edges().size(), out, [&](std::size_t e, std::vector<std::int32_t>& near, Rows& rows) {
-      near.clear();
       const EdgeRow& row = scene_.edges()[e];
       const double reach = reach_[std::size_t(row.surface)];
       if (reach == 0 || surface(row.surface).shape == Shape::rod) return;
       const Box box = box_of({row.a, row.b}, reach);
-      middles.in(box.grown(half_), [&](std::int32_t i) {
-        const std::int32_t other = cloth_edges_[std::size_t(i)];
-        if (cloth(row.surface) && other <= std::int32_t(e)) return;
-        const EdgeRow& it = scene_.edges()[std::size_t(other)];
-        if (box.meets(box_of({it.a, it.b}, 0))) near.push_back(other);
-      });
-      std::sort(near.begin(), near.end());
-      for (const std::int32_t other : near) edges(std::int32_t(e), other, rows);
+      const std::int32_t after = cloth(row.surface) ? std::int32_t(e) : -1;  // each two once
+      meeting(middles, boxes, box.grown(half_), box, near,
+              [&](std::int32_t i) { return cloth_edges_[std::size_t(i)] > after; });
+      for (const std::int32_t i : near) edges(std::int32_t(e), cloth_edges_[std::size_t(i)], rows);
     });
   }
 
@@ -153,11 +168,15 @@ class Search {
       for (const std::int32_t p : row.point) least = std::min(least, opening[std::size_t(p)]);
     return least;
   }
+  // Pairs out of reach at the law's whole gap need no further look.
+  bool far(const Candidate& row, const Law& law) const {
+    return gap_of(row, corners_of(row, x_)) >= law.gap() + skin_;
+  }
   bool keep(Candidate& row, const Law& law, Rows& rows) const {
-    row.whole = row.pair.scale;
-    row.start = start(row, scene_.interactions()[std::size_t(row.interaction)].opening);
     const double gap = gap_of(row, corners_of(row, x_));
     if (gap >= law.gap() * row.pair.scale + skin_) return false;
+    row.whole = row.pair.scale;
+    row.start = start(row, scene_.interactions()[std::size_t(row.interaction)].opening);
     rows.push_back(row);
     return true;
   }
@@ -166,6 +185,7 @@ class Search {
     const TriangleRow& row = scene_.triangles()[std::size_t(t)];
     const int which = number(owner, row.surface);
     if (which < 0) return;
+    if (p == row.nodes[0] || p == row.nodes[1] || p == row.nodes[2]) return;
     const Law& law = scene_.interactions()[std::size_t(which)].law;
     Candidate out;
     out.point = {p, row.nodes[0], row.nodes[1], row.nodes[2]};
@@ -176,6 +196,7 @@ class Search {
     out.pair.offset = surface(owner).radius + surface(row.surface).radius;
     const bool neighbours = owner == row.surface && same_sheet(which, p, row.nodes[0]);
     if (neighbours) {
+      if (far(out, law)) return;
       out.pair.scale = facet_scale(p, row.nodes, law);
       if (out.pair.scale == 0) return;
     }
@@ -211,6 +232,7 @@ class Search {
     const EdgeRow& b = scene_.edges()[std::size_t(f)];
     const int which = number(a.surface, b.surface);
     if (which < 0) return;
+    if (a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b) return;
     const Law& law = scene_.interactions()[std::size_t(which)].law;
     Candidate out;
     out.point = {a.a, a.b, b.a, b.b};
@@ -218,7 +240,7 @@ class Search {
     out.pair.kind = Kind::edges;
     out.pair.offset = surface(a.surface).radius + surface(b.surface).radius;
     if (a.surface == b.surface && same_sheet(which, a.a, b.a)) {
-      if (a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b) return;
+      if (far(out, law)) return;
       out.pair.scale = scale(
           std::sqrt(squared_segment_segment(reference(a.a), reference(a.b), reference(b.a), reference(b.b))),
           law);

@@ -114,17 +114,20 @@ Touch point_plane(const Corners& x) {
   return touch;
 }
 
-Touch segment_segment(const Corners& x) {
+std::optional<Touch> segments_crossing(const Corners& x) {
   const Crossing at = crossing(x[1] - x[0], x[3] - x[2], x[0] - x[2]);
-  if (at.inside) {
-    Touch touch;
-    touch.feature = Feature::crossing;
-    touch.weight = {1 - at.s, at.s, -(1 - at.t), -at.t};
-    set_parameter(touch, 0, 1, 0);
-    set_parameter(touch, 1, 2, 3);
-    measure(x, touch);
-    return touch;
-  }
+  if (!at.inside) return {};
+  Touch touch;
+  touch.feature = Feature::crossing;
+  touch.weight = {1 - at.s, at.s, -(1 - at.t), -at.t};
+  set_parameter(touch, 0, 1, 0);
+  set_parameter(touch, 1, 2, 3);
+  measure(x, touch);
+  return touch;
+}
+
+Touch segment_segment(const Corners& x) {
+  if (const std::optional<Touch> crossing = segments_crossing(x)) return *crossing;
   Touch best = point_segment(x, 0, 2, 3);
   const auto better = [&](const Touch& other) {
     if (other.distance < best.distance) best = other;

@@ -7,6 +7,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "geometry/vec.hpp"
 
@@ -54,6 +55,8 @@ FacetTouch point_triangle(const Corners& x);
 Touch point_plane(const Corners& x);
 // The segment from 0 to 1 against the segment from 2 to 3.
 Touch segment_segment(const Corners& x);
+// The same, if the closest points are inside of both.
+std::optional<Touch> segments_crossing(const Corners& x);
 
 // Squared distances alone, m2: for searches.
 double squared_point_segment(const Vec3& p, const Vec3& a, const Vec3& b);

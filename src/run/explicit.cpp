@@ -270,8 +270,13 @@ void Explicit::give_up(const StepReport& report) {
   text += reason() + " in a step of ";
   text += number(report.step) + " s";
   if (element >= 0) text += ", element " + std::to_string(element + 1);
-  text += ".\nTry: a step below " + number(usual_step()) + " s (the stable one is " + number(stable_) +
-          " s); or loads and velocities that are in SI units.";
+  if (stuck())
+    text += ".\nTry: more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
+            number(assembly_->contact()->speed_stopped()) +
+            " m/s); or loads and velocities that are in SI units.";
+  else
+    text += ".\nTry: a step below " + number(usual_step()) + " s (the stable one is " + number(stable_) +
+            " s); or loads and velocities that are in SI units.";
   std::string why = text.substr(std::string("dynamic: ").size());
   why += "\nstretch    the sheet is stretched to " + number(assembly_->largest_stretch()) +
          " times its length at most, the step in use is " + number(now_.step / stable_) +
@@ -282,9 +287,12 @@ void Explicit::give_up(const StepReport& report) {
   fail(NumericalFailure(text, now, element), why);
 }
 
+bool Explicit::stuck() const {
+  return assembly_->contact() != nullptr && block_.halved >= kHalvings && end_ != End::ran_away;
+}
+
 std::string Explicit::reason() const {
-  const bool stuck = assembly_->contact() != nullptr && block_.halved >= kHalvings;
-  if (stuck && end_ != End::ran_away)
+  if (stuck())
     return "surfaces are pressed together to the smallest distance, and a step adds more force than contact "
            "can carry";
   if (end_ == End::ran_away) return "a node moves by more than an element";

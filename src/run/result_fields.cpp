@@ -127,8 +127,10 @@ Table make_table() {
             "distance to the nearest surface that it may touch, less the smallest distance that contact "
             "allows; at most the reach of contact",
             &mechanics::Contacts::gap);
-  t.touched("contact_pressure", "Pa", "normal pressure of contact, without friction",
-            &mechanics::Contacts::pressure);
+  t.touched(
+      "contact_pressure", "Pa",
+      "normal pressure of contact, without friction; that on the front and that on the back of a sheet added",
+      &mechanics::Contacts::pressure);
   t.average("E", "", Shape::tensor, "Green-Lagrange strain, tensor components",
             {"E11", "E22", "E23", "E13", "E12"}, {&V::E11, &V::E22, &V::E23, &V::E13, &V::E12},
             {"E11", "E22", "E23", "E13", "E12"});

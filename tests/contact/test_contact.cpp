@@ -146,10 +146,11 @@ TEST_CASE("contact: a sheet at rest on a wall has the pressure of its weight", "
   Contact contact(scene);
   auto f = none(x.size());
   contact.add_forces(x, f);
+  const auto at = contact.at_points(x);
   for (std::size_t i = 0; i < scene.nodes(); ++i) {
     CHECK((f[i] - scene.area(std::int32_t(i)) * p * normal).norm() < 1e-8 * p * scene.area(std::int32_t(i)));
-    CHECK(contact.gaps()[i] + law.floor() == Approx(d).epsilon(1e-9));
-    CHECK(contact.pressures()[i] == Approx(p).epsilon(1e-8));
+    CHECK(at.gap[i] + law.floor() == Approx(d).epsilon(1e-9));
+    CHECK(at.pressure[i] == Approx(p).epsilon(1e-8));
   }
   CHECK(sum(f, 0, f.size()).norm() < 1e-12 * p);  // the wall takes it
 }

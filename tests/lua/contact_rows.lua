@@ -87,9 +87,29 @@ for _, triangles in ipairs { true, false } do
     -- Quadrilaterals: the nodes' shares of mass and of area are not alike, and the layers not quite flat.
     near(string.format("%d layers of %s: gap below layer %d, m", n, kind, i), mean - below, gap - depth_at((n - i + 1) * sigma * g, kappa, s),
          triangles and 1e-9 or 1e-4)
-    if triangles then near("what pushes a layer up less what pushes it down, Pa", a:node(nodes * (i - 1) + 7).contact_pressure, sigma * g, 1e-6) end
+    -- contact_pressure is what pushes a layer up and what pushes it down, added.
+    if triangles then near("the pressure on both faces of a layer, Pa", a:node(nodes * (i - 1) + 7).contact_pressure, (2 * (n - i) + 1) * sigma * g, 1e-6) end
     below = mean
   end
+end
+
+-- A sheet that starts pressed onto a plane has its energy from the start, in statics, and the plane that is moved does the rest.
+do
+  local kappa, gap, floor_, side = 1e9, thickness / 2, sigma / 1500 / 2, 0.02
+  local s, range = onset_of(gap, floor_), gap - floor_
+  local function energy(y) return side ^ 2 * kappa * ((y - s / 2) ^ 2 / 2 + s ^ 2 / 24) end -- J, pressed by y, deeper than the onset
+  local y0, y1 = 0.4 * range, 0.6 * range
+  local mesh = fabric.mesh.rectangle { width = side, height = side, nx = 4, ny = 4, origin = { 0, 0, gap - y0 } }
+  local m = fabric.model { mesh = mesh, card = sheet_card(1e7), warp = 0 }
+  local ground = fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
+  m:contact { between = { ground, "all" }, stiffness = kappa }:fix("all", "x y z rotation")
+  m:move(ground, { z = fabric.ramp(y1 - y0, 1) })
+  local a = fabric.static { model = m, duration = 1, step = 0.25 }:solve()
+  local e = a.energy
+  near("pressed at the start: energy of contact then, J", e.initial, energy(y0), 1e-9)
+  near("pressed at the start: energy of contact at the end, J", e.contact, energy(y1), 1e-9)
+  near("pressed at the start: work of the plane, J", e.external, energy(y1) - energy(y0), 1e-9)
+  near("pressed at the start: 1 plus the ledger's error", 1 + e.error, 1, 1e-9)
 end
 
 -- A tape about half a cylinder, drawn tight without friction: p = T/R, and the second order of the facets.
@@ -133,4 +153,24 @@ for _, mu in ipairs { 0.1, 0.6 } do
   local normal = pressure * 0.02 * 0.01
   near("drawn from between two: what the lower one carries, N", select(3, a:reaction "low.all"), normal, 1e-9)
   near(string.format("drawn from between two: F, N, friction %.1f", mu), (a:reaction "middle.right"), 2 * mu * normal, 1e-5)
+end
+
+-- Sheets of different thickness that touch themselves all: each two have the mean of their own thicknesses.
+do
+  local thin, thick, kappa = 0.2e-3, 0.6e-3, 1e9
+  local function card_of(t) return fabric.svk { young = 1e7, poisson = 0, density = 240, thickness = t, name = "sheet" } end
+  local function pressed(apart, first, second)
+    local function at(z) return fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 4, ny = 4, triangles = true, origin = { 0, 0, z } } end
+    local m = fabric.model { bodies = { { name = "low", mesh = at(0), card = card_of(first), warp = 0 }, { name = "high", mesh = at(apart), card = card_of(second), warp = 0 } } }
+    m:contact { self = "all", stiffness = kappa }:fix("all", "x y z rotation")
+    local a = fabric.static { model = m, duration = 1, step = 1 }:solve()
+    return a.energy.contact
+  end
+  for _, pair in ipairs { { thin, thick }, { thick, thin } } do
+    local gap, floor_ = (thin + thick) / 2, 240 * (thin + thick) / 2 / 1500
+    local s, y = onset_of(gap, floor_), 0.5 * (gap - floor_)
+    assert(pressed(gap + 1e-9, pair[1], pair[2]) == 0, "apart by more than the mean of their thicknesses they do not press")
+    near(string.format("sheets of %.1f and %.1f mm that touch themselves: energy, J", 1e3 * pair[1], 1e3 * pair[2]), pressed(gap - y, pair[1], pair[2]),
+         4e-4 * kappa * ((y - s / 2) ^ 2 / 2 + s ^ 2 / 24), 1e-9)
+  end
 end

@@ -207,6 +207,17 @@ Bodies::Matrix6 Bodies::compliance(std::size_t free) const {
   return out;
 }
 
+void Bodies::begin(std::span<const Vec3> force) {
+  std::copy(force.begin(), force.end(), force_.begin());
+  for (const Body& body : bodies_) {
+    if (body.free < 0) continue;
+    Free& free = free_[body.free];
+    free.wrench = wrench_on(free.committed, std::span<const Vec3>(committed_).subspan(body.first, body.count),
+                            force.subspan(body.first, body.count));
+    free.end = free.iterate = free.wrench;
+  }
+}
+
 void Bodies::load(std::span<const Vec3> force, std::span<const Vec3> torque) {
   std::copy(force.begin(), force.end(), trial_force_.begin());
   loaded_ = true;

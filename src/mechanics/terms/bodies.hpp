@@ -40,6 +40,8 @@ class Bodies {
   // rad: rotation of body i in the step; zero for a surface that changes from shape to shape.
   const Vec3& turned(std::size_t i) const { return bodies_[i].turned; }
 
+  // Sets the forces on the vertices at the start of the run, N.
+  void begin(std::span<const Vec3> force);
   // Sets the forces on the vertices at the end of the step, N, and the torques of friction, N m.
   void load(std::span<const Vec3> force, std::span<const Vec3> torque);
   void commit();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -34,6 +35,86 @@ contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfac
   return scene;
 }
 
+// Do two sections press alike.
+bool alike(const section::Section& a, const section::Section& b) {
+  return a.thickness == b.thickness && a.areal_mass == b.areal_mass && a.fibre == b.fibre &&
+         a.compression == b.compression;
+}
+
+// For each of the elements the first of those that nodes join with it.
+std::vector<std::size_t> joined(const mesh::Mesh& mesh, const std::vector<Index>& elements) {
+  std::vector<std::size_t> root(elements.size());
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  std::vector<std::ptrdiff_t> seen(mesh.nodes.size(), -1);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (const Index n : mesh.elements[elements[i]]) {
+      if (n < 0) continue;
+      if (seen[n] < 0) {
+        seen[n] = static_cast<std::ptrdiff_t>(i);
+        continue;
+      }
+      const std::size_t a = find(i), b = find(static_cast<std::size_t>(seen[n]));
+      root[std::max(a, b)] = std::min(a, b);
+    }
+  for (std::size_t i = 0; i < root.size(); ++i) root[i] = find(i);
+  return root;
+}
+
+// A side of several sheets that are not alike becomes as many surfaces as there are kinds of sheets, so that
+// each two have the gap of their own thicknesses. A sheet that is not alike everywhere is of one kind.
+std::vector<std::vector<Index>> kinds(const model::Model& model, const std::vector<Index>& elements) {
+  const std::vector<std::size_t> sheet = joined(model.mesh(), elements);
+  std::vector<std::vector<int>> regions(elements.size());  // of each sheet, the first that are alike
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    int region = model.region_of(elements[i]);
+    for (int r = 0; r < region; ++r)
+      if (alike(model.sections()[r], model.sections()[region])) region = r;
+    auto& of_sheet = regions[sheet[i]];
+    const auto at = std::lower_bound(of_sheet.begin(), of_sheet.end(), region);
+    if (at == of_sheet.end() || *at != region) of_sheet.insert(at, region);
+  }
+  std::vector<std::vector<Index>> out;
+  std::vector<std::vector<int>> kind;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto& mine = regions[sheet[i]];
+    const auto at = std::find(kind.begin(), kind.end(), mine);
+    const auto number = static_cast<std::size_t>(at - kind.begin());
+    if (at == kind.end()) {
+      kind.push_back(mine);
+      out.emplace_back();
+    }
+    out[number].push_back(elements[i]);
+  }
+  return out;
+}
+
+model::Surfaces split_by_kind(const model::Model& model, const model::Surfaces& given) {
+  model::Surfaces out;
+  std::vector<std::vector<int>> parts;  // of each surface of cloth
+  for (const auto& elements : given.elements) {
+    parts.emplace_back();
+    for (auto& kind : kinds(model, elements)) {
+      parts.back().push_back(static_cast<int>(out.elements.size()));
+      out.elements.push_back(std::move(kind));
+    }
+  }
+  const auto cloth = static_cast<int>(given.elements.size());
+  const auto parts_of = [&](int side) {
+    return side < cloth ? parts[side]
+                        : std::vector<int>{static_cast<int>(out.elements.size()) + side - cloth};
+  };
+  for (const model::Meeting& m : given.meetings)
+    for (const int a : parts_of(m.first))
+      for (const int b : parts_of(m.second))
+        if (m.first != m.second || a <= b)
+          out.meetings.push_back({std::min(a, b), std::max(a, b), m.contact});
+  return out;
+}
+
 Mat3 cross_matrix(const Vec3& a) {
   Mat3 m;
   m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
@@ -51,7 +132,7 @@ double mean_edge(const contact::Scene& scene) {
 Contacts::Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
                    const Freedoms& freedoms)
     : Contacts(model, configuration, cloth, freedoms,
-               model::work_out_surfaces(model.interactions(), model.mesh())) {}
+               split_by_kind(model, model::work_out_surfaces(model.interactions(), model.mesh()))) {}
 
 Contacts::Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
                    const Freedoms& freedoms, const model::Surfaces& surfaces)
@@ -82,6 +163,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   velocity_ = torque_ = turning_ = force_;
   find_masses(freedoms);
   refuse_overlaps();
+  begin_pressed();
 }
 
 Contacts::Sheet Contacts::sheet(const std::vector<Index>& elements) const {
@@ -186,11 +268,21 @@ void Contacts::soften(bool measured) {
 void Contacts::go_explicit() {
   explicit_ = true;
   soften(true);
+  begin_pressed();
 }
 
 void Contacts::go_implicit() {
   bodies_.go_implicit();
   soften(false);
+  begin_pressed();
+}
+
+// What starts within the range of contact has its energy and its forces from the start.
+void Contacts::begin_pressed() {
+  positions(configuration_.x(), 0, x_);
+  std::fill(force_.begin(), force_.end(), Vec3::Zero());
+  committed_ = contact_->add_forces(x_, force_);
+  bodies_.begin(std::span(force_).subspan(nodes_));
 }
 
 // --- overlaps at the start
@@ -276,11 +368,23 @@ double Contacts::largest_step(bool scaled) const {
   return std::min(kOfCloth * cloth_.stable_step(scaled), std::sqrt(kCarried * least_areal_ / stiffest));
 }
 
+double Contacts::speed_stopped() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& it : scene_.interactions()) {
+    // Two sheets that meet share the speed: half of the mass has all of it.
+    const bool sheets = it.second < static_cast<std::int32_t>(sheets_.size());
+    const double range = it.law.gap() - it.law.guard_gap(), mass = sheets ? least_areal_ / 2 : least_areal_;
+    least = std::min(least, range * std::sqrt(it.law.stiffest() / mass));
+  }
+  return least;
+}
+
 bool Contacts::may_have_passed() {
-  if (blocked_ || contact::cannot_meet(moved_, trial_.gap)) return blocked_;
+  if (blocked_) return true;
+  if (contact::cannot_meet(moved_, trial_.gap) && contact_->points_tell(start_, x_)) return false;
   by_.resize(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) by_[i] = x_[i] - start_[i];
-  return contact_->safe_share(start_, by_) < 1;
+  return contact_->may_have_passed(start_, by_, trial_.gap);
 }
 
 double Contacts::carried_step() const {
@@ -582,12 +686,13 @@ double Contacts::near_share(const Trial& trial) {
 
 double Contacts::safe_share(const Trial& trial) {
   positions(trial.configuration.x(), share_, by_);
+  const bool points_tell = contact_->points_tell(marked_, by_);
   double most = 0;
   for (std::size_t i = 0; i < by_.size(); ++i) {
     by_[i] -= marked_[i];
     most = std::max(most, by_[i].squaredNorm());
   }
-  if (evaluated_ && contact::cannot_meet(std::sqrt(most), trial_.gap)) return 1;
+  if (evaluated_ && contact::cannot_meet(std::sqrt(most), trial_.gap) && points_tell) return 1;
   return contact_->safe_share(marked_, by_);
 }
 
@@ -632,6 +737,7 @@ const Contacts::Reading& Contacts::read() const {
   open_to(configuration_.time());
   std::vector<Vec3> force(x_.size(), Vec3::Zero());
   reading_.totals = contact_->add_forces(reading_.x, force);
+  reading_.at_points = contact_->at_points(reading_.x);
   return reading_;
 }
 
@@ -640,14 +746,8 @@ Contacts::Nearest Contacts::nearest() const {
   return {found.gap, found.point};
 }
 
-double Contacts::gap(Index node) const {
-  read();
-  return contact_->gaps()[node];
-}
+double Contacts::gap(Index node) const { return read().at_points.gap[node]; }
 
-double Contacts::pressure(Index node) const {
-  read();
-  return contact_->pressures()[node];
-}
+double Contacts::pressure(Index node) const { return read().at_points.pressure[node]; }
 
 }  // namespace fabricsh::mechanics

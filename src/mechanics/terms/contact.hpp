@@ -79,6 +79,9 @@ class Contacts final : public Term {
   double largest_step(bool scaled) const;
   // s: the largest step for the stiffness at the smallest gap, including that of the guard.
   double carried_step() const;
+  // m/s: the least speed, over all contacts, that uses up the range of contact above the guard when cloth of the
+  // least areal mass meets it flat. What comes faster is pressed into the guard.
+  double speed_stopped() const;
   bool blocked() const { return blocked_; }  // the state of the last forces is impossible
 
   // --- reading of the present state of the configuration
@@ -90,7 +93,7 @@ class Contacts final : public Term {
   };
   Nearest nearest() const;
   double gap(Index node) const;       // m, above the floor; at most the range of contact
-  double pressure(Index node) const;  // Pa, without friction
+  double pressure(Index node) const;  // Pa, without friction, of both faces added
   std::size_t touching() const { return read().totals.touching; }
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
@@ -129,6 +132,7 @@ class Contacts final : public Term {
     std::uint64_t version = 0;
     contact::Totals totals;
     std::vector<Vec3> x;
+    contact::Contact::AtPoints at_points;
   };
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
            const Freedoms& freedoms, const model::Surfaces& surfaces);
@@ -144,6 +148,7 @@ class Contacts final : public Term {
   double opening_pace(std::span<const Vec3> x, double time, double dt);
   bool work_of_opening();
   void refuse_overlaps();
+  void begin_pressed();
   void positions(std::span<const double> x, double share, std::vector<Vec3>& out) const;
   void find_motion(double dt);
   void find_turning(double factor);

@@ -86,10 +86,13 @@ std::vector<model::Facets> read_shapes(const Call& call) {
   }
   lua_pop(L, 1);
   if (shapes.empty()) call.refuse(field, "expected at least one shape, got an empty table");
-  for (std::size_t i = 1; i < shapes.size(); ++i)
-    if (shapes[i].vertices.size() == shapes[0].vertices.size() && shapes[i].triangles != shapes[0].triangles)
-      call.refuse(field,
-                  "expected the same facets in every shape, got others in shape " + std::to_string(i + 1));
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    const std::string wanted = "expected the same facets in every shape, got ", which = std::to_string(i + 1);
+    if (shapes[i].vertices.size() != shapes[0].vertices.size())
+      call.refuse(field, wanted + std::to_string(shapes[i].vertices.size()) + " vertices in shape " + which +
+                             " and " + std::to_string(shapes[0].vertices.size()) + " in the first");
+    if (shapes[i].triangles != shapes[0].triangles) call.refuse(field, wanted + "others in shape " + which);
+  }
   return shapes;
 }
 
