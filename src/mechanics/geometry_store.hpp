@@ -1,5 +1,5 @@
-// The reference geometry of the batches. Batches with the same numbers, as in a regular sheet, share one copy:
-// that saves memory, and the copy stays in the cache.
+// The reference geometry of the batches. Batches with the same numbers, as in a regular sheet, share one
+// copy: that saves memory, and the copy stays in the cache.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -30,6 +30,14 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
 
 Cloth::~Cloth() = default;
 
+void Cloth::update_in_place() {
+  std::vector<std::size_t> starts;
+  starts.reserve(batches_.size() + 1);
+  for (const Batch& batch : batches_) starts.push_back(batch.law);
+  starts.push_back(states_.committed().size());
+  states_.update_in_place(std::move(starts), batches_.front().kind->kernels.width);
+}
+
 void Cloth::set_kinds() {
   for (const auto& section : model_.sections()) {
     const int points = static_cast<int>(section.points.size());
@@ -147,8 +155,8 @@ void Cloth::add_mass(const Batch& batch, int lane) {
   double mass = 0, moment = 0;  // kg, kg m
   for (int g = 0; g < batch.kind->in_plane; ++g)
     for (int k = 0; k < points; ++k) {
-      const double m = section.points[k].density *
-                       batch.geometry[(batch.kind->point(g, k, points) + 7) * lanes + lane];
+      const double m =
+          section.points[k].density * batch.geometry[(batch.kind->point(g, k, points) + 7) * lanes + lane];
       mass += m;
       moment += m * section.thickness / 2 * (section.points[k].zeta - section.offset);
     }
@@ -237,24 +245,29 @@ void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
 }
 
 // Computes the forces of one batch into its slots, and its tangent if K is not null. aside: the array that
-// LawStates::evaluate() returned. Returns an element whose law failed, or -1.
+// LawStates::evaluate() returned, null in place. Returns an element whose law failed, or -1.
 Index Cloth::evaluate(Index b, const law::Step& step, double* aside, double* K, bool law_only) {
   alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
   const Batch& batch = batches_[b];
   const auto& kernels = batch.kind->kernels;
   gather(batch, x, d, K == nullptr ? nullptr : basis);
+  const bool in_place = states_.in_place();
   double* const now = states_.now() + batch.law;
-  const double* const trial = states_.in_place() ? states_.now() : aside;
-  element::ShellBatch data{
-      batch.geometry, x, d, basis, now, aside + batch.law, batch.sharing, law_only};
-  if (states_.in_place()) {
+  double* const trial = in_place ? states_.now() : aside;
+  element::ShellBatch data{batch.geometry, x,       d, basis, now, in_place ? nullptr : aside + batch.law,
+                           batch.sharing,  law_only};
+  double* log = nullptr;
+  if (in_place) {
     data.changed = states_.changed() + batch.law / lanes;
     data.now = now;
+    log = states_.begin_group(static_cast<std::size_t>(b));
+    data.log = &log;
   }
   double* f = element_force_.data() + batch.force;
   const unsigned failed = (K == nullptr ? kernels.force(*batch.section, step, data, f)
                                         : kernels.tangent(*batch.section, step, data, f, K)) &
                           ((1u << batch.used) - 1);
+  if (in_place) states_.end_group(log);
   if (!share_.empty() && !law_only) share_[b] = share_of(batch, trial);
   if (sums_expected_ && K == nullptr)
     batch_energies(batch, x, d, trial + batch.law, sums_.data() + b * law::energy_values * lanes);
@@ -325,6 +338,7 @@ Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness&
               : failed) if (colour_start_[c + 1] - colour_start_[c] >= few_batches)
     for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
       alignas(64) double k[element::shell4_dofs * element::shell4_dofs * lanes];
+      stiffness.fetch(b, to);
       failed = std::max(failed, evaluate(b, step, aside, k, law_only));
       stiffness.scatter(b, k, to);
     }

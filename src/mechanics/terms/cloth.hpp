@@ -42,7 +42,7 @@ class Cloth final : public Term {
   bool starts() const override { return true; }
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
   // Updates the law's states in place (see LawStates): for runs that compute the forces once in a step.
-  void update_in_place() { states_.update_in_place(); }
+  void update_in_place();
   bool symmetric() const override;
   bool hangs_on_time() const;  // whether the law of any card depends on time
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
