@@ -72,16 +72,17 @@ struct ShellBatch {
   const double* d;   // directors, in the same order
   const double* b;   // 24 (18): b1 then b2 per node, at 6 A + 3 (alpha) + i; tangent only
   const double* s0;  // committed law states, [gauss][section state]
-  double* s1;        // trial law states
+  double* s1;        // trial law states; null in place
   Sharing sharing = Sharing::none;
   bool law_only = false;  // tangent: B^T C B only, without the parts of stress and rotating directors
   // If `changed` is null, s0 is read and all of s1 is written. Otherwise the states are updated in place:
   // `now` is s0, and `changed` has one byte per number of the states, in which bit l is set if the number of
-  // lane l has changed. The old numbers of a pack with such a lane go to s1, and the rest of s1 is not
-  // written.
+  // lane l has changed. The old numbers of a pack with such a lane are appended to `log`, part after part of
+  // the batch; it must have room for all of them.
   unsigned char* changed = nullptr;
   double* now = nullptr;
-  int first_lane = 0;  // of the part of the batch that a kernel works on
+  double** log = nullptr;  // the end of the log
+  int first_lane = 0;      // of the part of the batch that a kernel works on
 };
 using Shell4Batch = ShellBatch;
 
@@ -103,6 +104,7 @@ struct Shell4Kernels {
   Shell4Strain strain;
   Shell4Curvature curvature;
   Shell4Inverted inverted;
+  int width = lanes;  // of the parts of a batch
 };
 Shell4Kernels shell4_kernels(Isa isa);
 

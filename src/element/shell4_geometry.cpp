@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "base/error.hpp"
 #include "element/shell3.hpp"
@@ -57,26 +58,59 @@ PointFrame frame_at(const Edges& e, const std::array<Vec3, 4>& X, const std::arr
   return p;
 }
 
-// T11 T12 T21 T22 q1 q2 s w of one thickness point (see Shell4Layout).
-std::array<double, 8> point_column(const section::Section& section, std::size_t k, const PointFrame& p,
-                                   double weight, const WarpAt& warp) {
-  const double z = section.thickness / 2 * (section.points[k].zeta - section.offset);
-  const Vec3 G1 = p.A1 + z * p.B1, G2 = p.A2 + z * p.B2, G3 = section.thickness / 2 * p.D;
-  const Vec3 normal = G1.cross(G2);
-  const double J = normal.dot(G3);
-  if (!(J > 0) || !std::isfinite(J))
-    throw Error("is degenerate or inverted: its Jacobian is " + std::to_string(J) +
-                ", expected a positive number");
-  const Vec3 m3 = normal.normalized();
-  const Vec3 wanted = warp(p.X, m3);
-  const Vec3 along = (wanted - wanted.dot(m3) * m3).normalized();
-  const double angle = section.points[k].angle;
-  const Vec3 m1 = angle == 0 ? along : Vec3(std::cos(angle) * along + std::sin(angle) * m3.cross(along));
-  const Vec3 m2 = m3.cross(m1);
-  const Vec3 C1 = G2.cross(G3) / J, C2 = G3.cross(G1) / J, C3 = normal / J;
-  return {C1.dot(m1), C2.dot(m1), C1.dot(m2), C2.dot(m2),
-          C1.dot(m3), C2.dot(m3), C3.dot(m3), weight * section.points[k].weight * J};
-}
+// The columns T11 T12 T21 T22 q1 q2 s w (see Shell4Layout) of the thickness points at an in-plane point.
+// Where the directors are parallel the base vectors do not depend on the height; then only the weights
+// differ.
+class PointColumns {
+ public:
+  PointColumns(const section::Section& section, const PointFrame& frame, const WarpAt& warp)
+      : section_(section), p_(frame), warp_(warp), G3_(section.thickness / 2 * frame.D) {}
+
+  // k: the thickness point; weight: of the in-plane point.
+  std::array<double, 8> operator()(std::size_t k, double weight) {
+    const auto& point = section_.points[k];
+    const double z = section_.thickness / 2 * (point.zeta - section_.offset);
+    const Vec3 G1 = p_.A1 + z * p_.B1, G2 = p_.A2 + z * p_.B2;
+    if (!known_ || !same(G1, G1_) || !same(G2, G2_) || point.angle != angle_) {
+      G1_ = G1;
+      G2_ = G2;
+      angle_ = point.angle;
+      transform();
+      known_ = true;
+    }
+    column_[7] = weight * point.weight * J_;
+    return column_;
+  }
+
+ private:
+  static bool same(const Vec3& a, const Vec3& b) {
+    return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+  }
+
+  void transform() {
+    const Vec3 normal = G1_.cross(G2_);
+    J_ = normal.dot(G3_);
+    if (!(J_ > 0) || !std::isfinite(J_))
+      throw Error("is degenerate or inverted: its Jacobian is " + std::to_string(J_) +
+                  ", expected a positive number");
+    const Vec3 m3 = normal.normalized();
+    const Vec3 wanted = warp_(p_.X, m3);
+    const Vec3 along = (wanted - wanted.dot(m3) * m3).normalized();
+    const Vec3 m1 = angle_ == 0 ? along : Vec3(std::cos(angle_) * along + std::sin(angle_) * m3.cross(along));
+    const Vec3 m2 = m3.cross(m1);
+    const Vec3 C1 = G2_.cross(G3_) / J_, C2 = G3_.cross(G1_) / J_, C3 = normal / J_;
+    column_ = {C1.dot(m1), C2.dot(m1), C1.dot(m2), C2.dot(m2), C1.dot(m3), C2.dot(m3), C3.dot(m3), 0};
+  }
+
+  const section::Section& section_;
+  const PointFrame& p_;
+  const WarpAt& warp_;
+  const Vec3 G3_;
+  bool known_ = false;
+  Vec3 G1_ = Vec3::Zero(), G2_ = Vec3::Zero();
+  double angle_ = 0, J_ = 0;
+  std::array<double, 8> column_{};
+};
 
 using Samples = Eigen::Matrix<double, 3, kSamples>;
 using Modes = Eigen::Matrix<double, kEnhanced, kSamples>;
@@ -97,6 +131,7 @@ Mat3 weighing_tangent(const section::Section& section, const PointFrame& middle,
   constexpr int in_plane[3] = {0, 1, 4};
   const bool linear = std::all_of(section.points.begin(), section.points.end(),
                                   [](const auto& point) { return law::linear(*point.law); });
+  PointColumns columns(section, middle, warp);
   for (std::size_t k = 0; k < section.points.size(); ++k) {
     Mat3 C3 = Vec3(1, 1, 0.5).asDiagonal();
     if (linear) {
@@ -105,7 +140,7 @@ Mat3 weighing_tangent(const section::Section& section, const PointFrame& middle,
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) C3(i, j) = C[5 * in_plane[i] + in_plane[j]];
     }
-    const auto t = point_column(section, k, middle, 1.0, warp);
+    const auto t = columns(k, 1.0);
     Mat3 L;
     L << t[0] * t[0], t[1] * t[1], t[0] * t[1],  //
         t[2] * t[2], t[3] * t[3], t[2] * t[3],   //
@@ -175,8 +210,9 @@ void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>&
       put(at.reference(p) + i, kappa[i]);
       put(at.reference(p) + 3 + i, rho[i] / 2);
     }
+    PointColumns columns(section, frame, warp);
     for (std::size_t k = 0; k < section.points.size(); ++k) {
-      const auto column = point_column(section, k, frame, 1.0, warp);
+      const auto column = columns(k, 1.0);
       for (int i = 0; i < 8; ++i) put(at.point(p, static_cast<int>(k)) + i, column[i]);
     }
   }
@@ -203,8 +239,9 @@ void shell3_geometry(const section::Section& section, const std::array<Vec3, 3>&
       put(at.reference(p) + 3 + i, rho[i] / 2);
     }
     const PointFrame frame{X[0] + r[p] * A1 + s[p] * A2, D[0] + r[p] * B1 + s[p] * B2, A1, A2, B1, B2};
+    PointColumns columns(section, frame, warp);
     for (std::size_t k = 0; k < section.points.size(); ++k) {
-      const auto column = point_column(section, k, frame, 1.0 / 6, warp);
+      const auto column = columns(k, 1.0 / 6);
       for (int i = 0; i < 8; ++i) put(at.point(p, static_cast<int>(k)) + i, column[i]);
     }
   }

@@ -167,20 +167,24 @@ inline void add_symmetric_tangent(const Transform& t, const double* C, double z,
 
 // Stores the trial states of a law; `place` is the offset of the first of them in the batch's states. In
 // place only changed packs are written: most states change in few steps, and memory traffic limits the speed.
+// A batch's states must be put in their order.
 inline void put_states(const ShellBatch& batch, long place, int count, const Pack* old, const Pack* trial) {
   if (batch.changed == nullptr) {
     for (int i = 0; i < count; ++i) store(batch.s1 + place + i * lanes, trial[i]);
     return;
   }
   unsigned char* changed = batch.changed + place / lanes;
+  double* log = *batch.log;
   for (int i = 0; i < count; ++i) {
     const unsigned bits = differing(old[i], trial[i]);
     const unsigned before = batch.first_lane == 0 ? 0 : changed[i];
     changed[i] = static_cast<unsigned char>(before | bits << batch.first_lane);
     if (bits == 0) continue;
-    store(batch.s1 + place + i * lanes, old[i]);
+    store(log, old[i]);
+    log += pack_width;
     store(batch.now + place + i * lanes, trial[i]);
   }
+  *batch.log = log;
 }
 
 // The same for trial states in memory.
@@ -313,7 +317,7 @@ inline ShellBatch part(const ShellBatch& batch, int first) {
   const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
   return {from(batch.geometry), from(batch.x),   from(batch.d), from(batch.b),
           from(batch.s0),       from(batch.s1),  batch.sharing, batch.law_only,
-          batch.changed,        from(batch.now), first};
+          batch.changed,        from(batch.now), batch.log,     first};
 }
 
 template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4Curvature curvature,
@@ -332,7 +336,8 @@ Shell4Kernels kernels_of_parts() {
           [](const Section& section, const ShellBatch& batch, double* kappa) {
             for (int i = 0; i < lanes; i += pack_width) curvature(section, part(batch, i), kappa + i);
           },
-          [](const ShellBatch& batch) { return at_parts([&](int i) { return inverted(part(batch, i)); }); }};
+          [](const ShellBatch& batch) { return at_parts([&](int i) { return inverted(part(batch, i)); }); },
+          pack_width};
 }
 
 }  // namespace

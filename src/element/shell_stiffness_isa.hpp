@@ -38,17 +38,21 @@ inline Pack dot8(const Pack* a, const Pack* b) {
   return v;
 }
 
-// The 11x11 tangent of the resultants, row i column j.
+// The 11x11 tangent of the resultants. The loops are unrolled, so that no index is computed at run time.
 template <bool symmetric>
-inline Pack stiffness_entry(const Stiffness& k, int i, int j) {
-  if (symmetric && i < 9 && j < 9 && i % 3 > j % 3)
-    return stiffness_entry<symmetric>(k, i - i % 3 + j % 3, j - j % 3 + i % 3);
-  if (symmetric && i >= 9 && j < 9) return stiffness_entry<symmetric>(k, j, i);
-  if (i / 3 == 1 && j / 3 == 1) return k.Z[2][i - 3][j - 3] + k.bending[i - 3][j - 3];
-  if (i < 9 && j < 9) return k.Z[i / 3 + j / 3][i % 3][j % 3];
-  if (i < 9) return k.in_g[i / 3][i % 3][j - 9];
-  if (j < 9) return k.g_in[j / 3][i - 9][j % 3];
-  return k.g_g[i - 9][j - 9];
+inline void put_stiffness(const Stiffness& k, Pack (&D)[11][11]) {
+  _Pragma("GCC unroll 3") for (int a = 0; a < 3; ++a) _Pragma("GCC unroll 3") for (int i = 0; i < 3; ++i) {
+    _Pragma("GCC unroll 3") for (int b = 0; b < 3; ++b) _Pragma("GCC unroll 3") for (int j = 0; j < 3; ++j) {
+      const int r = symmetric && i > j ? j : i, c = symmetric && i > j ? i : j;
+      D[3 * a + i][3 * b + j] = a == 1 && b == 1 ? k.Z[2][r][c] + k.bending[r][c] : k.Z[a + b][r][c];
+    }
+    _Pragma("GCC unroll 2") for (int j = 0; j < 2; ++j) {
+      D[3 * a + i][9 + j] = k.in_g[a][i][j];
+      D[9 + j][3 * a + i] = symmetric ? k.in_g[a][i][j] : k.g_in[a][j][i];
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) D[9 + i][9 + j] = k.g_g[i][j];
 }
 
 // The rows `rows` of D times a column of the operator whose nonzero strains are `reach`.
@@ -66,8 +70,7 @@ inline void times(const Pack (&D)[11][11], const int (&rows)[n], const int (&rea
 template <bool symmetric, int nx, int nd>
 inline void add_material(const Columns<nx, nd>& B, const Stiffness& k, Tangent<nx, nd>& K) {
   Pack D[11][11], on_x[kReach], on_d[kReach];
-  for (int i = 0; i < 11; ++i)
-    for (int j = 0; j < 11; ++j) D[i][j] = stiffness_entry<symmetric>(k, i, j);
+  put_stiffness<symmetric>(k, D);
   for (int c = 0; c < nx; ++c) {
     times(D, kOfX, kOfX, B.x[c], on_x);
     for (int r = 0; r < (symmetric ? c + 1 : nx); ++r) K.xx[r][c] += dot8(B.x[r], on_x);

@@ -33,7 +33,8 @@ struct Batch {
   int used = 0;
   const Kind* kind = nullptr;
   const section::Section* section = nullptr;
-  std::size_t geometry = 0, law = 0, force = 0;  // indices at which its data begin
+  const double* geometry = nullptr;  // batches with the same numbers share them
+  std::size_t law = 0, force = 0;    // indices at which its data begin
   element::Sharing sharing = element::Sharing::none;
 };
 

@@ -69,12 +69,9 @@ void Dofs::measure_unknowns(const model::Model& model) {
   for (std::size_t i = 0; i < freedoms_.nodes.size(); ++i)
     for (int c = 0; c < 5; ++c)
       if (const Index eq = freedoms_.nodes[i].equation[c]; eq >= 0) {
-        unknown_node_[eq] = static_cast<Index>(i);
+        unknown_node_[eq] = static_cast<std::int32_t>(i);
         turns_[eq] = c >= 3;
       }
-  lever_.assign(n, 1);
-  for (Index eq = 0; eq < n; ++eq)
-    if (turns_[eq]) lever_[eq] = length_;
   if (!has_ties()) return;
   led_.resize(X_.size());
   for (std::size_t f = 0; f < freedoms_.followers.size(); ++f)
@@ -85,11 +82,19 @@ void Dofs::measure_unknowns(const model::Model& model) {
     double radius = 0;
     for (const Index i : body.nodes) radius = std::max(radius, (at(x, i) - centroid(body, x)).norm());
     for (Index i = 0; i < 6; ++i) {
-      unknown_node_[body.equation + i] = body.nodes.front();
+      unknown_node_[body.equation + i] = static_cast<std::int32_t>(body.nodes.front());
       turns_[body.equation + i] = i >= 3;
-      if (i >= 3) lever_[body.equation + i] = radius;
     }
+    radius_.push_back(radius);
   }
+}
+
+// The unknowns of bodies follow those of the nodes, six for each.
+double Dofs::lever(Index unknown) const {
+  if (!turns_[unknown]) return 1;
+  const auto& bodies = freedoms_.bodies;
+  if (bodies.empty() || unknown < bodies.front().equation) return length_;
+  return radius_[(unknown - bodies.front().equation) / 6];
 }
 
 // If held rotation axes leave a director only one tangent direction, that is its first axis b1.
@@ -323,7 +328,7 @@ double Dofs::lead_of(Index motion, std::span<const double> lead) const {
 std::pair<double, Index> Dofs::largest_residual(std::span<const double> r) const {
   std::pair<double, Index> best{0, -1};
   for (std::size_t i = 0; i < r.size(); ++i) {
-    const double size = std::abs(r[i]) / lever_[i];
+    const double size = std::abs(r[i]) / lever(static_cast<Index>(i));
     if (!std::isfinite(size)) return {std::numeric_limits<double>::infinity(), static_cast<Index>(i)};
     if (size > best.first) best = {size, static_cast<Index>(i)};
   }
@@ -341,9 +346,14 @@ double Dofs::largest_force(std::span<const double> on_x, std::span<const double>
 }
 
 double Dofs::rounding_floor(const linear::Matrix& K) const {
+  if (diagonal_version_ != K.pattern->version) {
+    diagonal_.clear();
+    for (Index eq = 0; eq < K.size(); ++eq) diagonal_.push_back(K.pattern->slot(eq, eq));
+    diagonal_version_ = K.pattern->version;
+  }
   double stiffest[2] = {0, 0}, farthest = 0;  // displacements, rotations; largest coordinate
   for (Index eq = 0; eq < K.size(); ++eq) {
-    const double k = std::abs(K.value[K.pattern->slot(eq, eq)]);
+    const double k = std::abs(K.value[diagonal_[eq]]);
     stiffest[turns_[eq]] = std::max(stiffest[turns_[eq]], k);
   }
   for (const double x : std::as_const(configuration_).x()) farthest = std::max(farthest, std::abs(x));

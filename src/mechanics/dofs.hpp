@@ -84,6 +84,7 @@ class Dofs {
   void meet_directors();
   void find_plain_nodes();
   void measure_unknowns(const model::Model& model);
+  double lever(Index unknown) const;  // m, by which its moments are divided; 1 for a displacement
   void realign(Index node);
   void retract_ties(std::span<const double> delta, double scale);
   void add_tied_residual(std::span<const double> external, std::span<const double> internal_x,
@@ -104,11 +105,15 @@ class Dofs {
     bool is_plain = false;
   };
   std::vector<PlainNode> plain_;
-  std::vector<Index> driven_nodes_, unknown_node_;
+  std::vector<Index> driven_nodes_;
+  std::vector<std::int32_t> unknown_node_;
   std::vector<bool> turns_;                              // per unknown
-  std::vector<double> lever_;                            // per unknown: divisor of moments, m; else 1
+  std::vector<double> radius_;                           // m, per body
   std::vector<std::vector<std::pair<Index, int>>> led_;  // per node: followers it leads, and as which lead
   double length_ = 1;
+  // Places of the diagonal in the values of a matrix with the pattern of this version.
+  mutable std::vector<Index> diagonal_;
+  mutable std::uint64_t diagonal_version_ = 0;
 };
 
 }  // namespace fabricsh::mechanics

@@ -157,6 +157,18 @@ void Stiffness::make_slots() {
     }
 }
 
+// Prefetches the entries that a batch adds to. They are scattered over the matrix, so that the processor does
+// not prefetch them by itself.
+void Stiffness::fetch(Index b, const Target& to) const {
+  const Index* slot = slots_.data() + b * lanes * kBlocks;
+  const double* value = to.K.value.data();
+  for (int i = 0; i < batches_[b].used * kBlocks; ++i) {
+    if (slot[i] < 0) continue;
+    __builtin_prefetch(value + slot[i], 1, 2);
+    __builtin_prefetch(value + slot[i] + 4, 1, 2);
+  }
+}
+
 void Stiffness::scatter(Index b, const double* K, const Target& to) {
   const Batch& batch = batches_[b];
   for (int l = 0; l < batch.used; ++l) {

@@ -29,6 +29,7 @@ class Stiffness {
     std::span<const double> lead;
     std::span<double> product;
   };
+  void fetch(Index batch, const Target& to) const;  // to be called some time before scatter()
   // Adds the tangents of a batch, as the kernels write them; batches of one colour may run in parallel.
   void scatter(Index batch, const double* K, const Target& to);
   // Adds those of elements with tied nodes, which scatter() stores: their leads may be shared across colours.

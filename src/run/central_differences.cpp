@@ -23,14 +23,15 @@ void CentralDifferences::start(std::vector<double> velocities) {
   trial_.v = committed_.v;
 }
 
-bool CentralDifferences::predict(std::span<const double> farthest) {
+bool CentralDifferences::predict(std::span<const unsigned char> turns,
+                                 const std::array<double, 2>& farthest) {
   const double dt = this->dt(), early = (1 - gamma_) * dt;
   bool away = false;
 #pragma omp parallel for schedule(static) reduction(|| : away) if (mass_.size() >= kShare)
   for (std::size_t i = 0; i < mass_.size(); ++i) {
     increment_[i] = dt * (committed_.v[i] + dt / 2 * committed_.a[i]);
     trial_.v[i] = committed_.v[i] + early * committed_.a[i];
-    away = away || !(std::abs(increment_[i]) < farthest[i]);
+    away = away || !(std::abs(increment_[i]) < (turns[i] != 0 ? farthest[1] : farthest[0]));
   }
   return !away;
 }

@@ -5,6 +5,7 @@
 // Rotations of a director are components along b1, b2, which are transported with it along its great circle.
 // Velocities therefore keep their components, and momentum and angular momentum are conserved exactly.
 #pragma once
+#include <array>
 #include <functional>
 #include <span>
 #include <utility>
@@ -19,9 +20,10 @@ class CentralDifferences final : public mechanics::Motion {
   // mass: per unknown, kg and kg m^2. driven: rates of the driven freedoms at the beginning of the step.
   CentralDifferences(std::vector<double> mass, double gamma, std::function<std::vector<double>()> driven);
 
-  // Computes the increment of a step of dt() and the predicted velocity. farthest: limit per unknown, m or
-  // rad; false: an increment exceeds it.
-  bool predict(std::span<const double> farthest);
+  // Computes the increment of a step of dt() and the predicted velocity. turns: per unknown 1 for a rotation,
+  // 0 for a displacement; farthest: the limits of a displacement, m, and of a rotation, rad. False: an
+  // increment exceeds its limit.
+  bool predict(std::span<const unsigned char> turns, const std::array<double, 2>& farthest);
   // Computes the acceleration from the residual, including the damping of the masses (1/s), and the corrected
   // velocity.
   void accelerate(std::span<const double> residual, double mass_damping);

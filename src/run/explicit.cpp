@@ -38,9 +38,9 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   tell_contacts();
   check_stable_step(undamped);
   choose_step();
-  farthest_.reserve(residual_.size());
-  for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i)
-    farthest_.push_back(assembly_->turns(i) ? std::numbers::pi / 2 : smallest_);
+  farthest_ = {smallest_, std::numbers::pi / 2};
+  turns_.reserve(residual_.size());
+  for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i) turns_.push_back(assembly_->turns(i) ? 1 : 0);
 }
 
 void Explicit::check_stable_step(double undamped) const {
@@ -204,7 +204,7 @@ bool Explicit::attempt(double size, StepReport& report) {
     end_ = end;
     return false;
   };
-  if (!motion_.predict(farthest_)) return ends(End::ran_away);
+  if (!motion_.predict(turns_, farthest_)) return ends(End::ran_away);
   if (problem_.begin_step() != Answer::ok) return ends(End::forces);
   problem_.accept();
   watch_jump(problem_.driven(), problem_.targets(), size, kJump * smallest_);

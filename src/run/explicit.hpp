@@ -1,5 +1,6 @@
 // The run by central differences, with one evaluation of forces per step.
 #pragma once
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -52,7 +53,10 @@ class Explicit final : public Dynamic {
     bool guarded = false, told = false;
     void keep(Archive& archive) { archive(start, steps, halved, calm, guarded, told); }
   } block_;
-  std::vector<double> farthest_;  // per unknown, m or rad: a larger increment means that the run diverges
+  // Per unknown whether it is a rotation; and the limits, m and rad, beyond which an increment means that the
+  // run diverges.
+  std::vector<unsigned char> turns_;
+  std::array<double, 2> farthest_{};
   CentralDifferences motion_;
   const std::function<void()> unpolled_;  // no poll, since a step is short
   Problem problem_;

@@ -155,10 +155,33 @@ std::string cause(const Blame& blame, const solver::NewtonResult& last) {
   return blame.reason.empty() ? solver::describe(last.status) : blame.reason;
 }
 
+Failure failure_of(const model::Model& model, const mechanics::Assembly& assembly, double time,
+                   std::vector<Try> tries, const Blame& blame, const solver::NewtonResult& last) {
+  Failure failure;
+  failure.time = time;
+  failure.moved = farthest_move(assembly, time, time + (tries.empty() ? 0 : tries.front().step));
+  failure.tries = std::move(tries);
+  failure.blame = blame;
+  failure.negative_pivots = last.negative_pivots;
+  failure.size = assembly.smallest_size();
+  if (const auto* woven = std::get_if<card::Woven>(&model.card_of(blame.element).law))
+    failure.tested = woven->tested;
+  failure.turned_back = last.status == solver::NewtonStatus::turned_back;
+  failure.broken = last.status == solver::NewtonStatus::broken;
+  return failure;
+}
+
 std::string headline(const Failure& failure, const solver::NewtonResult& last, double step) {
   const std::string from = failure.broken ? "stopped at time " : "no step beyond time ";
   return from + number(failure.time) + " s: " + cause(failure.blame, last) + " in a step of " + number(step) +
          " s";
+}
+
+std::string message(const Failure& failure, const solver::NewtonResult& last, double step, double largest,
+                    int cuts, double tolerance) {
+  return headline(failure, last, step) + " (the largest is " + number(largest) + " s; " +
+         std::to_string(cuts) + " tries)" + describe(failure.blame, last, tolerance) +
+         ".\nTry: " + advice(failure).front() + ".";
 }
 
 std::string describe(const Blame& blame, const solver::NewtonResult& last, double tolerance) {

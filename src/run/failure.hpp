@@ -5,6 +5,7 @@
 
 #include "law/law.hpp"
 #include "mechanics/assembly.hpp"
+#include "model/model.hpp"
 #include "run/foresight.hpp"
 #include "solver/newton.hpp"
 
@@ -60,9 +61,18 @@ struct Failure {
   bool dynamic = false, arc = false, stabilised = false, turned_back = false;
 };
 
+// What every run that iterates knows of a failed step. time: s, the last committed one.
+Failure failure_of(const model::Model& model, const mechanics::Assembly& assembly, double time,
+                   std::vector<Try> tries, const Blame& blame, const solver::NewtonResult& last);
+
 // "no step beyond time 0.1 s: too many iterations in a step of 0.01 s"; or, if the forces cannot be computed
 // with any step, "stopped at time ...".
 std::string headline(const Failure& failure, const solver::NewtonResult& last, double step);
+
+// The message of the error: the headline, the last step tried with the largest one allowed, where the
+// residual sits, and the best advice.
+std::string message(const Failure& failure, const solver::NewtonResult& last, double step, double largest,
+                    int cuts, double tolerance);
 
 // m, the largest change of a driven displacement between two times.
 double farthest_move(const mechanics::Assembly& assembly, double from, double to);

@@ -118,21 +118,10 @@ const mechanics::NodalRates& Implicit::rates() const { return newmark_.velocitie
 
 void Implicit::give_up(const StepReport& report) {
   const double now = committed_time();
-  Failure failure;
-  failure.time = now;
-  failure.tries = tries_;
-  failure.blame = blame_;
-  failure.negative_pivots = last_.negative_pivots;
-  failure.moved = farthest_move(*assembly_, now, now + (tries_.empty() ? 0 : tries_.front().step));
-  failure.size = smallest_;
-  if (const auto* woven = std::get_if<card::Woven>(&model_->card_of(blame_.element).law))
-    failure.tested = woven->tested;
+  Failure failure = failure_of(*model_, *assembly_, now, tries_, blame_, last_);
   failure.dynamic = true;
-  failure.broken = last_.status == solver::NewtonStatus::broken;
-  const std::string text = "dynamic: " + headline(failure, last_, report.step) + " (the largest is " +
-                           number(control_.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
-                           describe(blame_, last_, options_.tolerance) +
-                           ".\nTry: " + advice(failure).front() + ".";
+  const std::string text =
+      "dynamic: " + message(failure, last_, report.step, control_.largest(), report.cuts, options_.tolerance);
   fail(NumericalFailure(text, now, blame_.element, blame_.yarn), run::report(failure));
 }
 

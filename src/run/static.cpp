@@ -343,24 +343,12 @@ void Static::check() {
 
 void Static::give_up(const StepReport& report) {
   const double now = committed_time();
-  Failure failure;
-  failure.time = now;
-  failure.tries = tries_;
-  failure.blame = blame_;
-  failure.negative_pivots = last_.negative_pivots;
-  failure.moved = farthest_move(*assembly_, now, now + (tries_.empty() ? 0 : tries_.front().step));
-  failure.size = assembly_->smallest_size();
+  Failure failure = failure_of(*model_, *assembly_, now, tries_, blame_, last_);
   failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
-  if (const auto* woven = std::get_if<card::Woven>(&model_->card_of(blame_.element).law))
-    failure.tested = woven->tested;
   failure.arc = arc_ != nullptr;
   failure.stabilised = stabilisation_ != nullptr;
-  failure.turned_back = last_.status == solver::NewtonStatus::turned_back;
-  failure.broken = last_.status == solver::NewtonStatus::broken;
-  const std::string text = "static: " + headline(failure, last_, report.step) + " (the largest is " +
-                           number(now_.step.largest()) + " s; " + std::to_string(report.cuts) + " tries)" +
-                           describe(blame_, last_, options_.tolerance) +
-                           ".\nTry: " + advice(failure).front() + ".";
+  const std::string text =
+      "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);
   fail(NumericalFailure(text, now, blame_.element, blame_.yarn), run::report(failure));
 }
 

@@ -37,17 +37,6 @@ Calls calls_of(const run::Checkpoint& checkpoint) {
   return calls;
 }
 
-void begin(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
-  const Options& options = run.session.options();
-  run.same_deck = checkpoint->deck_hash == deck_hash(options);
-  run.before = calls_of(*checkpoint);
-  run.job.begin_from(checkpoint);
-  if (!options.deck.empty() && !run.same_deck)
-    run.session.notices().once("restart", "restart: the deck or its arguments are not those that wrote '" +
-                                              checkpoint->path +
-                                              "'; the problem is the same, so the run goes on");
-}
-
 }  // namespace
 
 run::Journal journal_of(const Options& options) {
@@ -79,7 +68,14 @@ std::shared_ptr<const run::Checkpoint> part_of(const std::shared_ptr<const run::
 }
 
 void begin_from(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
-  begin(run, std::move(checkpoint));
+  const Options& options = run.session.options();
+  run.same_deck = checkpoint->deck_hash == deck_hash(options);
+  run.before = calls_of(*checkpoint);
+  run.job.begin_from(checkpoint);
+  if (!options.deck.empty() && !run.same_deck)
+    run.session.notices().once("restart", "restart: the deck or its arguments are not those that wrote '" +
+                                              checkpoint->path +
+                                              "'; the problem is the same, so the run goes on");
 }
 
 void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
@@ -89,7 +85,7 @@ void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint)
                                      " is run again: it differs from the finished one in '" +
                                      checkpoint->path + "' in " + differs);
   run.job.journal().finished[run.number()] = checkpoint->bytes();
-  begin(run, std::move(checkpoint));
+  begin_from(run, std::move(checkpoint));
 }
 
 void take_up(Run& run) {

@@ -194,10 +194,9 @@ void drive(Run& run, Drive call) {
   call.from = run.analysis->steps().size();
   if (under_way && run.same_deck) call = run.before.under_way;
   if (!under_way) run.job.journal().finished.erase(run.number());
-  run.job.claims().check();
+  run.job.begin();
   std::erase_if(run.calls.failed, [&](const FailedCall& failed) { return failed.call == run.calls.count; });
   run.calls.under_way = call;
-  run.job.begin();
   run::Run& a = *run.analysis;
   Watch watch(run);
   a.monitor([&watch](run::Run&) {

@@ -15,14 +15,11 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
     : model_(model), configuration_(configuration), X_(model.mesh().nodes) {
   set_kinds();
   make_batches();
-  std::size_t law = 0, geometry = 0;
+  std::size_t law = 0;
   for (Batch& batch : batches_) {
     batch.law = law;
-    batch.geometry = geometry;
     law += static_cast<std::size_t>(batch.kind->in_plane) * batch.section->state_size * lanes;
-    geometry += static_cast<std::size_t>(batch.kind->geometry_size) * lanes;
   }
-  geometry_.assign(geometry, 0);
   states_ = LawStates(law);
   make_geometry(directors);
   make_force_slots();
@@ -32,6 +29,14 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
 }
 
 Cloth::~Cloth() = default;
+
+void Cloth::update_in_place() {
+  std::vector<std::size_t> starts;
+  starts.reserve(batches_.size() + 1);
+  for (const Batch& batch : batches_) starts.push_back(batch.law);
+  starts.push_back(states_.committed().size());
+  states_.update_in_place(std::move(starts), batches_.front().kind->kernels.width);
+}
 
 void Cloth::set_kinds() {
   for (const auto& section : model_.sections()) {
@@ -111,26 +116,36 @@ void put_geometry(const section::Section& section, const std::vector<Vec3>& X,
 void Cloth::make_geometry(const std::vector<Vec3>& directors) {
   mass_.assign(X_.size(), 0);
   mass_moment_.assign(X_.size(), 0);
+  LineVector numbers;
   for (Batch& batch : batches_) {
-    double* geometry = geometry_.data() + batch.geometry;
-    for (int l = 0; l < lanes; ++l) {
-      const auto warp = [this, e = batch.element[l]](const Vec3& X, const Vec3& n) {
-        return model_.warp_at(e, X, n);
-      };
-      try {
-        if (batch.kind->corners == 3)
-          put_geometry<3>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
-        else
-          put_geometry<4>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
-      } catch (const Error& e) {
-        const std::string what = e.what();
-        if (what.rfind("is ", 0) != 0) throw;
-        throw Error("mesh: element " + std::to_string(batch.element[l] + 1) + " " + what);
-      }
-      if (l < batch.used) add_mass(batch, l);
+    numbers.assign(static_cast<std::size_t>(batch.kind->geometry_size) * lanes, 0);
+    put_geometry(batch, directors, numbers.data());
+    const auto entry = geometry_.keep(batch, numbers, [&] {
+      return batch.kind->corners == 3 ? element::shell3_sharing(*batch.section, numbers.data())
+                                      : element::shell4_sharing(*batch.section, numbers.data());
+    });
+    batch.geometry = entry.numbers;
+    batch.sharing = entry.sharing;
+    for (int l = 0; l < batch.used; ++l) add_mass(batch, l);
+  }
+  geometry_.finish();
+}
+
+void Cloth::put_geometry(const Batch& batch, const std::vector<Vec3>& directors, double* geometry) const {
+  for (int l = 0; l < lanes; ++l) {
+    const auto warp = [this, e = batch.element[l]](const Vec3& X, const Vec3& n) {
+      return model_.warp_at(e, X, n);
+    };
+    try {
+      if (batch.kind->corners == 3)
+        mechanics::put_geometry<3>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
+      else
+        mechanics::put_geometry<4>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
+    } catch (const Error& e) {
+      const std::string what = e.what();
+      if (what.rfind("is ", 0) != 0) throw;
+      throw Error("mesh: element " + std::to_string(batch.element[l] + 1) + " " + what);
     }
-    batch.sharing = batch.kind->corners == 3 ? element::shell3_sharing(*batch.section, geometry)
-                                             : element::shell4_sharing(*batch.section, geometry);
   }
 }
 
@@ -140,8 +155,8 @@ void Cloth::add_mass(const Batch& batch, int lane) {
   double mass = 0, moment = 0;  // kg, kg m
   for (int g = 0; g < batch.kind->in_plane; ++g)
     for (int k = 0; k < points; ++k) {
-      const double m = section.points[k].density *
-                       geometry_[batch.geometry + (batch.kind->point(g, k, points) + 7) * lanes + lane];
+      const double m =
+          section.points[k].density * batch.geometry[(batch.kind->point(g, k, points) + 7) * lanes + lane];
       mass += m;
       moment += m * section.thickness / 2 * (section.points[k].zeta - section.offset);
     }
@@ -196,7 +211,7 @@ void Cloth::fetch(const Batch& batch, const double* trial) const {
   for (long i = 0; i < states && !states_.in_place(); i += lanes)
     __builtin_prefetch(trial + batch.law + i, 1);
   if (batch.sharing != element::Sharing::element) return;
-  const double* geometry = geometry_.data() + batch.geometry;
+  const double* geometry = batch.geometry;
   const auto columns = [geometry](int first, int count, int stride = 1) {
     for (int i = 0; i < count; ++i) __builtin_prefetch(geometry + (first + i * stride) * lanes);
   };
@@ -230,24 +245,29 @@ void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
 }
 
 // Computes the forces of one batch into its slots, and its tangent if K is not null. aside: the array that
-// LawStates::evaluate() returned. Returns an element whose law failed, or -1.
+// LawStates::evaluate() returned, null in place. Returns an element whose law failed, or -1.
 Index Cloth::evaluate(Index b, const law::Step& step, double* aside, double* K, bool law_only) {
   alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
   const Batch& batch = batches_[b];
   const auto& kernels = batch.kind->kernels;
   gather(batch, x, d, K == nullptr ? nullptr : basis);
+  const bool in_place = states_.in_place();
   double* const now = states_.now() + batch.law;
-  const double* const trial = states_.in_place() ? states_.now() : aside;
-  element::ShellBatch data{
-      geometry_.data() + batch.geometry, x, d, basis, now, aside + batch.law, batch.sharing, law_only};
-  if (states_.in_place()) {
+  double* const trial = in_place ? states_.now() : aside;
+  element::ShellBatch data{batch.geometry, x,       d, basis, now, in_place ? nullptr : aside + batch.law,
+                           batch.sharing,  law_only};
+  double* log = nullptr;
+  if (in_place) {
     data.changed = states_.changed() + batch.law / lanes;
     data.now = now;
+    log = states_.begin_group(static_cast<std::size_t>(b));
+    data.log = &log;
   }
   double* f = element_force_.data() + batch.force;
   const unsigned failed = (K == nullptr ? kernels.force(*batch.section, step, data, f)
                                         : kernels.tangent(*batch.section, step, data, f, K)) &
                           ((1u << batch.used) - 1);
+  if (in_place) states_.end_group(log);
   if (!share_.empty() && !law_only) share_[b] = share_of(batch, trial);
   if (sums_expected_ && K == nullptr)
     batch_energies(batch, x, d, trial + batch.law, sums_.data() + b * law::energy_values * lanes);
@@ -318,6 +338,7 @@ Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness&
               : failed) if (colour_start_[c + 1] - colour_start_[c] >= few_batches)
     for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
       alignas(64) double k[element::shell4_dofs * element::shell4_dofs * lanes];
+      stiffness.fetch(b, to);
       failed = std::max(failed, evaluate(b, step, aside, k, law_only));
       stiffness.scatter(b, k, to);
     }
@@ -349,7 +370,7 @@ void Cloth::visit(Index element, const PointVisitor& f) const {
   std::vector<double> E(static_cast<std::size_t>(kind.in_plane) * points * 5 * lanes),
       state(section.state_size + 1);
   gather(batch, x, d, nullptr);
-  const double* geometry = geometry_.data() + batch.geometry;
+  const double* geometry = batch.geometry;
   kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, E.data());
   const double* law = states_.current().data() + batch.law;
   for (int g = 0; g < kind.in_plane; ++g)
@@ -389,7 +410,7 @@ std::pair<Vec3, Vec3> Cloth::yarns(Index element) const {
   double T[4] = {};
   for (int g = 0; g < kind.in_plane; ++g)
     for (int i = 0; i < 4; ++i)
-      T[i] += geometry_[batch.geometry + (kind.point(g, points / 2, points) + i) * lanes + place.lane];
+      T[i] += batch.geometry[(kind.point(g, points / 2, points) + i) * lanes + place.lane];
   return {(T[0] * a1 + T[1] * a2).normalized(), (T[2] * a1 + T[3] * a2).normalized()};
 }
 
@@ -401,7 +422,7 @@ BendingEnergy Cloth::bending_energy(Index element) const {
   const Kind& kind = *batch.kind;
   alignas(64) double x[12 * lanes], d[12 * lanes], kappa[element::gauss_points * 3 * lanes];
   gather(batch, x, d, nullptr);
-  const double* geometry = geometry_.data() + batch.geometry;
+  const double* geometry = batch.geometry;
   kind.kernels.curvature(section, {geometry, x, d, nullptr, nullptr, nullptr}, kappa);
   const double* law = states_.current().data() + batch.law;
   BendingEnergy sum;
@@ -435,7 +456,7 @@ void Cloth::batch_energies(const Batch& batch, const double* x, const double* d,
     many.resize(static_cast<std::size_t>(5 * kind.in_plane * points * lanes));
     strain = many.data();
   }
-  const double* geometry = geometry_.data() + batch.geometry;
+  const double* geometry = batch.geometry;
   kind.kernels.strain(section, {geometry, x, d, nullptr, nullptr, nullptr}, strain);
   const auto energies = law::batch_energy(best_isa());
   std::fill_n(sum, law::energy_values * lanes, 0.0);

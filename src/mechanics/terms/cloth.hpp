@@ -10,6 +10,7 @@
 
 #include "law/peaks.hpp"
 #include "mechanics/batch.hpp"
+#include "mechanics/geometry_store.hpp"
 #include "mechanics/law_states.hpp"
 #include "mechanics/stiffness.hpp"
 #include "mechanics/term.hpp"
@@ -41,7 +42,7 @@ class Cloth final : public Term {
   bool starts() const override { return true; }
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
   // Updates the law's states in place (see LawStates): for runs that compute the forces once in a step.
-  void update_in_place() { states_.update_in_place(); }
+  void update_in_place();
   bool symmetric() const override;
   bool hangs_on_time() const;  // whether the law of any card depends on time
   void add_energies(const Trial&, std::vector<Energy>& out) const override;
@@ -96,6 +97,7 @@ class Cloth final : public Term {
   void make_batches();
   void add_batches(const std::vector<int>& colours, int colour, bool triangles, int region);
   void make_geometry(const std::vector<Vec3>& directors);
+  void put_geometry(const Batch& batch, const std::vector<Vec3>& directors, double* geometry) const;
   void add_mass(const Batch& batch, int lane);
   void add_inertia();
   double membrane_step() const;
@@ -131,7 +133,7 @@ class Cloth final : public Term {
   std::vector<Index> colour_start_;  // the batches of colour c are [colour_start_[c], colour_start_[c + 1])
   std::vector<Index> order_;         // in which the forces of the batches are computed
   std::vector<Place> place_;         // per element
-  LineVector geometry_;              // all batches in one array
+  GeometryStore geometry_;
   LawStates states_;
   // The forces of the elements as the kernels write them, and the location of each node's forces therein: the
   // entries of node n are [first_slot_[n], first_slot_[n + 1]), and its three components are `lanes` apart.

@@ -9,12 +9,6 @@ namespace fabricsh::script {
 
 namespace {
 
-int report_text(lua_State* L) {
-  luaL_checktype(L, 1, LUA_TTABLE);
-  lua_getfield(L, 1, "text");
-  return 1;
-}
-
 void push_item(lua_State* L, const law::CheckItem& item) {
   lua_newtable(L);
   set_text(L, "key", item.key);

@@ -32,6 +32,12 @@ void set_text(lua_State* L, const char* name, const std::string& value) {
   lua_setfield(L, -2, name);
 }
 
+int report_text(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_getfield(L, 1, "text");
+  return 1;
+}
+
 void set_text_of(lua_State* L, const char* name, lua_CFunction text) {
   if (luaL_newmetatable(L, name) != 0) {
     lua_pushcfunction(L, text);

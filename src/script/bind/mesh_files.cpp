@@ -47,12 +47,6 @@ int deck_lines(Call& call) {
   return 1;
 }
 
-int report_text(lua_State* L) {
-  luaL_checktype(L, 1, LUA_TTABLE);
-  lua_getfield(L, 1, "text");
-  return 1;
-}
-
 void push_finding(lua_State* L, const mesh::Finding& item) {
   lua_newtable(L);
   set_text(L, "key", item.key);
