@@ -49,6 +49,14 @@ constexpr double kLedger = 0.05;  // share of the external work: a larger error 
 // Number of cuts after which relaxation is tried, if it is permitted.
 constexpr int kPatience = 3;
 
+constexpr int many_descents = 4000;  // linear solves of a step's overdamped motion
+
+bool bends_by_itself(const model::Model& model) {
+  const auto& regions = model.regions();
+  return std::any_of(regions.begin(), regions.end(),
+                     [](const auto& r) { return r.card.bending.has_value(); });
+}
+
 }  // namespace
 
 Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options,
@@ -74,7 +82,13 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else
     newton_ = std::make_unique<solver::Newton>(std::move(linear));
-  if (options_.method != Method::newton) relaxation_ = std::make_unique<solver::Relaxation>();
+  if (options_.method != Method::newton) {
+    relaxation_ = std::make_unique<solver::Relaxation>();
+    if (bends_by_itself(*model_))
+      descent_ = std::make_unique<solver::Descent>(takes_symmetric(options_, *assembly_)
+                                                       ? linear::make_symmetric_solver()
+                                                       : linear::make_unsymmetric_solver());
+  }
   tell_contacts();
 }
 
@@ -229,6 +243,7 @@ bool Static::rescue(double size, StepReport& report) {
 // Relaxation gets near at low accuracy, then Newton's method solves accurately; if that fails, relaxation
 // continues from where it was.
 solver::NewtonResult Static::relax() {
+  if (descent_) return descent_->solve(*problem_, {options_.tolerance, many_descents});
   solver::RelaxationOptions coarse;
   coarse.tolerance = std::max(options_.tolerance, 1e-3);
   solver::NewtonResult result = relaxation_->solve(*problem_, coarse);
@@ -356,6 +371,7 @@ void Static::memory(Archive& archive) {
   archive(now_);
   problem_->keep(archive);
   if (newton_) newton_->keep(archive);
+  if (descent_) descent_->keep(archive);
   if (arc_) arc_->keep(archive);
 }
 

@@ -9,6 +9,7 @@
 #include "run/run.hpp"
 #include "run/step_control.hpp"
 #include "solver/arc_length.hpp"
+#include "solver/descent.hpp"
 #include "solver/relaxation.hpp"
 
 namespace fabricsh::run {
@@ -18,8 +19,9 @@ enum class Linear { automatic, symmetric, unsymmetric };  // automatic: symmetri
 // and supports depend, is computed; it decreases after a limit point. The run ends when time first reaches
 // the duration.
 enum class Control { load, arc };
-// relaxation: every step by dynamic relaxation, completed by Newton's method. either: Newton's method, and
-// relaxation for a step that fails after a few cuts.
+// relaxation: every step by dynamic relaxation, completed by Newton's method; where cloth has bending of its
+// own, whose softness dynamic relaxation does not get through, by an overdamped motion in implicit steps.
+// either: Newton's method, and relaxation for a step that fails after a few cuts.
 enum class Method { newton, relaxation, either };
 
 struct StaticOptions {
@@ -86,6 +88,7 @@ class Static final : public Run {
   std::unique_ptr<solver::Newton> newton_;             // each is created if it is used
   std::unique_ptr<solver::ArcLength> arc_;
   std::unique_ptr<solver::Relaxation> relaxation_;
+  std::unique_ptr<solver::Descent> descent_;  // in its place, where cloth has bending of its own
   solver::NewtonResult last_;
   Blame blame_;
   std::vector<Try> tries_;  // failed attempts at the present step

@@ -1,0 +1,88 @@
+#include "solver/descent.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fabricsh::solver {
+
+using linear::all_finite;
+using linear::dot;
+
+namespace {
+constexpr double kFirst = 1e-3, kLeast = 1e-14, kMost = 1e4;  // of the viscosity's factor m
+constexpr double kRise = 8, kFall = 0.25;
+}  // namespace
+
+// The sums of the columns' absolute values: in the units of each unknown, and never zero.
+void Descent::viscosity() {
+  const auto& column = K_.pattern->column;
+  D_.assign(static_cast<std::size_t>(K_.size()), 0.0);
+  double largest = 0;
+  for (Index c = 0; c < K_.size(); ++c) {
+    for (Index k = column[c]; k < column[c + 1]; ++k) D_[c] += std::abs(K_.value[k]);
+    largest = std::max(largest, D_[c]);
+  }
+  for (double& d : D_) d = std::max(d, 1e-12 * largest);
+}
+
+// delta_ = (K + m D)^-1 r_, if that matrix is positive and r_ is reduced along it.
+bool Descent::direction(Problem& problem, double m) {
+  A_ = K_;
+  for (Index c = 0; c < K_.size(); ++c) A_.add(c, c, m * D_[c]);
+  if (!linear_->factorise(A_) || linear_->report().negative_pivots > 0) return false;
+  const auto solve = [this](std::span<const double> b, std::span<double> x) {
+    return linear_->solve(A_, b, x) && all_finite(x);
+  };
+  return solve(r_, delta_) && problem.finish_direction(solve, delta_) && all_finite(delta_) &&
+         dot(delta_, r_) > 0;
+}
+
+// Goes along delta_ as far as is safe. The energy falls by the mean of the forces along the step, by the
+// trapezoidal rule; where it would not, the step is taken back.
+bool Descent::lower(Problem& problem) {
+  const double share = problem.limit(delta_);
+  if (!(share > 0)) return false;
+  problem.retract(delta_, share);
+  const bool good = checked(problem.residual(trial_r_), trial_r_) == Answer::ok &&
+                    dot(delta_, r_) + dot(delta_, trial_r_) > 0;
+  if (!good) problem.retract(delta_, 0);
+  return good;
+}
+
+NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) {
+  NewtonResult result;
+  const auto stop = [&](NewtonStatus status) {
+    result.status = status;
+    return result;
+  };
+  for (auto* v : {&r_, &delta_, &trial_r_}) v->assign(static_cast<std::size_t>(problem.size()), 0.0);
+  if (const Answer answer = problem.predict(K_, r_); answer != Answer::ok) return stop(status_of(answer));
+  problem.retract(delta_, 0);  // the supports to their targets
+  if (const Answer answer = checked(problem.residual(r_), r_); answer != Answer::ok)
+    return stop(status_of(answer));
+  problem.accept();
+  double m = kFirst;
+  for (bool first = true; result.iterations < options.max_iterations; first = false) {
+    if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
+    if (first) viscosity();
+    const auto [size, where] = problem.largest(r_);
+    const double scale = problem.force_scale();
+    // A load that is there before any force has been is its own measure.
+    const double relative = size == 0 ? 0 : scale > 0 ? size / scale : 1;
+    result.residuals.push_back(relative);
+    result.worst = where;
+    const bool small = relative <= options.tolerance || size <= problem.rounding_floor(K_);
+    if (problem.arrived() && small) return stop(NewtonStatus::converged);
+    for (;; m *= kRise) {
+      if (m > kMost) return stop(NewtonStatus::singular);
+      if (result.iterations++ >= options.max_iterations) return stop(NewtonStatus::too_many_iterations);
+      if (direction(problem, m) && lower(problem)) break;
+    }
+    r_.swap(trial_r_);
+    problem.accept();
+    m = std::max(kLeast, kFall * m);
+  }
+  return stop(NewtonStatus::too_many_iterations);
+}
+
+}  // namespace fabricsh::solver
