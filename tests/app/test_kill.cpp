@@ -213,12 +213,12 @@ TEST_CASE("a signal ends what does not come to an answer, with its exit code and
       "a:every('step', function() " +
       endless + " end)\na:solve()\n";
   write_deck("endless_hook.lua", hook);
-  for (const std::string deck : {"endless.lua", "endless_hook.lua"})
+  for (const std::string name : {"endless.lua", "endless_hook.lua"})
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-      INFO(deck << ", " << signal);
+      INFO(name << ", " << signal);
       fs::remove_all("endless");
       fs::remove("endless.log");
-      Program program({"--quiet", deck}, "endless.log");
+      Program program({"--quiet", name}, "endless.log");
       REQUIRE(says("endless.log", "busy"));
       CHECK(program.end(signal) == 128 + signal);
       check_folder("endless");

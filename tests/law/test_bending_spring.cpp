@@ -15,7 +15,7 @@ using law::AtSwitch;
 
 namespace {
 
-const law::BendingSpring spring{10e-6, 0.4e-3, 20.0};  // N.m, N, 1/m: 2HB = 0.8 mN
+const law::BendingSpring plain{10e-6, 0.4e-3, 20.0};  // N.m, N, 1/m: 2HB = 0.8 mN
 
 struct Fold {
   law::BendingState<double> s;
@@ -26,7 +26,7 @@ struct Fold {
     for (int k = 1; k <= n; ++k) {
       const double before = M, last = kappa;
       kappa = k == n ? target : start + (target - start) * k / n;
-      M = law::bending_moment(spring, AtSwitch::loading, kappa, s).M;
+      M = law::bending_moment(plain, AtSwitch::loading, kappa, s).M;
       work += 0.5 * (before + M) * (kappa - last);
     }
   }
@@ -46,7 +46,7 @@ TEST_CASE("a bending loop has the width of its friction, in any number of steps"
     fold.to(250, n);
     // Slip of a full cycle: 2 x (500 - 40), after 230 on the way out; each costs M_f.
     CHECK(fold.s.lost == Approx(0.4e-3 * (230 + 2 * 460)).epsilon(1e-12));
-    const double stored = law::bending_stored(spring, fold.kappa, fold.s);
+    const double stored = law::bending_stored(plain, fold.kappa, fold.s);
     CHECK(stored == Approx(0.5 * 10e-6 * 250 * 250 + 0.5 * 0.4e-3 * 20).epsilon(1e-12));
     // Trapezoids over the kinks: second order in 1 / n.
     if (n > 1) CHECK(fold.work == Approx(stored + fold.s.lost).epsilon(1e-6));
@@ -60,21 +60,21 @@ TEST_CASE("bending tangent against differences, and at the edge of slip", "[bend
   for (int k = 0; k < 10000; ++k) {
     const double kappa = random(-60, 60), h = 1e-4;
     auto a = s, b = s, c = s;
-    const double C = law::bending_moment(spring, AtSwitch::loading, kappa, a).C;
-    const double up = law::bending_moment(spring, AtSwitch::loading, kappa + h, b).M;
-    const double down = law::bending_moment(spring, AtSwitch::loading, kappa - h, c).M;
-    if (std::fabs(std::fabs(kappa - s.slip) - spring.curvature) > 2 * h)
+    const double C = law::bending_moment(plain, AtSwitch::loading, kappa, a).C;
+    const double up = law::bending_moment(plain, AtSwitch::loading, kappa + h, b).M;
+    const double down = law::bending_moment(plain, AtSwitch::loading, kappa - h, c).M;
+    if (std::fabs(std::fabs(kappa - s.slip) - plain.curvature) > 2 * h)
       CHECK((up - down) / (2 * h) == Approx(C).epsilon(1e-8));
-    (C > 2 * spring.rigidity ? sticking : slipping)++;
+    (C > 2 * plain.rigidity ? sticking : slipping)++;
     s = a;
   }
   CHECK(sticking > 1000);
   CHECK(slipping > 1000);
   auto edge = s;
-  law::bending_moment(spring, AtSwitch::loading, 100.0, edge);
+  law::bending_moment(plain, AtSwitch::loading, 100.0, edge);
   auto again = edge;
-  CHECK(law::bending_moment(spring, AtSwitch::loading, 100.0, again).C == spring.rigidity);
-  CHECK(law::bending_moment(spring, AtSwitch::unloading, 100.0, again).C > 2 * spring.rigidity);
+  CHECK(law::bending_moment(plain, AtSwitch::loading, 100.0, again).C == plain.rigidity);
+  CHECK(law::bending_moment(plain, AtSwitch::unloading, 100.0, again).C > 2 * plain.rigidity);
 }
 
 namespace {
