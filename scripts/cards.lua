@@ -86,7 +86,7 @@ of B/(W g); friction in bending, which `broad` and `tropical` have from KES' 2HB
 
 **Choosing.** Take the cloth of the same use and mass whose *measured* parts your run leans on: for hanging and draping bending and mass
 (all but the thesis' four), for pulls and membranes warp and weft, for bias and forming shear; what a card assumes is listed below, and
-`card:with{...}` puts a number of your own in its place. All unload along straight lines, since no record of theirs shows a loop;
+`card:with{...}` puts a number of your own in its place. All unload along straight lines;
 `card:with{ warp={ loop={ friction=0.3, reach=0.5, curve=0.5 } } }` makes them curved ([law.md](law.md)).
 
 ```lua
