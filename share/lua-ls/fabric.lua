@@ -1123,6 +1123,7 @@ function fabric.lab.ratio(fields) end
 ---@field file string of the load frame: CSV, TSV or the like
 ---@field columns? table {displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading
 ---@field units? table {displacement='mm', force='N'}; default: those of the headings
+---@field default_units? table the same, for columns whose heading says none
 ---@field gauge_length? number m: for a record of strains: the displacement follows
 ---@field width? number m: for a record of forces per width: the force follows
 ---@field vocabulary? string|table words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them
@@ -1251,6 +1252,7 @@ function fabric.lab.synthetic(fields) end
 ---@field record? table {displacement=, force=} in SI, instead of a file
 ---@field columns? table as in fabric.lab.read
 ---@field units? table as in fabric.lab.read
+---@field default_units? table as in fabric.lab.read
 ---@field vocabulary? string|table as in fabric.lab.read
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen
