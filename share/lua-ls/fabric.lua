@@ -498,7 +498,7 @@ function fabric.lab.bias(fields) end
 function fabric.lab.bias_extension(fields) end
 
 ---@class fabric_lab_bias_shear_fields
----@field displacement number[] m: of the crosshead, rising; rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error
+---@field displacement number[] m: of the crosshead, rising, from 0 (less by 1 % of the largest at most, as noise); rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error
 ---@field force? number[] N: of one length with it
 ---@field card? card instead of the force: what the pull would show by the same kinematics
 ---@field width number m: of the specimen
