@@ -27,7 +27,7 @@ local cells = math.tointeger(tonumber(arg[5] or 6))
 local other = { width = size(6, 115), length = size(7, 230) }
 if fabric.checking() then return end
 
-local record = lab.read { file = file, units = { displacement = "mm", force = "N" } }
+local record = lab.read { file = file, default_units = { displacement = "mm", force = "N" } }
 
 -- Tensor shear strain of the middle zone if yarns do not stretch: its diagonal L - W grows by the displacement.
 local function middle_strain(w, l, d)

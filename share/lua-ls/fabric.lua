@@ -498,7 +498,7 @@ function fabric.lab.bias(fields) end
 function fabric.lab.bias_extension(fields) end
 
 ---@class fabric_lab_bias_shear_fields
----@field displacement number[] m: of the crosshead, rising; rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error
+---@field displacement number[] m: of the crosshead, rising, from 0 (less by 1 % of the largest at most, as noise); rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error
 ---@field force? number[] N: of one length with it
 ---@field card? card instead of the force: what the pull would show by the same kinematics
 ---@field width number m: of the specimen
@@ -1135,6 +1135,7 @@ function fabric.lab.ratio(fields) end
 ---@field file string of the load frame: CSV, TSV or the like
 ---@field columns? table {displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading
 ---@field units? table {displacement='mm', force='N'}; default: those of the headings
+---@field default_units? table the same, for columns whose heading says none
 ---@field gauge_length? number m: for a record of strains: the displacement follows
 ---@field width? number m: for a record of forces per width: the force follows
 ---@field vocabulary? string|table words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them
@@ -1263,6 +1264,7 @@ function fabric.lab.synthetic(fields) end
 ---@field record? table {displacement=, force=} in SI, instead of a file
 ---@field columns? table as in fabric.lab.read
 ---@field units? table as in fabric.lab.read
+---@field default_units? table as in fabric.lab.read
 ---@field vocabulary? string|table as in fabric.lab.read
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen

@@ -12,7 +12,8 @@
 -- and files whose names give their meaning; K is the specimen:
 --   warp-K.csv, weft-K.csv   a testing machine's record            warp-K-markers.csv   frame, marker, x, y
 --   bias-K-frames.csv        displacement and force at each photograph, with bias-K-markers.csv
---   bias-K.csv               a bias test without markers (shear up to 30 degrees is computed from the displacement)
+--   bias-K.csv               a bias test without markers (shear up to 30 degrees is computed from the displacement), as are frames without theirs;
+--                            left out, with a warning, where other bias tests have markers
 --
 -- A card is made from whichever of these exist; what no test shows is assumed and marked as such (fabric.lab.card).
 local fabric = require "fabric"
@@ -129,9 +130,21 @@ local function seconds_of(record, file)
   return record.time
 end
 
-local function in_shear(about, path)
+-- Bias tests with markers, and those without.
+local function bias_tests(path)
+  local marked, plain = {}, specimens(path, "^bias%-(%w+)")
+  for _, s in ipairs(specimens(path, "^bias%-(%w+)%-frames")) do table.insert(exists(s.stem .. "-markers.csv") and marked or plain, s) end
+  if #marked > 0 then
+    for _, s in ipairs(plain) do
+      fabric.warn(("laboratory: %s has no markers and is left out, since other bias tests have them (%s)"):format(s.file, marked[1].file))
+    end
+  end
+  return marked, plain
+end
+
+local function in_shear(about, marked)
   local tests = {}
-  for i, s in ipairs(specimens(path, "^bias%-(%w+)%-frames")) do
+  for i, s in ipairs(marked) do
     local record, grid = paired(record_of(about, s.file, about.width, about.gauge_length), grid_of(about, s.stem .. "-markers.csv"), s.file)
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
     tests[i].file = s.file
@@ -146,9 +159,9 @@ local function in_shear(about, path)
 end
 
 -- Bias tests without markers, evaluated by the kinematics of inextensible yarns.
-local function in_shear_without_markers(about, path)
+local function in_shear_without_markers(about, plain)
   local tests, pulls, size = {}, {}, about.bias or {}
-  for i, s in ipairs(specimens(path, "^bias%-(%w+)")) do
+  for i, s in ipairs(plain) do
     local width, length = size.width or about.width, size.length or about.gauge_length
     local record = record_of(about, s.file, width, length)
     local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = width, length = length,
@@ -217,8 +230,9 @@ function folder.reduce(path)
   if type(path) ~= "string" then stop(("expected the name of a folder, got %s"):format(tostring(path))) end
   path = path:gsub("/$", "")
   local about = about_of(path)
+  local marked, plain = bias_tests(path)
   local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"),
-                shear = in_shear(about, path) or in_shear_without_markers(about, path) }
+                shear = in_shear(about, marked) or in_shear_without_markers(about, plain) }
   if not out.warp and not out.weft and not out.shear then
     stop(path .. ": expected files of pulls named warp-1.csv, weft-1.csv or bias-1.csv, there is none")
   end

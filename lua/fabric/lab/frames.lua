@@ -120,9 +120,22 @@ local function rising(t)
         :format(d, i, largest))
     end
     if t.cut and d > 0 and (d >= (math.sqrt(2) - 1) * (t.length - t.width) or bias_angle(t, d) > math.rad(t.limit)) then break end
-    if d > largest then rows[#rows + 1], largest = i, d end
+    if d > largest and d >= 0 then rows[#rows + 1] = i end
+    largest = math.max(largest, d)
   end
   return rows
+end
+
+-- Below zero by no more than a reversal's noise: where the specimen stood before the pull.
+local function check_below_zero(t)
+  local high = 0
+  for _, d in ipairs(t.displacement) do high = math.max(high, d) end
+  for i, d in ipairs(t.displacement) do
+    if d < -turned * high then
+      define.fail(("bias_shear: field 'displacement': expected numbers of at least 0 in m (noise of %g %% of the largest apart), got %g at place %d"):format(
+        100 * turned, d, i))
+    end
+  end
 end
 
 -- A shear force below zero by more than this share of the largest is impossible for cloth.
@@ -186,7 +199,7 @@ local function bias_force(t)
   local w, h, thickness = t.width, t.length, t.thickness or t.card.thickness
   local whole, half, gammas = {}, {}, {}
   for i, d in ipairs(t.displacement) do
-    gammas[i] = bias_angle(t, d)
+    gammas[i] = bias_angle(t, math.max(0, d))
     whole[i], half[i] = math.sin(gammas[i]) / 2, math.sin(gammas[i] / 2) / 2
   end
   local S, S_half = virgin_shear(t.card, whole), virgin_shear(t.card, half)
@@ -203,8 +216,8 @@ end
 define {
   name = "fabric.lab.bias_shear",
   arguments = {
-    { name = "displacement", kind = "numbers", unit = "m", low = 0,
-      sentence = "of the crosshead, rising; rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error" },
+    { name = "displacement", kind = "numbers", unit = "m",
+      sentence = "of the crosshead, rising, from 0 (less by 1 % of the largest at most, as noise); rows that do not pass the largest so far are left out, a way back by more than 1 % of the largest is an error" },
     { name = "force", kind = "numbers", unit = "N", optional = true, sentence = "of one length with it" },
     { name = "card", of = "card", optional = true, sentence = "instead of the force: what the pull would show by the same kinematics" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
@@ -221,6 +234,7 @@ define {
     if t.length < 2 * t.width then define.fail "bias_shear: field 'length': expected at least twice the width (else there is no middle zone)" end
     if (t.card == nil) == (t.force == nil) then define.fail "bias_shear: field 'force': expected either force or card" end
     if t.force and not t.thickness then define.fail "bias_shear: field 'thickness': expected a positive number in m, got nil" end
+    check_below_zero(t)
     if t.card then
       check("bias_shear", t, (math.sqrt(2) - 1) * (t.length - t.width))
       return bias_force(t)

@@ -249,12 +249,14 @@ end
 -- Covariance of the parameters in two parts: by the specimens' factors, and by what they differ by besides (which hangs together along a curve).
 local function covariances(t, A, weighted, between, rest)
   local n, factors, others, noise = #t.parameters, linear.zeros(#t.parameters), linear.zeros(#t.parameters), linear.zeros(#t.parameters)
-  for _, columns in pairs(weighted) do
-    for j = 1, n do
+  for i = 1, #t.tests do
+    local columns, correlated = weighted[i] or {}, {}
+    for j = 1, weighted[i] and n or 0 do correlated[j] = shape.times(rest.correlation, columns[j]) end
+    for j = 1, weighted[i] and n or 0 do
       local along = dot(columns[j], columns.factor)
       for l = 1, n do
         factors[j][l] = factors[j][l] + between ^ 2 * along * dot(columns[l], columns.factor)
-        others[j][l] = others[j][l] + rest.variance * shape.between(rest.correlation, columns[j], columns[l])
+        others[j][l] = others[j][l] + rest.variance * dot(columns[j], correlated[l])
         noise[j][l] = noise[j][l] + dot(columns[j], columns[l])
       end
     end

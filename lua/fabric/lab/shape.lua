@@ -44,10 +44,8 @@ function shape.of(residuals, directions, parameters)
   local correlation = correlations(rests, longest)
   local independent = 0
   for _, r in ipairs(rests) do
-    local squares = 0
-    for j = 1, #r do
-      for k = 1, #r do squares = squares + correlation[math.abs(j - k)] ^ 2 end
-    end
+    local squares = #r
+    for lag = 1, #r - 1 do squares = squares + 2 * (#r - lag) * correlation[lag] ^ 2 end
     independent = independent + (#r) ^ 2 / squares
   end
   -- The fit and the factors take part of it away: of n curves of m independent parts each at most all but (n - 1) (m - 1).
@@ -57,13 +55,15 @@ function shape.of(residuals, directions, parameters)
   return { variance = sum / points / left, correlation = correlation, freedom = math.max(1, independent * left) }
 end
 
--- x^T R y for lists along one curve. R is found by pairs, so x^T R x may come out too small, even negative: the caller sets a floor.
-function shape.between(correlation, x, y)
-  local sum = 0
-  for j, a in ipairs(x) do
-    for k, b in ipairs(y) do sum = sum + a * b * correlation[math.abs(j - k)] end
+-- R y for a list along one curve. R is found by pairs, so y^T R y may come out too small, even negative: the caller sets a floor.
+function shape.times(correlation, y)
+  local out = {}
+  for j = 1, #y do
+    local sum = 0
+    for k, b in ipairs(y) do sum = sum + b * correlation[math.abs(j - k)] end
+    out[j] = sum
   end
-  return sum
+  return out
 end
 
 return shape

@@ -160,8 +160,8 @@ for _, name in ipairs(knits) do
   print(card)
   rows[#rows + 1] = { name .. ": card beside the measured curve, rms over the peak", c.rms, 0, absolute = #tests >= 3 and 0.05 or 0.1 }
 end
--- Points of a specimen hang together. With five specimens each, made with the differences of these knits, the mean over two knits is 0.89 to 0.99 in nine
--- of ten cases, and over a single one 0.81 to 1 (share/doc/laboratory.md); the more knits, the nearer to 0.95.
+-- Points of a specimen hang together. Of made families of five specimens nine in ten lie between 0.81 and 1, of pairs of them between 0.83 and 1
+-- (scripts/long/lab_next_specimen.lua); the more knits, the nearer to 0.95.
 if several > 0 then
   local allowed = 0.14 / math.sqrt(several)
   rows[#rows + 1] = { "points of specimens left out, in the band of the others", coverage / several, 0.95, absolute = allowed }
