@@ -8,8 +8,10 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double rounding = 1e-9;        // share of a skin: rounding never decides what is looked at
-constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
+constexpr double least_skin = 1.0 / 3, most_skin = 1;  // of the outer list, as shares of the mean edge
+constexpr std::size_t soon = 12, late = 60;  // uses of the lists: a search after fewer or more chooses a skin
+constexpr double rounding = 1e-9;            // share of a skin: rounding never decides what is looked at
+constexpr double nearly = 1 - rounding;      // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
   double sum = 0, count = 0;
@@ -61,7 +63,10 @@ double narrowest(const Scene& scene, double least) {
 
 Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins), patches_(scene) {
   const double edge = mean_edge(scene);
-  if (!(skins_.outer > 0)) skins_.outer = edge / 2;
+  if (!(skins_.outer > 0)) {
+    edge_ = edge;
+    skins_.outer = least_skin * edge;
+  }
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
@@ -87,15 +92,29 @@ double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
 // now is one of them, as long as near surfaces have moved against each other by less than the skin. The way
 // since at_check_ of whatever moved most bounds that cheaply; the patches find it out where it does not.
 void Contact::prepare(std::span<const Vec3> x) {
+  ++uses_;
   if (at_search_.size() != x.size()) return search(x);
   change_ = checked_ + 2 * farthest(x, at_check_);
   if (change_ <= nearly * skins_.inner && points_tell(at_check_, x)) return;
   mark_checked(x, patches_.against(at_refine_, x, skins_.inner));
   if (change_ <= nearly * skins_.inner) return;
-  if (patches_.against(at_search_, x, skins_.inner) + skins_.inner > nearly * skins_.outer)
+  const double since_search = patches_.against(at_search_, x, skins_.inner);
+  if (since_search + skins_.inner > nearly * skins_.outer)
     search(x);
   else
-    refine(x);
+    refine(x, since_search);
+}
+
+// What crumples fast searches seldom in a wide list, what is calm has few pairs in a narrow one. The results
+// are the same with any.
+void Contact::choose_skin() {
+  const double before = skins_.outer;
+  if (edge_ > 0 && searches_ > 0 && uses_ < soon)
+    skins_.outer = std::min(1.5 * skins_.outer, most_skin * edge_);
+  else if (edge_ > 0 && uses_ > late)
+    skins_.outer = std::max(skins_.outer / 1.5, least_skin * edge_);
+  skins_.inner *= skins_.outer / before;
+  uses_ = 0;
 }
 
 void Contact::mark_checked(std::span<const Vec3> x, double change) {
@@ -136,23 +155,35 @@ bool Contact::holds_torque(std::uint32_t slot_and_corner) const {
 }
 
 void Contact::search(std::span<const Vec3> x) {
+  choose_skin();
   outer_ = find(x, skins_.outer);
+  outer_margin_.resize(outer_.size());
+#pragma omp parallel for schedule(static) if (outer_.size() > 1024)
+  for (std::size_t i = 0; i < outer_.size(); ++i) outer_margin_[i] = margin(outer_[i], x);
   at_search_.assign(x.begin(), x.end());
   ++searches_;
-  refine(x);
+  refine(x, 0);
 }
 
-void Contact::refine(std::span<const Vec3> x) {
-  std::vector<double> margin(outer_.size());
+double Contact::margin(const Candidate& c, std::span<const Vec3> x) const {
+  return gap_of(c, corners_of(c, x)) - law(c).gap() * c.whole;
+}
+
+// `since_search`: m, how much near gaps may have changed.
+void Contact::refine(std::span<const Vec3> x, double since_search) {
+  const double change = since_search + rounding * skins_.inner;
+  std::vector<double> now(outer_margin_);
+  if (since_search > 0) {
 #pragma omp parallel for schedule(static) if (outer_.size() > 1024)
-  for (std::size_t i = 0; i < outer_.size(); ++i)
-    margin[i] = gap_of(outer_[i], corners_of(outer_[i], x)) - law(outer_[i]).gap() * outer_[i].whole;
+    for (std::size_t i = 0; i < outer_.size(); ++i)
+      if (outer_margin_[i] - change < skins_.inner) now[i] = margin(outer_[i], x);
+  }
   inner_.clear();
   margin_.clear();
   for (std::size_t i = 0; i < outer_.size(); ++i) {
-    if (!(margin[i] < skins_.inner)) continue;
+    if (!(now[i] < skins_.inner)) continue;
     inner_.push_back(outer_[i]);
-    margin_.push_back(margin[i]);
+    margin_.push_back(now[i]);
   }
   at_refine_.assign(x.begin(), x.end());
   mark_checked(x, 0);
