@@ -8,10 +8,8 @@
 namespace fabricsh::contact {
 namespace {
 
-constexpr double least_skin = 1.0 / 3, most_skin = 1;  // of the outer list, as shares of the mean edge
-constexpr std::size_t soon = 12, late = 60;  // uses of the lists: a search after fewer or more chooses a skin
-constexpr double rounding = 1e-9;            // share of a skin: rounding never decides what is looked at
-constexpr double nearly = 1 - rounding;      // of the motion that a list allows for
+constexpr double rounding = 1e-9;        // share of a skin: rounding never decides what is looked at
+constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
   double sum = 0, count = 0;
@@ -63,10 +61,7 @@ double narrowest(const Scene& scene, double least) {
 
 Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins), patches_(scene) {
   const double edge = mean_edge(scene);
-  if (!(skins_.outer > 0)) {
-    edge_ = edge;
-    skins_.outer = least_skin * edge;
-  }
+  if (!(skins_.outer > 0)) skins_.outer = edge / 3;
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
@@ -92,7 +87,6 @@ double farthest(std::span<const Vec3> x, const std::vector<Vec3>& since) {
 // now is one of them, as long as near surfaces have moved against each other by less than the skin. The way
 // since at_check_ of whatever moved most bounds that cheaply; the patches find it out where it does not.
 void Contact::prepare(std::span<const Vec3> x) {
-  ++uses_;
   if (at_search_.size() != x.size()) return search(x);
   change_ = checked_ + 2 * farthest(x, at_check_);
   if (change_ <= nearly * skins_.inner && points_tell(at_check_, x)) return;
@@ -103,18 +97,6 @@ void Contact::prepare(std::span<const Vec3> x) {
     search(x);
   else
     refine(x, since_search);
-}
-
-// What crumples fast searches seldom in a wide list, what is calm has few pairs in a narrow one. The results
-// are the same with any.
-void Contact::choose_skin() {
-  const double before = skins_.outer;
-  if (edge_ > 0 && searches_ > 0 && uses_ < soon)
-    skins_.outer = std::min(1.5 * skins_.outer, most_skin * edge_);
-  else if (edge_ > 0 && uses_ > late)
-    skins_.outer = std::max(skins_.outer / 1.5, least_skin * edge_);
-  skins_.inner *= skins_.outer / before;
-  uses_ = 0;
 }
 
 void Contact::mark_checked(std::span<const Vec3> x, double change) {
@@ -155,7 +137,6 @@ bool Contact::holds_torque(std::uint32_t slot_and_corner) const {
 }
 
 void Contact::search(std::span<const Vec3> x) {
-  choose_skin();
   outer_ = find(x, skins_.outer);
   outer_margin_.resize(outer_.size());
 #pragma omp parallel for schedule(static) if (outer_.size() > 1024)

@@ -39,7 +39,7 @@ struct Totals {
 };
 
 struct Skins {
-  double outer = 0, inner = 0;  // m; 0: a third to the whole, and an eighth of the cloth's mean edge
+  double outer = 0, inner = 0;  // m; 0: a third and an eighth of the cloth's mean edge
 };
 
 class Contact {
@@ -116,7 +116,6 @@ class Contact {
   bool holds_torque(std::uint32_t slot_and_corner) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
   void mark_checked(std::span<const Vec3> x, double change);
-  void choose_skin();
   void search(std::span<const Vec3> x);
   void refine(std::span<const Vec3> x, double since_search);
   void index_slots();
@@ -135,8 +134,6 @@ class Contact {
   double checked_ = 0,
          change_ = 0;  // m: how much near gaps may have changed since refine(), at_check_ and now
   std::vector<double> outer_margin_;  // of each pair of the outer list: the same in search()
-  double edge_ = 0;                   // m, mean, where the outer skin is chosen; 0: it is given
-  std::size_t uses_ = 0;              // of the lists since search()
   std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
   std::vector<Force> slots_;
   std::vector<char> active_;                     // whether the slot of a pair is in use
