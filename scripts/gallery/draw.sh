@@ -69,6 +69,7 @@ contact() { "$program" --quiet scripts/contact/pictures.lua "$work/contact" 16 &
 
 pages() {
   page_figures tutorial out/pull/strip.png tutorial_strip.png out/mine/compare.svg tutorial_compare.svg out/mine/bias.png tutorial_bias.png
+  page_figures contact-tutorial out/ball.png contact_tutorial_ball.png out/drape.png contact_tutorial_drape.png out/curves.svg contact_tutorial_curves.svg
   page_figures howto/drape out/drape.png howto_drape.png out/table.png howto_table.png
   page_figures howto/own-mesh out/disc.png howto_ring.png
   page_figures howto/bias-angle out/angle.png howto_angle.png

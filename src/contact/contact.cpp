@@ -61,7 +61,7 @@ double narrowest(const Scene& scene, double least) {
 
 Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins), patches_(scene) {
   const double edge = mean_edge(scene);
-  if (!(skins_.outer > 0)) skins_.outer = edge / 2;
+  if (!(skins_.outer > 0)) skins_.outer = edge / 3;
   if (!(skins_.inner > 0)) skins_.inner = std::min(edge / 8, skins_.outer / 2);
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
@@ -92,10 +92,11 @@ void Contact::prepare(std::span<const Vec3> x) {
   if (change_ <= nearly * skins_.inner && points_tell(at_check_, x)) return;
   mark_checked(x, patches_.against(at_refine_, x, skins_.inner));
   if (change_ <= nearly * skins_.inner) return;
-  if (patches_.against(at_search_, x, skins_.inner) + skins_.inner > nearly * skins_.outer)
+  const double since_search = patches_.against(at_search_, x, skins_.inner);
+  if (since_search + skins_.inner > nearly * skins_.outer)
     search(x);
   else
-    refine(x);
+    refine(x, since_search);
 }
 
 void Contact::mark_checked(std::span<const Vec3> x, double change) {
@@ -137,22 +138,33 @@ bool Contact::holds_torque(std::uint32_t slot_and_corner) const {
 
 void Contact::search(std::span<const Vec3> x) {
   outer_ = find(x, skins_.outer);
+  outer_margin_.resize(outer_.size());
+#pragma omp parallel for schedule(static) if (outer_.size() > 1024)
+  for (std::size_t i = 0; i < outer_.size(); ++i) outer_margin_[i] = margin(outer_[i], x);
   at_search_.assign(x.begin(), x.end());
   ++searches_;
-  refine(x);
+  refine(x, 0);
 }
 
-void Contact::refine(std::span<const Vec3> x) {
-  std::vector<double> margin(outer_.size());
+double Contact::margin(const Candidate& c, std::span<const Vec3> x) const {
+  return gap_of(c, corners_of(c, x)) - law(c).gap() * c.whole;
+}
+
+// `since_search`: m, how much near gaps may have changed.
+void Contact::refine(std::span<const Vec3> x, double since_search) {
+  const double change = since_search + rounding * skins_.inner;
+  std::vector<double> now(outer_margin_);
+  if (since_search > 0) {
 #pragma omp parallel for schedule(static) if (outer_.size() > 1024)
-  for (std::size_t i = 0; i < outer_.size(); ++i)
-    margin[i] = gap_of(outer_[i], corners_of(outer_[i], x)) - law(outer_[i]).gap() * outer_[i].whole;
+    for (std::size_t i = 0; i < outer_.size(); ++i)
+      if (outer_margin_[i] - change < skins_.inner) now[i] = margin(outer_[i], x);
+  }
   inner_.clear();
   margin_.clear();
   for (std::size_t i = 0; i < outer_.size(); ++i) {
-    if (!(margin[i] < skins_.inner)) continue;
+    if (!(now[i] < skins_.inner)) continue;
     inner_.push_back(outer_[i]);
-    margin_.push_back(margin[i]);
+    margin_.push_back(now[i]);
   }
   at_refine_.assign(x.begin(), x.end());
   mark_checked(x, 0);

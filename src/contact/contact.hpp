@@ -39,7 +39,7 @@ struct Totals {
 };
 
 struct Skins {
-  double outer = 0, inner = 0;  // m; 0: half and an eighth of the cloth's mean edge
+  double outer = 0, inner = 0;  // m; 0: a third and an eighth of the cloth's mean edge
 };
 
 class Contact {
@@ -114,9 +114,10 @@ class Contact {
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
+  double margin(const Candidate& c, std::span<const Vec3> x) const;
   void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);
-  void refine(std::span<const Vec3> x);
+  void refine(std::span<const Vec3> x, double since_search);
   void index_slots();
   double share_of(const std::vector<Candidate>& pairs, std::span<const Vec3> x,
                   std::span<const Vec3> by) const;
@@ -131,7 +132,8 @@ class Contact {
   std::vector<Vec3> at_search_, at_refine_, at_check_;
   mutable Patches patches_;  // its boxes are worked out anew each time
   double checked_ = 0,
-         change_ = 0;           // m: how much near gaps may have changed since refine(), at_check_ and now
+         change_ = 0;  // m: how much near gaps may have changed since refine(), at_check_ and now
+  std::vector<double> outer_margin_;  // of each pair of the outer list: the same in search()
   std::vector<double> margin_;  // of each pair of the inner list: how far out of reach it was in refine()
   std::vector<Force> slots_;
   std::vector<char> active_;                     // whether the slot of a pair is in use

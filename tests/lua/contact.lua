@@ -102,7 +102,7 @@ local flat = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 4, ny = 4
 fails(function() fabric.rigid.surface { mesh = flat, closed = true } end, "expected a closed surface")
 fails(function() fabric.rigid.surface { mesh = flat, mass = 1 } end, "expected a closed surface")
 local other = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 5, ny = 4 }
-fails(function() fabric.rigid.motion { meshes = { flat, other }, times = { 0, 1 } } end, "the same facets in every shape")
+fails(function() fabric.rigid.motion { meshes = { flat, other }, times = { 0, 1 } } end, "motion: field 'meshes': expected the same facets in every shape")
 fails(function() fabric.rigid.motion { meshes = { flat, flat }, times = { 1, 0 } } end, "that ascend")
 local function run(m) return fabric.dynamic { model = m, duration = 1e-3 } end
 fails(function() run(sheet():move(ball, { z = 1 })) end, "touches nothing")

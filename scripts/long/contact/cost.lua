@@ -1,9 +1,11 @@
 -- What contact costs, each as a ratio within one run of the program: processor time of explicit steps with contact over that without, on the
--- same sheet. Threads are compared by the clock on the wall, which says something on an idle machine alone.
+-- same sheet. Threads are compared by the clock on the wall, which says something on an idle machine alone, and by the processor time of the busiest
+-- thread, which on a busy machine tells what the clock would on an idle one (start it with OMP_WAIT_POLICY=passive, so that waiting costs none).
 --
 --   fabricsh --threads 1 scripts/long/contact/cost.lua                    nothing near, a floor, two layers, a crumple; 100 x 100 elements
 --   fabricsh --threads 1 scripts/long/contact/cost.lua near 500 300       one of them (near floor layers crumple), cells along an edge, steps
---   fabricsh --threads 2 scripts/long/contact/cost.lua wall 100 200       seconds on the wall for two threads; compare with --threads 1
+--   fabricsh --threads 1 scripts/long/contact/cost.lua crumple 100 2      a sheet that is thrown together at 2 m/s
+--   fabricsh --threads 2 scripts/long/contact/cost.lua wall 100 200       seconds on the wall and of the busiest thread; compare with --threads 1
 local fabric = require "fabric"
 local which, cells, steps = arg[1] or "all", tonumber(arg[2] or 100), tonumber(arg[3] or 200)
 if fabric.checking() then cells = 4 end
@@ -24,14 +26,26 @@ local function memory() -- the most that the program has held, MB
   return kb and tonumber(kb) / 1024 or 0
 end
 
--- Seconds a step, of the processor and on the wall; the first steps do not count.
+-- Processor time of the busiest thread so far, from when `since` was taken, s.
+local function busiest(since)
+  local pipe = assert(io.popen "cat /proc/$PPID/task/*/schedstat 2>/dev/null")
+  local times, most = {}, 0
+  for line in pipe:lines() do
+    times[#times + 1] = (tonumber(line:match "^%d+") or 0) / 1e9
+    most = math.max(most, times[#times] - (since and since[#times] or 0))
+  end
+  pipe:close()
+  return times, most
+end
+
+-- Seconds a step, of the processor, on the wall and of the busiest thread; the first steps do not count.
 local function cost(model, step, count)
   local a = fabric.dynamic { model = model, duration = 1, step = step or "auto", ledger_limit = 10 }
-  if fabric.checking() then return 1, 1, a end
+  if fabric.checking() then return 1, 1, a, 1 end
   a:advance(10 * a.step_size)
-  local clock, begin = os.clock(), wall()
+  local clock, begin, since = os.clock(), wall(), busiest()
   a:advance((10 + count) * a.step_size)
-  return (os.clock() - clock) / count, (wall() - begin) / count, a
+  return (os.clock() - clock) / count, (wall() - begin) / count, a, select(2, busiest(since)) / count
 end
 
 local function flat(nx, ny, origin)
@@ -80,7 +94,7 @@ end
 
 -- A sheet that is thrown together, folds up and meets itself, all of it; processor time over all steps, in which it comes to touch more and more.
 local function crumple()
-  local side, speed = cells * h, 8
+  local side, speed = cells * h, which == "crumple" and tonumber(arg[3]) or 8
   local function run(contact)
     local m = fabric.model { mesh = flat(cells, cells, { -side / 2, -side / 2, 0 }), card = card }
     if contact then m:contact { self = "all", friction = 0.3, thickness = 2 * thickness } end
@@ -96,14 +110,18 @@ local function crumple()
   end
   local with, a, energy = run(true)
   local without = run(false) -- a step costs the same whatever its size
-  print(string.format("crumple: %d steps to %.4f s, in contact %.2e of %.2e J", #a.steps, a.time, energy, a.energy.initial))
+  local touching, pressure = 0, a:field "contact_pressure"
+  for _, p in ipairs(pressure) do touching = touching + (p > 0 and 1 / #pressure or 0) end
+  print(string.format("crumple: %d steps to %.4f s, in contact %.2e of %.2e J; %.1f %% of the nodes touch at the end", #a.steps, a.time, energy, a.energy.initial,
+    100 * touching))
   return fabric.checking() and 1 or told("crumple", with, without, a)
 end
 
 if which == "wall" then
   for _, contact in ipairs { false, true } do
-    local _, seconds, a = cost(scenes.near(contact), nil, steps)
-    print(string.format("%d elements, contact %-3s  %.3f ms a step on the wall", #a.mesh.elements, contact and "on" or "off", 1e3 * seconds))
+    local _, seconds, a, thread = cost(scenes.near(contact), nil, steps)
+    print(string.format("%d elements, contact %-3s  %.3f ms a step on the wall, %.3f ms of the busiest thread", #a.mesh.elements, contact and "on" or "off",
+      1e3 * seconds, 1e3 * thread))
   end
 elseif which ~= "all" then
   if which == "crumple" then crumple() else ratio(which) end
