@@ -1,6 +1,7 @@
 #include "mechanics/stiffness.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
@@ -51,6 +52,13 @@ void add_columns(const double* k, int stride, int corners, int rows, const Index
         if (offset[5 * a + i] >= 0) to[offset[5 * a + i]] += from[i * stride];
     }
   }
+}
+
+// Prefetches the five rows of a node in a column, which may be on two cache lines.
+template <int locality>
+inline void prefetch_rows(const double* first) {
+  __builtin_prefetch(first, 1, locality);
+  if ((reinterpret_cast<std::uintptr_t>(first) & 63u) > 24) __builtin_prefetch(first + 4, 1, locality);
 }
 
 }  // namespace
@@ -162,17 +170,17 @@ void Stiffness::make_slots() {
 void Stiffness::fetch(Index b, const Target& to) const {
   const Index* slot = slots_.data() + b * lanes * kBlocks;
   const double* value = to.K.value.data();
-  for (int i = 0; i < batches_[b].used * kBlocks; ++i) {
-    if (slot[i] < 0) continue;
-    __builtin_prefetch(value + slot[i], 1, 2);
-    __builtin_prefetch(value + slot[i] + 4, 1, 2);
-  }
+  for (int i = 0; i < batches_[b].used * kBlocks; ++i)
+    if (slot[i] >= 0) prefetch_rows<2>(value + slot[i]);
 }
 
 void Stiffness::scatter(Index b, const double* K, const Target& to) {
   const Batch& batch = batches_[b];
   for (int l = 0; l < batch.used; ++l) {
     const Index element = b * lanes + l;
+    const Index* next = slots_.data() + (element + 1) * kBlocks;
+    for (int i = 0; l + 1 < batch.used && i < kBlocks; ++i)
+      if (next[i] >= 0) prefetch_rows<3>(to.K.value.data() + next[i]);
     if (care_[element] == Care::frames || (care_[element] == Care::driven && !to.lead.empty()))
       scatter_with_care(batch, element, l, K, to);
     else

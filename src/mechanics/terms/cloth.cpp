@@ -1,5 +1,7 @@
 #include "mechanics/terms/cloth.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,6 +26,7 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
   make_geometry(directors);
   make_force_slots();
   order_batches();
+  order_sums();
   add_inertia();
   find_tested();
 }
@@ -201,6 +204,31 @@ void Cloth::order_batches() {
                    [this](Index a, Index b) { return batches_[a].element[0] < batches_[b].element[0]; });
 }
 
+// Finds between which batches each node gets its forces. Nodes without elements count as finished by the
+// first batch.
+void Cloth::order_sums() {
+  const std::size_t nodes = X_.size(), batches = batches_.size();
+  std::vector<std::uint32_t> last(nodes, 0);
+  begun_.assign(nodes, 0);
+  std::vector<bool> met(nodes, false);
+  for (std::size_t i = 0; i < batches; ++i) {
+    const Batch& batch = batches_[order_[i]];
+    for (int l = 0; l < batch.used; ++l)
+      for (int a = 0; a < batch.kind->corners; ++a) {
+        const Index n = batch.nodes[l][a];
+        last[n] = static_cast<std::uint32_t>(i);
+        if (!met[n]) begun_[n] = last[n];
+        met[n] = true;
+      }
+  }
+  first_finished_.assign(batches + 1, 0);
+  for (const auto i : last) ++first_finished_[i + 1];
+  std::partial_sum(first_finished_.begin(), first_finished_.end(), first_finished_.begin());
+  finished_.resize(nodes);
+  auto next = first_finished_;
+  for (std::size_t n = 0; n < nodes; ++n) finished_[next[last[n]]++] = static_cast<std::uint32_t>(n);
+}
+
 // Prefetches the numbers that the forces of a batch read. They are far from those of the batch before, so
 // that the processor does not prefetch them by itself.
 void Cloth::fetch(const Batch& batch, const double* trial) const {
@@ -277,18 +305,48 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* aside, double* K, 
 // Adds for each node the forces of its elements in their order.
 void Cloth::sum_forces(Forces& forces) const {
   const auto nodes = static_cast<Index>(X_.size());
-  const double* f = element_force_.data();
 #pragma omp parallel for schedule(static) if (nodes >= few_batches * lanes)
-  for (Index n = 0; n < nodes; ++n) {
-    double sum[6] = {};
-    for (auto s = first_slot_[n]; s < first_slot_[n + 1]; ++s)
-      for (int i = 0; i < 3; ++i) {
-        sum[i] += f[force_slots_[s].on_x + i * lanes];
-        sum[3 + i] += f[force_slots_[s].on_d + i * lanes];
+  for (Index n = 0; n < nodes; ++n) sum_node(n, forces);
+}
+
+void Cloth::sum_node(Index n, Forces& forces) const {
+  const double* f = element_force_.data();
+  double sum[6] = {};
+  for (auto s = first_slot_[n]; s < first_slot_[n + 1]; ++s)
+    for (int i = 0; i < 3; ++i) {
+      sum[i] += f[force_slots_[s].on_x + i * lanes];
+      sum[3 + i] += f[force_slots_[s].on_d + i * lanes];
+    }
+  std::copy_n(sum, 3, forces.on_x.data() + 3 * n);
+  std::copy_n(sum + 3, 3, forces.on_d.data() + 3 * n);
+}
+
+// Computes the forces of all batches in their order, and sums those of each node as soon as its last batch is
+// computed, while they are still in the cache. Each thread has a part of the order; nodes with batches of an
+// earlier part are summed when all threads are done. Returns an element whose law failed, or -1.
+Index Cloth::evaluate_and_sum(const law::Step& step, double* aside, Forces& forces) {
+  const auto batches = static_cast<Index>(batches_.size());
+  Index failed = -1;
+#pragma omp parallel reduction(max : failed) if (batches >= few_batches)
+  {
+    const Index threads = omp_get_num_threads(), self = omp_get_thread_num();
+    const Index from = batches * self / threads, to = batches * (self + 1) / threads;
+    std::vector<std::uint32_t> later;
+    for (Index i = from; i < to; ++i) {
+      if (i + 1 < to) fetch(batches_[order_[i + 1]], aside);
+      failed = std::max(failed, evaluate(order_[i], step, aside, nullptr));
+      for (auto k = first_finished_[i]; k < first_finished_[i + 1]; ++k) {
+        const auto n = finished_[k];
+        if (static_cast<Index>(begun_[n]) < from)
+          later.push_back(n);
+        else
+          sum_node(n, forces);
       }
-    std::copy_n(sum, 3, forces.on_x.data() + 3 * n);
-    std::copy_n(sum + 3, 3, forces.on_d.data() + 3 * n);
+    }
+#pragma omp barrier
+    for (const auto n : later) sum_node(n, forces);
   }
+  return failed;
 }
 
 // A law fails if a strain is not finite. Then an iterate nearer to the last one may succeed, unless the
@@ -308,16 +366,9 @@ Outcome Cloth::outcome(Index failed) {
 }
 
 Outcome Cloth::add_forces(const law::Step& step, const Trial&, Forces& forces) {
-  const auto batches = static_cast<Index>(batches_.size());
   double* aside = states_.evaluate().data();
   if (sums_expected_) sums_.resize(batches_.size() * law::energy_values * lanes);
-  Index failed = -1;
-#pragma omp parallel for schedule(static) reduction(max : failed) if (batches >= few_batches)
-  for (Index i = 0; i < batches; ++i) {
-    if (i + 1 < batches) fetch(batches_[order_[i + 1]], aside);
-    failed = std::max(failed, evaluate(order_[i], step, aside, nullptr));
-  }
-  sum_forces(forces);
+  const Index failed = evaluate_and_sum(step, aside, forces);
   sums_version_ = sums_expected_ ? configuration_.version() : 0;
   return outcome(failed);
 }

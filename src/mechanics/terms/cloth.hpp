@@ -104,6 +104,9 @@ class Cloth final : public Term {
   double inertia_per_mass(const section::Section& section, bool scaled) const;
   void make_force_slots();
   void order_batches();
+  void order_sums();
+  Index evaluate_and_sum(const law::Step& step, double* aside, Forces& forces);
+  void sum_node(Index node, Forces& forces) const;
   void fetch(const Batch& batch, const double* trial) const;
   void gather(const Batch& batch, double* x, double* d, double* b) const;
   // Energies (J) of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft
@@ -143,6 +146,9 @@ class Cloth final : public Term {
   LineVector element_force_;
   std::vector<ForceSlot> force_slots_;
   std::vector<std::uint32_t> first_slot_;
+  // The nodes whose last batch is at place i of order_ are finished_[first_finished_[i]] and the following
+  // ones, up to those of place i + 1. begun_: per node the place of its first batch.
+  std::vector<std::uint32_t> finished_, first_finished_, begun_;
   std::vector<double> mass_, mass_moment_;
   std::vector<double> rotary_[2];  // kg m^2 per node: true, scaled
   double step_of_membrane_ = 0;    // s
