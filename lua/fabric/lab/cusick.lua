@@ -107,6 +107,14 @@ local function reading(t, mesh, x, y)
   return (area - ground) / (whole - ground), nodes, amplitude, outline
 end
 
+-- Without contact: whether the cloth hangs where the pedestal is.
+local function inside(t, x, y, z)
+  for i = 1, #x do
+    if z[i] < -2 * t.edge and x[i] ^ 2 + y[i] ^ 2 < (0.995 * t.support / 2) ^ 2 then return true end
+  end
+  return false
+end
+
 -- In motion until it rests.
 local function moved(t, model, rim, seed)
   local history, from = weight(t)
@@ -143,11 +151,12 @@ local function once(t, seed)
   end
   local one = { seed = seed, orientation = orientation, at_rest = rest.at_rest, moved = rest.moved, time = a.time, error = a.energy.error }
   one.coefficient, one.nodes, one.amplitude, one.outline = reading(t, mesh, a:field "x", a:field "y")
+  one.inside = not t.contact and inside(t, a:field "x", a:field "y", a:field "z")
   return one, a, model, mesh
 end
 
 -- Seeds side by side: what goes through lists of numbers and comes back.
-local head = { "seed", "orientation", "at_rest", "moved", "time", "error", "coefficient", "nodes", "amplitude" }
+local head = { "seed", "orientation", "at_rest", "moved", "time", "error", "coefficient", "nodes", "amplitude", "inside" }
 
 local function packed(one)
   local out = {}
@@ -161,7 +170,7 @@ end
 local function unpacked(list)
   local one = { outline = {} }
   for i, name in ipairs(head) do one[name] = list[i] end
-  one.at_rest = one.at_rest == 1
+  one.at_rest, one.inside = one.at_rest == 1, one.inside == 1
   one.nodes, one.seed = math.tointeger(one.nodes), math.tointeger(one.seed)
   table.move(list, #head + 1, #list, 1, one.outline)
   return one
@@ -226,6 +235,7 @@ local function run(t)
   for _, one in ipairs(result.runs) do
     one.contour = points_of(one.outline)
     result.at_rest = result.at_rest and one.at_rest
+    if one.inside then fabric.warn(("cusick: seed %d: the cloth hangs where the pedestal is; contact = true would keep it out"):format(one.seed)) end
     if not one.at_rest and not fabric.checking() then
       fabric.warn(("cusick: seed %d is not at rest after %g s: its rim still moves by %.2g mm in %g s; a longer duration= would do"):format(one.seed, one.time,
         1e3 * one.moved, t.window))
