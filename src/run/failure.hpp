@@ -58,6 +58,9 @@ struct Failure {
   Mechanism mechanism;  // of a static run
   bool broken = false;  // no step is possible, however short
   bool dynamic = false, arc = false, stabilised = false, turned_back = false;
+  bool jumps = false;    // a static run whose loads are there in full at time 0, in its first step
+  bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
+  bool relaxed = false;  // relaxation has been tried
 };
 
 // "no step beyond time 0.1 s: too many iterations in a step of 0.01 s"; or, if the forces cannot be computed

@@ -178,6 +178,7 @@ class Static::Trace {
 double Static::try_step(double limit, StepReport& report) {
   double size = plan(limit);
   const double whole = size;
+  const StepControl control = now_.step;
   Trace trace(*this);
   tries_.clear();
   while (!attempt(size, report)) {
@@ -185,6 +186,7 @@ double Static::try_step(double limit, StepReport& report) {
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
       size = whole;
+      if (descent_) now_.step = control;  // the whole step was no trouble for it: the cuts say nothing
       break;
     }
     if (!possible) give_up(report);
@@ -369,6 +371,9 @@ void Static::give_up(const StepReport& report) {
   if (const auto* woven = std::get_if<card::Woven>(&model_->card_of(blame_.element).law))
     failure.tested = woven->tested;
   failure.arc = arc_ != nullptr;
+  failure.jumps = now_.jumps && reports_.empty();
+  failure.bends = bends_by_itself(*model_);
+  failure.relaxed = relaxation_ != nullptr;
   failure.stabilised = stabilisation_ != nullptr;
   failure.turned_back = last_.status == solver::NewtonStatus::turned_back;
   failure.broken = last_.status == solver::NewtonStatus::broken;
