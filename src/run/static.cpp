@@ -294,9 +294,11 @@ void Static::commit(StepReport& report) {
 // grows back to the largest.
 void Static::grow(const StepReport& report) {
   if (arc_) return grow_arc(report);
-  if (relaxation_ && last_.iterations > options_.max_iterations)
-    return;  // by relaxation: its iterations say nothing about the step
-  now_.step.grow(last_.iterations, report.cuts > 0);
+  // By relaxation: its iterations say nothing about the step.
+  const bool many = last_.iterations > options_.max_iterations;
+  if (relaxation_ && many && !descent_) return;
+  const bool crept = descent_ && (many || options_.method == Method::relaxation);
+  now_.step.grow(crept ? 1 : last_.iterations, report.cuts > 0);
 }
 
 void Static::grow_arc(const StepReport& report) {
