@@ -178,6 +178,7 @@ class Static::Trace {
 double Static::try_step(double limit, StepReport& report) {
   double size = plan(limit);
   const double whole = size;
+  const StepControl control = now_.step;
   Trace trace(*this);
   tries_.clear();
   while (!attempt(size, report)) {
@@ -185,6 +186,7 @@ double Static::try_step(double limit, StepReport& report) {
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
       size = whole;
+      if (descent_) now_.step = control;  // the whole step was no trouble for it: the cuts say nothing
       break;
     }
     if (!possible) give_up(report);
@@ -292,9 +294,11 @@ void Static::commit(StepReport& report) {
 // grows back to the largest.
 void Static::grow(const StepReport& report) {
   if (arc_) return grow_arc(report);
-  if (relaxation_ && last_.iterations > options_.max_iterations)
-    return;  // by relaxation: its iterations say nothing about the step
-  now_.step.grow(last_.iterations, report.cuts > 0);
+  // By relaxation: its iterations say nothing about the step.
+  const bool many = last_.iterations > options_.max_iterations;
+  if (relaxation_ && many && !descent_) return;
+  const bool crept = descent_ && (many || options_.method == Method::relaxation);
+  now_.step.grow(crept ? 1 : last_.iterations, report.cuts > 0);
 }
 
 void Static::grow_arc(const StepReport& report) {
@@ -361,6 +365,9 @@ void Static::give_up(const StepReport& report) {
   Failure failure = failure_of(*model_, *assembly_, now, tries_, blame_, last_);
   failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
   failure.arc = arc_ != nullptr;
+  failure.jumps = now_.jumps && reports_.empty();
+  failure.bends = bends_by_itself(*model_);
+  failure.relaxed = relaxation_ != nullptr;
   failure.stabilised = stabilisation_ != nullptr;
   const std::string text =
       "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);

@@ -129,10 +129,9 @@ void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
         "(the tangent is singular" +
         (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
   if (f.negative_pivots > 0 && !f.arc && !f.dynamic)
-    all.push_back(
-        "control=\"arc\" for a limit point, stabilise=true or fabric.dynamic for wrinkles and snaps (the "
-        "last tangent has " +
-        pivots + ")");
+    all.push_back(std::string("control=\"arc\" for a limit point, stabilise=true") +
+                  (f.bends && !f.relaxed ? ", method=\"relaxation\"" : "") +
+                  " or fabric.dynamic for wrinkles and snaps (the last tangent has " + pivots + ")");
 }
 
 void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
@@ -151,10 +150,12 @@ void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
     all.push_back("a smaller step, or more max_cuts (a support moves by " + number(f.moved) +
                   " m in a step, an element is " + number(f.size) + " m)");
   if (f.blame.switching > 0 && course == Course::swings)
-    all.push_back(
-        std::string(f.stabilised || f.dynamic ? "a smaller step" : "stabilise=true, or method=\"either\"") +
-        " (" + std::to_string(f.blame.switching) + " of " + std::to_string(f.blame.elements) +
-        " elements switch branches, the residual swings)");
+    all.push_back(std::string(f.stabilised || f.dynamic ? "a smaller step"
+                              : f.relaxed               ? "stabilise=true"
+                              : f.bends                 ? "stabilise=true, or method=\"relaxation\""
+                                                        : "stabilise=true, or method=\"either\"") +
+                  " (" + std::to_string(f.blame.switching) + " of " + std::to_string(f.blame.elements) +
+                  " elements switch branches, the residual swings)");
   if (last.status == solver::NewtonStatus::law_failed && f.blame.reason.empty())
     all.push_back("a smaller step, and a check of the units of loads and motions (a strain is not finite)");
 }
@@ -164,7 +165,8 @@ void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
     all.push_back("a check of the card, card:check(), and of the units of the stroke (strained " +
                   number(beyond(f)) + " times as far as it was tested)");
   if (f.blame.stiffness_ratio > kWideRatio && !f.dynamic)
-    all.push_back("fabric.dynamic with damping, or method=\"relaxation\" (one direction of element " +
+    all.push_back(std::string("fabric.dynamic with damping") +
+                  (f.relaxed ? "" : ", or method=\"relaxation\"") + " (one direction of element " +
                   std::to_string(f.blame.element + 1) + " is " + number(f.blame.stiffness_ratio) +
                   " times as stiff as another)");
   if (2 * f.blame.slack > f.blame.elements && !f.dynamic)
@@ -186,6 +188,10 @@ double farthest_move(const mechanics::Assembly& assembly, double from, double to
 std::vector<std::string> advice(const Failure& f) {
   std::vector<std::string> all;
   if (f.broken) return {"a new run after correcting what the message names: a smaller step does not help"};
+  if (f.jumps)
+    all.push_back(std::string("loads that grow from 0, fabric.ramp(load, duration)") +
+                  (f.bends && !f.relaxed ? ", or method=\"relaxation\"" : "") +
+                  " (all of them are there at time 0, and a shorter step has no less of them)");
   if (f.turned_back)
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
@@ -196,8 +202,10 @@ std::vector<std::string> advice(const Failure& f) {
   advise_on_cloth(f, all);
   if (!f.mechanism.driven && f.mechanism.ways == 1 && !ends_singular(f)) advise_on_mechanism(f, all);
   if (all.empty())
-    all.push_back(f.dynamic ? "a smaller step, or scheme=\"explicit\""
-                            : "a smaller step, more max_cuts, stabilise=true, or method=\"either\"");
+    all.push_back(f.dynamic   ? "a smaller step, or scheme=\"explicit\""
+                  : f.relaxed ? "a smaller step, or fabric.dynamic with damping"
+                  : f.bends   ? "a smaller step, more max_cuts, stabilise=true, or method=\"relaxation\""
+                              : "a smaller step, more max_cuts, stabilise=true, or method=\"either\"");
   return all;
 }
 

@@ -38,15 +38,15 @@ bool Descent::direction(Problem& problem, double m) {
 }
 
 // Goes along delta_ as far as is safe. The energy falls by the mean of the forces along the step, by the
-// trapezoidal rule; where it would not, the step is taken back.
-bool Descent::lower(Problem& problem) {
+// trapezoidal rule; where it would not (cut), the step is taken back.
+Answer Descent::lower(Problem& problem) {
   const double share = problem.limit(delta_);
-  if (!(share > 0)) return false;
+  if (!(share > 0)) return Answer::cut;
   problem.retract(delta_, share);
-  const bool good = checked(problem.residual(trial_r_), trial_r_) == Answer::ok &&
-                    dot(delta_, r_) + dot(delta_, trial_r_) > 0;
-  if (!good) problem.retract(delta_, 0);
-  return good;
+  Answer answer = checked(problem.residual(trial_r_), trial_r_);
+  if (answer == Answer::ok && !(dot(delta_, r_) + dot(delta_, trial_r_) > 0)) answer = Answer::cut;
+  if (answer != Answer::ok) problem.retract(delta_, 0);
+  return answer;
 }
 
 NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) {
@@ -62,9 +62,9 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
     return stop(status_of(answer));
   problem.accept();
   double m = kFirst;
-  for (bool first = true; result.iterations < options.max_iterations; first = false) {
+  while (result.iterations < options.max_iterations) {
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
-    if (first) viscosity();
+    viscosity();
     const auto [size, where] = problem.largest(r_);
     const double scale = problem.force_scale();
     // A load that is there before any force has been is its own measure.
@@ -74,9 +74,11 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
     const bool small = relative <= options.tolerance || size <= problem.rounding_floor(K_);
     if (problem.arrived() && small) return stop(NewtonStatus::converged);
     for (;; m *= kRise) {
-      if (m > kMost) return stop(NewtonStatus::singular);
+      if (m > kMost) return stop(NewtonStatus::law_failed);
       if (result.iterations++ >= options.max_iterations) return stop(NewtonStatus::too_many_iterations);
-      if (direction(problem, m) && lower(problem)) break;
+      const Answer answer = direction(problem, m) ? lower(problem) : Answer::cut;
+      if (answer == Answer::broken) return stop(NewtonStatus::broken);
+      if (answer == Answer::ok) break;
     }
     r_.swap(trial_r_);
     problem.accept();

@@ -21,7 +21,7 @@ class Descent {
  private:
   void viscosity();
   bool direction(Problem& problem, double m);
-  bool lower(Problem& problem);
+  Answer lower(Problem& problem);
   std::unique_ptr<LinearSolver> linear_;
   Matrix K_, A_;
   linear::Vector D_, r_, delta_, trial_r_;

@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "solver/arc_length.hpp"
+#include "solver/descent.hpp"
 #include "solver/relaxation.hpp"
 
 using namespace fabricsh::solver;
@@ -228,6 +229,13 @@ TEST_CASE("no solver steps farther than the problem's limit, and each gets to th
   }
   {
     Walled walled(load);
+    Descent descent(fabricsh::linear::make_unsymmetric_solver());
+    CHECK(descent.solve(walled.problem, {.tolerance = 1e-10}).status == NewtonStatus::converged);
+    CHECK(walled.farthest < Walled::wall);
+    CHECK(std::abs(walled.problem.trial() - solution) < 1e-9);
+  }
+  {
+    Walled walled(load);
     ArcLength arc(fabricsh::linear::make_unsymmetric_solver());
     // At t = 0, u = 0 but for the barrier's 1e-3, which is balanced.
     const double offset = walled.problem.force(0, 0);
@@ -255,6 +263,36 @@ TEST_CASE("a limit of nothing is a step that cannot be done, not one that goes n
   CHECK(arc.solve(problem, {}, {.time = 1, .landing = 2, .length = 1, .largest_step = 1}).status ==
         NewtonStatus::law_failed);
   CHECK(Relaxation().solve(problem, {}).status == NewtonStatus::law_failed);
+  CHECK(Descent(fabricsh::linear::make_unsymmetric_solver()).solve(problem, {}).status ==
+        NewtonStatus::law_failed);
+}
+
+TEST_CASE("an overdamped motion leaves an unstable equilibrium that Newton's method finds") {
+  // The energy u^4/4 - u^2/2 has a maximum at 0 and minima at 1 and -1.
+  const auto make = [] {
+    Scalar problem;
+    problem.force = [](double u, double) { return u - u * u * u; };
+    problem.stiffness = [](double u) { return 3 * u * u - 1; };
+    problem.committed = 0.01;
+    return problem;
+  };
+  auto newton = make();
+  CHECK(Newton(fabricsh::linear::make_unsymmetric_solver()).solve(newton, {.line_search = false}).status ==
+        NewtonStatus::converged);
+  CHECK(std::abs(newton.trial()) < 1e-9);
+  auto falls = make();
+  const auto result = Descent(fabricsh::linear::make_symmetric_solver()).solve(falls, {.tolerance = 1e-12});
+  CHECK(result.status == NewtonStatus::converged);
+  CHECK(std::abs(falls.trial() - 1) < 1e-11);  // a residual of 1e-12 over a stiffness of 2
+  CHECK(result.negative_pivots == 0);
+  // A spring a million times as stiff as the load asks for: one more digit is one more step, not a thousand.
+  Scalar stiff;
+  stiff.force = [](double u, double) { return 1e-6 * (1 - u) - 1e6 * std::pow(std::max(0.0, u - 0.5), 3); };
+  stiff.stiffness = [](double u) { return 1e-6 + 3e6 * std::pow(std::max(0.0, u - 0.5), 2); };
+  const auto ends = Descent(fabricsh::linear::make_symmetric_solver()).solve(stiff, {.tolerance = 1e-14});
+  CHECK(ends.status == NewtonStatus::converged);
+  CHECK(ends.iterations < 100);
+  CHECK(std::abs(stiff.force(stiff.trial(), 0)) < 1e-14);
 }
 
 TEST_CASE("forces that are beyond repair end the solve at once, in every solver") {
@@ -277,4 +315,6 @@ TEST_CASE("forces that are beyond repair end the solve at once, in every solver"
   CHECK(two.shares == std::vector{1.0});
   auto three = make();
   CHECK(Relaxation().solve(three, {}).status == NewtonStatus::broken);
+  auto four = make();
+  CHECK(Descent(fabricsh::linear::make_unsymmetric_solver()).solve(four, {}).status == NewtonStatus::broken);
 }

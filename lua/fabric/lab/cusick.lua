@@ -107,6 +107,34 @@ local function reading(t, mesh, x, y)
   return (area - ground) / (whole - ground), nodes, amplitude, outline
 end
 
+-- Without contact: whether the cloth hangs where the pedestal is.
+local function inside(t, x, y, z)
+  for i = 1, #x do
+    if z[i] < -2 * t.edge and x[i] ^ 2 + y[i] ^ 2 < (0.995 * t.support / 2) ^ 2 then return true end
+  end
+  return false
+end
+
+-- In motion until it rests.
+local function moved(t, model, rim, seed)
+  local history, from = weight(t)
+  model:gravity { 0, 0, history }
+  local a = fabric.dynamic { model = model, duration = t.duration, damping = t.damping > 0 and { mass = t.damping } or nil }
+  if t.out then a:vtk(("%s/seed%d"):format(t.out, seed), { every = t.every }) end
+  local rest = rests(t, a, rim, from)
+  a:solve()
+  return a, rest
+end
+
+-- Through equilibria under growing shares of the weight; time is that share.
+local function relaxed(t, model, seed)
+  model:gravity { 0, 0, fabric.ramp(-t.gravity, 1) }
+  local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, method = "relaxation", tolerance = 1e-4 }
+  if t.out then a:vtk(("%s/seed%d"):format(t.out, seed)) end
+  a:solve()
+  return a, { at_rest = true, moved = 0 }
+end
+
 -- One disc, let down once.
 local function once(t, seed)
   local draw = random(seed)
@@ -114,19 +142,21 @@ local function once(t, seed)
   local mesh = cloth(t, draw)
   local model = fabric.model { mesh = mesh, card = t.card, warp = orientation, points = t.card.bending and 1 or 3 }
   if t.contact then pedestal(t, model) end
-  local history, from = weight(t)
-  model:fix("inner", "x y z rotation"):gravity { 0, 0, history }
-  local a = fabric.dynamic { model = model, duration = t.duration, damping = t.damping > 0 and { mass = t.damping } or nil }
-  if t.out then a:vtk(("%s/seed%d"):format(t.out, seed), { every = t.every }) end
-  local rest = rests(t, a, mesh:set "outer", from)
-  a:solve()
+  model:fix("inner", "x y z rotation")
+  local a, rest
+  if t.by == "relaxation" then
+    a, rest = relaxed(t, model, seed)
+  else
+    a, rest = moved(t, model, mesh:set "outer", seed)
+  end
   local one = { seed = seed, orientation = orientation, at_rest = rest.at_rest, moved = rest.moved, time = a.time, error = a.energy.error }
   one.coefficient, one.nodes, one.amplitude, one.outline = reading(t, mesh, a:field "x", a:field "y")
+  one.inside = not t.contact and inside(t, a:field "x", a:field "y", a:field "z")
   return one, a, model, mesh
 end
 
 -- Seeds side by side: what goes through lists of numbers and comes back.
-local head = { "seed", "orientation", "at_rest", "moved", "time", "error", "coefficient", "nodes", "amplitude" }
+local head = { "seed", "orientation", "at_rest", "moved", "time", "error", "coefficient", "nodes", "amplitude", "inside" }
 
 local function packed(one)
   local out = {}
@@ -140,7 +170,7 @@ end
 local function unpacked(list)
   local one = { outline = {} }
   for i, name in ipairs(head) do one[name] = list[i] end
-  one.at_rest = one.at_rest == 1
+  one.at_rest, one.inside = one.at_rest == 1, one.inside == 1
   one.nodes, one.seed = math.tointeger(one.nodes), math.tointeger(one.seed)
   table.move(list, #head + 1, #list, 1, one.outline)
   return one
@@ -183,6 +213,7 @@ local function check(t)
   if t.file and not t.file:find "%.svg$" then refuse("file", "a name that ends in .svg", "'" .. t.file .. "'") end
   t.held = t.held or t.support
   if t.held > t.support then refuse("held", ("at most the diameter of the support, %g m"):format(t.support), ("%g m"):format(t.held)) end
+  if t.by == "relaxation" and t.shakes > 0 then refuse("shakes", 'none with by = "relaxation", which knows no time', t.shakes) end
   t.side = t.side or t.disc / 2
   t.duration = t.duration or t.lowering + t.shakes * t.period + 4
   if t.duration <= t.lowering then refuse("duration", ("more than the lowering, %g s"):format(t.lowering), ("%g s"):format(t.duration)) end
@@ -204,6 +235,7 @@ local function run(t)
   for _, one in ipairs(result.runs) do
     one.contour = points_of(one.outline)
     result.at_rest = result.at_rest and one.at_rest
+    if one.inside then fabric.warn(("cusick: seed %d: the cloth hangs where the pedestal is; contact = true would keep it out"):format(one.seed)) end
     if not one.at_rest and not fabric.checking() then
       fabric.warn(("cusick: seed %d is not at rest after %g s: its rim still moves by %.2g mm in %g s; a longer duration= would do"):format(one.seed, one.time,
         1e3 * one.moved, t.window))
@@ -233,6 +265,9 @@ define {
     { name = "friction", kind = "number", low = 0, default = 0.3, sentence = "of cloth on pedestal and on cloth" },
     { name = "contact", kind = "boolean", default = true, sentence = "false: the cloth touches nothing, it is held at the pedestal's rounded edge" },
     { name = "self", kind = "boolean", default = true, sentence = "the cloth may touch itself" },
+    { name = "by", kind = "text", choices = { "motion", "relaxation" }, default = "motion", sentence = "how it comes to rest: relaxation goes through equilibria "
+      .. "under growing shares of the weight, in a fraction of the time where yarns are stiff" },
+    { name = "steps", kind = "integer", low = 1, default = 10, sentence = "shares of the weight, of relaxation" },
     { name = "lowering", kind = "number", unit = "s", above = 0, default = 1.5, sentence = "over which the weight comes" },
     { name = "shakes", kind = "integer", low = 0, default = 0, sentence = "up and down of the pedestal, after the lowering: they work against friction" },
     { name = "shake", kind = "number", unit = "m/s^2", low = 0, default = 5, sentence = "their acceleration" },

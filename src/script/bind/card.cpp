@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/number.hpp"
 #include "card/fields.hpp"
 #include "law/provenance.hpp"
 #include "script/bind/rooms.hpp"
@@ -45,7 +46,8 @@ int other_name(lua_State* L) {
 
 int card_index(lua_State* L) { return push_card_field(L, card_at) ? 1 : other_name(L); }
 
-// Copies the fields of the table at `from` to the one at `to`; nested tables of named fields are merged.
+// Copies the fields of the table at `from` to the one at `to`; nested tables of named fields are merged, and
+// false in place of one drops it.
 void merge(lua_State* L, int to, int from) {
   to = lua_absindex(L, to);
   from = lua_absindex(L, from);
@@ -61,7 +63,12 @@ void merge(lua_State* L, int to, int from) {
       lua_pop(L, 2);
       continue;
     }
+    const bool drops = lua_istable(L, -1) && lua_isboolean(L, -2) && lua_toboolean(L, -2) == 0;
     lua_pop(L, 1);
+    if (drops) {
+      lua_pop(L, 1);
+      lua_pushnil(L);
+    }
     lua_pushvalue(L, -2);
     lua_insert(L, -2);
     lua_rawset(L, to);
@@ -111,6 +118,26 @@ law::Provenance origins_after(const Card& before, const Card& after) {
   return out;
 }
 
+// Says where a rigidity is new and the friction beside it is that of the card before.
+void tell_old_friction(Call& call, const std::optional<card::Bending>& before,
+                       const std::optional<card::Bending>& after) {
+  if (!before || !after) return;
+  const auto look = [&](const std::string& yarn, bool changed, const auto& old, const auto& now) {
+    if (!changed || !old || !now || old->moment != now->moment || old->curvature != now->curvature) return;
+    const std::string words = "card:with: bending." + yarn + " is new and friction_" + yarn +
+                              " as before (moment " + fabricsh::number(now->moment) +
+                              " N): give it too, or friction_" + yarn + " = false";
+    call.session().notices().once(words, "warning: " + words);
+  };
+  const auto differs = [](double a, double b, const card::Curve& x, const card::Curve& y) {
+    return a != b || x.coefficients != y.coefficients || x.points != y.points;
+  };
+  look("warp", differs(before->warp, after->warp, before->warp_curve, after->warp_curve),
+       before->friction_warp, after->friction_warp);
+  look("weft", differs(before->weft, after->weft, before->weft_curve, after->weft_curve),
+       before->friction_weft, after->friction_weft);
+}
+
 int with(Call& call) {
   lua_State* L = call.L();
   const auto card = call.self<Card>();
@@ -125,6 +152,7 @@ int with(Call& call) {
   lua_pop(L, 1);
   Card changed = read_card(L, merged, card::kind(*card));
   if (!told) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
+  tell_old_friction(call, card->bending, changed.bending);
   return push_card(L, std::move(changed));
 }
 
@@ -254,7 +282,9 @@ std::vector<Entry> rows() {
        cards},
       {"card:with",
        Style::positional,
-       {value_("changes", table, "fields of the constructor that differ; tables merge deeply")},
+       {value_("changes", table,
+               "fields of the constructor that differ; tables merge deeply, and false drops one, as "
+               "friction_warp=false")},
        "A copy of the card with some fields changed.",
        "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
        with},
