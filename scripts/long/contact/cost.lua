@@ -109,7 +109,8 @@ local function crumple()
     return fabric.checking() and 1 or (os.clock() - clock) / #a.steps, a, a.energy.contact
   end
   local with, a, energy = run(true)
-  local without = run(false) -- a step costs the same whatever its size
+  local without = math.huge -- a step costs the same whatever its size
+  for _ = 1, 3 do without = math.min(without, (run(false))) end
   local touching, pressure = 0, a:field "contact_pressure"
   for _, p in ipairs(pressure) do touching = touching + (p > 0 and 1 / #pressure or 0) end
   print(string.format("crumple: %d steps to %.4f s, in contact %.2e of %.2e J; %.1f %% of the nodes touch at the end", #a.steps, a.time, energy, a.energy.initial,
