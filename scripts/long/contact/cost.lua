@@ -4,7 +4,7 @@
 --
 --   fabricsh --threads 1 scripts/long/contact/cost.lua                    nothing near, a floor, two layers, a crumple; 100 x 100 elements
 --   fabricsh --threads 1 scripts/long/contact/cost.lua near 500 300       one of them (near floor layers crumple), cells along an edge, steps
---   fabricsh --threads 1 scripts/long/contact/cost.lua crumple 100 2      a sheet that is thrown together at 2 m/s
+--   fabricsh --threads 1 scripts/long/contact/cost.lua crumple 100 8 0.5  a sheet that is thrown together at 8 m/s, half of its time
 --   fabricsh --threads 2 scripts/long/contact/cost.lua wall 100 200       seconds on the wall and of the busiest thread; compare with --threads 1
 local fabric = require "fabric"
 local which, cells, steps = arg[1] or "all", tonumber(arg[2] or 100), tonumber(arg[3] or 200)
@@ -104,7 +104,7 @@ local function crumple()
     end)
     local a = fabric.dynamic { model = m, duration = 0.9 * side / speed, ledger_limit = 10 }
     local clock = os.clock()
-    local ok, trouble = pcall(a.solve, a)
+    local ok, trouble = pcall(a.advance, a, (tonumber(arg[4]) or 1) * 0.9 * side / speed)
     if not ok then print(tostring(trouble):match "[^\n]*") end
     return fabric.checking() and 1 or (os.clock() - clock) / #a.steps, a, a.energy.contact
   end
