@@ -140,7 +140,7 @@ function analysis:gap() end
 ---@return number
 function analysis:mean(name, set) end
 
----Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; Pa).
+---Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; that on the front and that on the back of a sheet added; Pa).
 ---@param number integer of the node
 ---@return table<string, any>
 function analysis:node(number) end

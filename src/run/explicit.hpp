@@ -43,8 +43,8 @@ class Explicit final : public Dynamic {
   std::optional<double> try_shorter(double size, StepReport& report);
   double block_step() const { return std::ldexp(now_.step, -block_.halved); }  // s
   mesh::Index fastest_node() const;                                            // -1: no node moves
-  bool stuck() const;  // contact cannot hold what is pressed together
-  std::string reason() const;                                                  // the meaning of end_ in words
+  bool stuck() const;          // contact cannot hold what is pressed together
+  std::string reason() const;  // the meaning of end_ in words
 
   struct Block {
     std::string start;  // see Run::mark()

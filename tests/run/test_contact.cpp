@@ -539,7 +539,10 @@ TEST_CASE("contact: statics lay a strip over a rod, with friction, and relaxatio
     const auto run = std::make_shared<run::Static>(m, options, std::make_shared<Notices>());
     run->solve();
     CHECK(run::body_state(*run, *rod).force.z() == Approx(590 * t * side * side * 9.81).epsilon(1e-5));
-    CHECK(run->energy().error < 0.02);
+    // It begins pressed in and not in balance: statics let that energy go in the first step.
+    const auto energy = run->energy();
+    CHECK(energy.initial > 0);
+    CHECK(std::abs(energy.surplus() + energy.initial) < 0.02 * std::abs(energy.external));
     CHECK((run->energy().friction > 0) == (friction > 0));
     return run->node(0).x;
   };

@@ -79,8 +79,8 @@ class Contacts final : public Term {
   double largest_step(bool scaled) const;
   // s: the largest step for the stiffness at the smallest gap, including that of the guard.
   double carried_step() const;
-  // m/s: the least speed, over all contacts, that uses up the range of contact above the guard when cloth of the
-  // least areal mass meets it flat. What comes faster is pressed into the guard.
+  // m/s: the least speed, over all contacts, that uses up the range of contact above the guard when cloth of
+  // the least areal mass meets it flat. What comes faster is pressed into the guard.
   double speed_stopped() const;
   bool blocked() const { return blocked_; }  // the state of the last forces is impossible
 
