@@ -44,7 +44,7 @@ local function reading(a, mesh)
 end
 
 local ways = {
-  { "Newton", "static", 0.3, { duration = 0.3, step = 0.015, max_cuts = 16 } },
+  { "Newton", "static", 0.3, { duration = 0.3, step = 0.015, max_cuts = 16 }, may_fail = true },
   { "Newton, stabilised", "static", 0.3, { duration = 0.3, step = 0.015, max_cuts = 16, stabilise = 1e-4 } },
   { "relaxation, 5 shares", "static", 0.3, { duration = 0.3, step = 0.06, method = "relaxation", tolerance = 1e-6 } },
   { "relaxation, all at once", "static", 1e-6, { duration = 0.3, step = 0.3, method = "relaxation", tolerance = 1e-6 } },
@@ -65,7 +65,7 @@ for around, across in meshes:gmatch "(%d+)x(%d+)" do
     local options = {}
     for k, v in pairs(way[4]) do options[k] = v end
     local ok, a = pcall(run, mesh, way[2], way[3], options)
-    if not ok and not way.told then error(a, 0) end
+    if not ok and not way.told and not way.may_fail then error(a, 0) end
     if not ok then
       print(("%-6s  %-35s  no answer: %s"):format(around .. "x" .. across, way[1], tostring(a):match "^[^\n]*"))
     elseif not fabric.checking() then
