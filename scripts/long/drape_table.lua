@@ -2,6 +2,7 @@
 --
 --   fabricsh scripts/long/drape_table.lua                          a disc of every card by relaxation, into out/drape: two minutes
 --   fabricsh scripts/long/drape_table.lua 10 6 "worsted broad"     ten discs, six elements over the overhang, these cards ("all": every card)
+--   fabricsh scripts/long/drape_table.lua 10 5 "worsted duck:5"    five discs of duck
 --   fabricsh scripts/long/drape_table.lua 10 6 all write           and the table and the figure of share/doc/drape.md
 --   fabricsh scripts/long/drape_table.lua 3 5 worsted motion       in motion, with contact: seconds to minutes a disc
 --
@@ -13,11 +14,10 @@ local by = arg[4] == "motion" and "motion" or "relaxation"
 local root = arg[0]:gsub("[^/]*$", "") .. "../../"
 local disc, support = 0.30, 0.18
 
-local names = {}
-if which == "all" then
-  names = fabric.cards()
-else
-  for name in which:gmatch "%S+" do names[#names + 1] = name end
+local names, discs = {}, {}
+for word in (which == "all" and table.concat(fabric.cards(), " ") or which):gmatch "%S+" do
+  local name, count = word:match "^([^:]+):?(%d*)$"
+  names[#names + 1], discs[name] = name, tonumber(count) or seeds
 end
 
 -- The thesis' four have no bending of their own but an estimate.
@@ -38,7 +38,9 @@ end
 -- A disc of every card first, then the second of each.
 local cases = {}
 for seed = 1, seeds do
-  for _, name in ipairs(names) do cases[#cases + 1] = { card = name, seed = seed, cells = cells, by = by } end
+  for _, name in ipairs(names) do
+    if seed <= discs[name] then cases[#cases + 1] = { card = name, seed = seed, cells = cells, by = by } end
+  end
 end
 local study = fabric.study { parameters = cases, run = drape, folder = "out/drape", workers = tonumber(os.getenv "FABRICSH_WORKERS") }
 if fabric.checking() then return end

@@ -249,7 +249,7 @@ function card:check(element_size) end
 function card:sample(n, seed) end
 
 ---A copy of the card with some fields changed.
----@param changes table fields of the constructor that differ; tables merge deeply
+---@param changes table fields of the constructor that differ; tables merge deeply, and false drops one, as friction_warp=false
 ---@return card
 function card:with(changes) end
 
@@ -670,6 +670,8 @@ function fabric.lab.correlate(fields) end
 ---@field friction? number of cloth on pedestal and on cloth (default 0.3)
 ---@field contact? boolean false: the cloth touches nothing, it is held at the pedestal's rounded edge (default true)
 ---@field self? boolean the cloth may touch itself (default true)
+---@field by? "motion"|"relaxation" how it comes to rest: relaxation goes through equilibria under growing shares of the weight, in a fraction of the time where yarns are stiff (default "motion")
+---@field steps? integer shares of the weight, of relaxation (default 10)
 ---@field lowering? number s: over which the weight comes (default 1.5)
 ---@field shakes? integer up and down of the pedestal, after the lowering: they work against friction (default 0)
 ---@field shake? number m/s^2: their acceleration (default 5)
@@ -1701,7 +1703,7 @@ function fabric.show(rows, options) end
 ---@field min_step? number s: smallest step that cuts go down to
 ---@field linear? "auto"|"symmetric"|"unsymmetric" direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
----@field method? "newton"|"relaxation"|"either" newton; relaxation: every step by dynamic relaxation; either: relaxation for steps in which Newton fails (default "newton")
+---@field method? "newton"|"relaxation"|"either" newton; relaxation: every step by dynamic relaxation, of cloth with bending of its own by an overdamped motion; either: relaxation for steps in which Newton fails (default "newton")
 ---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends the run there (default "tell")
 ---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
 

@@ -113,6 +113,15 @@ for _, cloth in ipairs { { "broad", 0.118, 0.124 }, { "tropical", 0.077, 0.029 }
   rows[#rows + 1] = { name .. ": 2HB, gf cm/cm", 2 * b.friction_warp.moment / 9.80665e-3, HB, relative = 1e-9 }
 end
 
+-- false drops a part of a card, and only that
+do
+  local broad = fabric.card "broad"
+  local free = broad:with { bending = { warp = 1e-5, friction_warp = false } }
+  assert(free.bending.warp == 1e-5 and free.bending.friction_warp == nil and free.bending.friction_weft.moment == broad.bending.friction_weft.moment)
+  assert(broad:with({ bending = false }).bending == nil and broad.bending ~= nil)
+  assert(broad:with({ bending = { twist = 1e-6 } }).bending.friction_warp.moment == broad.bending.friction_warp.moment)
+end
+
 -- the page is that of the cards
 arg = { [0] = home .. "scripts/cards.lua" }
 dofile(arg[0])

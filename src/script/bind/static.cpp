@@ -74,7 +74,8 @@ std::vector<Entry> rows() {
             .or_else("load")
             .one_of(controls),
         value_("method", text,
-               "newton; relaxation: every step by dynamic relaxation; either: relaxation for steps in which "
+               "newton; relaxation: every step by dynamic relaxation, of cloth with bending of its own by an "
+               "overdamped motion; either: relaxation for steps in which "
                "Newton fails")
             .or_else("newton")
             .one_of(methods),
