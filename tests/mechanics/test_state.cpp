@@ -1,3 +1,5 @@
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -206,4 +208,30 @@ TEST_CASE("states in place are those of two copies, bit for bit, for every kind 
       CHECK(std::equal(one.internal_on_x().begin(), one.internal_on_x().end(), two.internal_on_x().begin()));
     }
   }
+}
+
+TEST_CASE("states in place go back to the committed bits, whichever thread saved them") {
+  using namespace fabricsh;
+  const int usual = omp_get_max_threads();
+  const auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.1, 0.1, 20, 20));
+  const auto model = std::make_shared<model::Model>(mesh, test::blend(), model::Options{});
+  mechanics::Assembly a(*model);
+  a.update_in_place();
+  const auto push = [&a](double way) {
+    const auto x = a.state().x();
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += way * std::sin(static_cast<double>(17 * i));
+    a.state().touch();
+    REQUIRE(a.forces({0, 1}));
+  };
+  for (const int threads : {3, 1, 2}) {
+    omp_set_num_threads(threads);
+    push(1e-4);
+    a.commit(threads);
+    const auto before = states_of(a);
+    push(5e-4);
+    CHECK(states_of(a) != before);
+    a.rollback();
+    CHECK(states_of(a) == before);
+  }
+  omp_set_num_threads(usual);
 }
