@@ -188,6 +188,10 @@ double farthest_move(const mechanics::Assembly& assembly, double from, double to
 std::vector<std::string> advice(const Failure& f) {
   std::vector<std::string> all;
   if (f.broken) return {"a new run after correcting what the message names: a smaller step does not help"};
+  // What moves freely moves under a small load too.
+  const bool free = f.mechanism.driven || ends_singular(f);
+  if (f.mechanism.driven) advise_on_mechanism(f, all);
+  if (free) advise_on_tangent(f, all);
   if (f.jumps)
     all.push_back(std::string("loads that grow from 0, fabric.ramp(load, duration)") +
                   (f.bends && !f.relaxed ? ", or method=\"relaxation\"" : "") +
@@ -196,8 +200,7 @@ std::vector<std::string> advice(const Failure& f) {
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
         "step, so that the path is not followed backwards");
-  if (f.mechanism.driven) advise_on_mechanism(f, all);
-  advise_on_tangent(f, all);
+  if (!free) advise_on_tangent(f, all);
   if (!f.tries.empty()) advise_on_iterations(f, all);
   advise_on_cloth(f, all);
   if (!f.mechanism.driven && f.mechanism.ways == 1 && !ends_singular(f)) advise_on_mechanism(f, all);

@@ -304,6 +304,24 @@ TEST_CASE("contact: an overlap is refused, and what settle opens is told") {
   says(told, "; 9 points are nearer than that at the start, the nearest by 0.000152 m: opened over 0.5 s");
 }
 
+TEST_CASE("contact: what touches is told by the names of the bodies") {
+  auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{
+      sheet("front", 0.04, 2, Vec3::Zero()), sheet("back", 0.04, 2, Vec3(0, 0, 0.01))});
+  const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -0.01), Vec3(0, 0, 1)},
+                                                          std::nullopt, "", "plane");
+  m->contact({{{"front", nullptr}, {"back", nullptr}}, 0});
+  m->contact({{{"front", nullptr}}, 0});
+  m->contact({{{"", plane}, {"front", nullptr}}, 0});
+  std::string told;
+  run::StaticOptions options;
+  options.duration = 1;
+  run::Static run(m, options,
+                  std::make_shared<Notices>([&](const std::string& line) { told += line + "\n"; }));
+  says(told, "back on front: from a gap of");
+  says(told, "front on itself: from a gap of");
+  says(told, "plane on front: from a gap of");
+}
+
 TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and implicit") {
   const double t = test::svk().thickness, r = 0.01, spin = 20, mu = 0.3;
   for (const bool implicit : {false, true}) {

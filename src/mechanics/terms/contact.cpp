@@ -115,6 +115,20 @@ model::Surfaces split_by_kind(const model::Model& model, const model::Surfaces& 
   return out;
 }
 
+// The bodies that a surface consists of, "front and back"; empty where it is a part of one, or many.
+std::string bodies_of(const mesh::Mesh& mesh, const std::vector<Index>& elements) {
+  std::string words;
+  std::size_t covered = 0, count = 0;
+  for (const auto& part : mesh.parts) {
+    const std::size_t size = part.mesh->elements.size();
+    if (std::find(elements.begin(), elements.end(), part.first_element) == elements.end()) continue;
+    words += (words.empty() ? "" : " and ") + part.name;
+    covered += size;
+    ++count;
+  }
+  return covered == elements.size() && count <= 2 ? words : "";
+}
+
 Mat3 cross_matrix(const Vec3& a) {
   Mat3 m;
   m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
@@ -146,6 +160,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
       nodes_(model.mesh().nodes.size()) {
   for (const auto& elements : surfaces.elements) {
     sheets_.push_back(sheet(elements));
+    sheets_.back().name = bodies_of(model.mesh(), elements);
     least_areal_ = std::min(least_areal_, sheets_.back().areal);
   }
   creep_ = kCreep * mean_edge(scene_);
@@ -193,8 +208,10 @@ void Contacts::find_masses(const Freedoms& freedoms) {
 }
 
 std::string Contacts::name_of(int side) const {
-  if (side < static_cast<int>(sheets_.size()))
-    return sheets_.size() > 1 ? "cloth " + std::to_string(side + 1) : "the cloth";
+  if (side < static_cast<int>(sheets_.size())) {
+    if (sheets_.size() == 1) return "the cloth";
+    return sheets_[side].name.empty() ? "cloth " + std::to_string(side + 1) : sheets_[side].name;
+  }
   return model_.interactions().name_of(bodies_.body(side - sheets_.size()));
 }
 

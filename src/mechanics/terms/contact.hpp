@@ -104,6 +104,7 @@ class Contacts final : public Term {
   struct Sheet {                                              // a surface of cloth
     double thickness = 0, floor = 0, areal = 0;               // m, m, kg/m2
     std::vector<std::pair<double, double>> compression = {};  // thickness, m, and pressure, Pa; empty: none
+    std::string name = {};  // of the bodies that it consists of; empty: it is a part of one
   };
   // What is known of an interaction beside its law.
   struct Meeting {
