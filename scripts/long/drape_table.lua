@@ -104,15 +104,18 @@ local function figure()
     for _, d in ipairs { disc, support } do
       add('<circle cx="%g" cy="%g" r="%.1f" fill="none" stroke="#999" stroke-dasharray="3 3"/>', x, y, scale * d / 2)
     end
+    local path = {}
     for _, one in ipairs(by_card[name]) do
-      local points, k, turn = {}, 0, -math.rad(one.orientation)
-      for r in one.outline:gmatch "%S+" do -- turned so that the warp goes to the right
+      local points, k, turn, px, py = {}, 0, -math.rad(one.orientation), 0, 0
+      for r in one.outline:gmatch "%S+" do -- turned so that the warp goes to the right; in tenths, each from the last, which is short
         local angle = 2 * math.pi * k / outline_points + turn
-        points[#points + 1] = ("%.1f,%.1f"):format(x + scale * r * 1e-3 * math.cos(angle), y - scale * r * 1e-3 * math.sin(angle))
-        k = k + 1
+        local qx, qy = math.floor(10 * (x + scale * r * 1e-3 * math.cos(angle)) + 0.5), math.floor(10 * (y - scale * r * 1e-3 * math.sin(angle)) + 0.5)
+        points[#points + 1] = ((k == 0 and "M%d %d" or k == 1 and "l%d %d" or "%d %d"):format(qx - px, qy - py):gsub(" %-", "-"))
+        px, py, k = qx, qy, k + 1
       end
-      add('<polygon points="%s" fill="none" stroke="#1f5fa8" stroke-width="1"/>', table.concat(points, " "))
+      path[#path + 1] = table.concat(points, " "):gsub(" %-", "-"):gsub(" l", "l") .. "z"
     end
+    add('<path d="%s" transform="scale(.1)" fill="none" stroke="#1f5fa8" stroke-width="10"/>', table.concat(path))
   end
   add "</svg>"
   return table.concat(out, "\n") .. "\n"
