@@ -60,8 +60,8 @@ class Boxes {
     const float *a = &low_[0][first], *b = &low_[1][first], *c = &low_[2][first], *d = &high_[0][first],
                 *e = &high_[1][first], *f = &high_[2][first];
     for (std::size_t i = 0; i < pack; ++i)
-      out[i] = (a[i] <= box.high[0]) & (b[i] <= box.high[1]) & (c[i] <= box.high[2]) & (d[i] >= box.low[0]) &
-               (e[i] >= box.low[1]) & (f[i] >= box.low[2]);
+      out[i] = int(a[i] <= box.high[0]) & int(b[i] <= box.high[1]) & int(c[i] <= box.high[2]) &
+               int(d[i] >= box.low[0]) & int(e[i] >= box.low[1]) & int(f[i] >= box.low[2]);
     return out;
   }
 
