@@ -105,12 +105,6 @@ inline SampleColumns sample_columns(const Kinematics& k, const Membrane& m, cons
   return s;
 }
 
-inline void put(Pack (&column)[3][kReach], int place, V3 v) {
-  column[0][place] = v.x;
-  column[1][place] = v.y;
-  column[2][place] = v.z;
-}
-
 inline void position_columns(const Kinematics& k, const InPlane& p, const SampleColumns& s, double thickness,
                              int g, Columns4& B) {
   for (int c = 0; c < kX; ++c) membrane_at(p.carry, g, s.sample[c], s.mode[c], B.x[c] + kEps);

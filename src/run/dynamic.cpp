@@ -20,11 +20,12 @@ namespace fabricsh::run {
 
 namespace {
 
-constexpr int kChecks = 200;        // checks of the ledger in a run
-constexpr int kApart = 16;          // least number of explicit steps between checks: one costs a step
-constexpr int kYoung = 50;          // explicit steps until the trapezoidal rule gives a reliable work
-constexpr double kYoungLimit = 10;  // factor on the limit for implicit steps until then
-constexpr double kWarning = 1e-3;   // created energy over the external work
+constexpr int kChecks = 200;            // checks of the ledger in a run
+constexpr int kApart = 16;              // least number of explicit steps between checks: one costs a step
+constexpr int kYoung = 50;              // explicit steps until the trapezoidal rule gives a reliable work
+constexpr double kYoungLimit = 10;      // factor on the limit for implicit steps until then
+constexpr double kWarning = 1e-3;       // created energy over the external work
+constexpr double kShortWarning = 1e-2;  // the same at the end of a run of fewer than kYoung explicit steps
 constexpr double kHeavy = 0.05;     // share of the kinetic energy in scaled rotary inertia that is tolerated
 constexpr double kRateStep = 1e-6;  // s, for differences of prescribed motions
 
@@ -311,8 +312,11 @@ void Dynamic::check() {
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
   // first.
   const bool is_young = now_.steps < kYoung && !(is_implicit && assembly_->freedoms().motions.empty());
+  // A run of a few explicit steps is over before it is of age: what it ends with is said all the same.
+  const bool is_short = is_young && !is_implicit && end && assembly_->freedoms().motions.empty();
   const double unsaid = !is_young     ? kWarning
                         : is_implicit ? kYoungLimit * options_.ledger_limit
+                        : is_short    ? kShortWarning
                                       : std::numeric_limits<double>::infinity();
   if (std::isfinite(made) && (scale <= 0 || made <= unsaid * scale)) {
     now_.was_over = false;
@@ -328,7 +332,7 @@ void Dynamic::check() {
   }
   const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
   now_.was_over = over;
-  if (std::isfinite(made) && !(over && (twice || end))) return;
+  if (std::isfinite(made) && (is_short || !(over && (twice || end)))) return;
   const std::string accounts = "\nenergies   kinetic " + number(e.kinetic) + ", stored " + number(e.stored) +
                                ", dissipated " + number(e.dissipated) + ", damping " + number(e.damping) +
                                ", external " + number(e.external) + ", made by the law " + number(e.created) +
