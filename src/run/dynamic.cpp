@@ -312,7 +312,7 @@ void Dynamic::check() {
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
   // first.
   const bool is_young = now_.steps < kYoung && !(is_implicit && assembly_->freedoms().motions.empty());
-  // A run of a few explicit steps is over before it is of age: what it ends with is said all the same.
+  // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.
   const bool is_short = is_young && !is_implicit && end && assembly_->freedoms().motions.empty();
   const double unsaid = !is_young     ? kWarning
                         : is_implicit ? kYoungLimit * options_.ledger_limit
@@ -332,7 +332,7 @@ void Dynamic::check() {
   }
   const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
   now_.was_over = over;
-  if (std::isfinite(made) && (is_short || !(over && (twice || end)))) return;
+  if (std::isfinite(made) && !(over && (twice || end))) return;
   const std::string accounts = "\nenergies   kinetic " + number(e.kinetic) + ", stored " + number(e.stored) +
                                ", dissipated " + number(e.dissipated) + ", damping " + number(e.damping) +
                                ", external " + number(e.external) + ", made by the law " + number(e.created) +
