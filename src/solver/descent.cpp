@@ -11,6 +11,7 @@ using linear::dot;
 namespace {
 constexpr double kFirst = 1e-3, kLeast = 1e-14, kMost = 1e4;  // of the viscosity's factor m
 constexpr double kRise = 8, kFall = 0.25;
+constexpr double kGone = 1e3;  // growth of what rounding makes, with the coordinates, of a part that has gone
 }  // namespace
 
 // The sums of the columns' absolute values: in the units of each unknown, and never zero.
@@ -25,7 +26,8 @@ void Descent::viscosity() {
   for (double& d : D_) d = std::max(d, 1e-12 * largest);
 }
 
-// delta_ = (K + m D)^-1 r_, if that matrix is positive and r_ is reduced along it.
+// delta_ = (K + m D)^-1 r_, if that matrix is positive and r_ is reduced along it. What is at rest while a
+// rigid body is on its way has nothing to reduce.
 bool Descent::direction(Problem& problem, double m) {
   A_ = K_;
   for (Index c = 0; c < K_.size(); ++c) A_.add(c, c, m * D_[c]);
@@ -34,17 +36,20 @@ bool Descent::direction(Problem& problem, double m) {
     return linear_->solve(A_, b, x) && all_finite(x);
   };
   return solve(r_, delta_) && problem.finish_direction(solve, delta_) && all_finite(delta_) &&
-         dot(delta_, r_) > 0;
+         (dot(delta_, r_) > 0 || !problem.arrived());
 }
 
 // Goes along delta_ as far as is safe. The energy falls by the mean of the forces along the step, by the
-// trapezoidal rule; where it would not (cut), the step is taken back.
+// trapezoidal rule; where it would not (cut), the step is taken back. A rigid body on its way does work on
+// the cloth, so that the energy may rise meanwhile.
 Answer Descent::lower(Problem& problem) {
+  const bool on_its_way = !problem.arrived();
   const double share = problem.limit(delta_);
   if (!(share > 0)) return Answer::cut;
   problem.retract(delta_, share);
   Answer answer = checked(problem.residual(trial_r_), trial_r_);
-  if (answer == Answer::ok && !(dot(delta_, r_) + dot(delta_, trial_r_) > 0)) answer = Answer::cut;
+  if (answer == Answer::ok && !on_its_way && !(dot(delta_, r_) + dot(delta_, trial_r_) > 0))
+    answer = Answer::cut;
   if (answer != Answer::ok) problem.retract(delta_, 0);
   return answer;
 }
@@ -61,7 +66,7 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
   if (const Answer answer = checked(problem.residual(r_), r_); answer != Answer::ok)
     return stop(status_of(answer));
   problem.accept();
-  double m = kFirst;
+  double m = kFirst, at_first = 0;
   while (result.iterations < options.max_iterations) {
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
     viscosity();
@@ -71,10 +76,14 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
     const double relative = size == 0 ? 0 : scale > 0 ? size / scale : 1;
     result.residuals.push_back(relative);
     result.worst = where;
-    const bool small = relative <= options.tolerance || size <= problem.rounding_floor(K_);
-    if (problem.arrived() && small) return stop(NewtonStatus::converged);
+    const double floor = problem.rounding_floor(K_);
+    if (result.residuals.size() == 1) at_first = floor;
+    if (floor > kGone * at_first && relative > options.tolerance) return stop(NewtonStatus::singular);
+    const bool rounding = size <= floor;
+    if (problem.arrived() && (rounding || relative <= options.tolerance))
+      return stop(NewtonStatus::converged);
     for (;; m *= kRise) {
-      if (m > kMost) return stop(NewtonStatus::law_failed);
+      if (m > kMost) return stop(NewtonStatus::diverged);
       if (result.iterations++ >= options.max_iterations) return stop(NewtonStatus::too_many_iterations);
       const Answer answer = direction(problem, m) ? lower(problem) : Answer::cut;
       if (answer == Answer::broken) return stop(NewtonStatus::broken);
