@@ -165,6 +165,11 @@ Facets facets_of(const mesh::Mesh& mesh, bool closed) {
   return {mesh.nodes, contact::split(mesh.nodes, mesh.elements).triangles, closed};
 }
 
+Facets facets_of(const mesh::Mesh& mesh, const Facets& first) {
+  const auto& nodes = mesh.nodes.size() == first.vertices.size() ? first.vertices : mesh.nodes;
+  return {mesh.nodes, contact::split(nodes, mesh.elements).triangles, first.closed};
+}
+
 namespace {
 
 struct AddTo {

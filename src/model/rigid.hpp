@@ -80,6 +80,9 @@ using RigidPointer = std::shared_ptr<const Rigid>;
 
 // The quadrilaterals of a mesh cut into triangles. closed: the surface encloses a solid.
 Facets facets_of(const mesh::Mesh& mesh, bool closed);
+// The same of a shape that a body takes later: cut as its first shape is, whichever diagonal is the shorter
+// now.
+Facets facets_of(const mesh::Mesh& mesh, const Facets& first);
 
 // Adds the body to the scene; returns the number of its surface.
 int add_to(contact::Scene& scene, const Rigid& body);

@@ -310,10 +310,13 @@ void Dynamic::check() {
                                  energy_of_rounding(*assembly_, now_.step) / kWarning});
   const double made = std::abs(e.surplus()) + e.created;
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
-  // first.
-  const bool is_young = now_.steps < kYoung && !(is_implicit && assembly_->freedoms().motions.empty());
+  // first; so it does where a moved body comes to touch.
+  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
+  const bool driven =
+      !assembly_->freedoms().motions.empty() || (contact != nullptr && contact->bodies().any_driven());
+  const bool is_young = now_.steps < kYoung && (!is_implicit || driven);
   // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.
-  const bool is_short = is_young && !is_implicit && end && assembly_->freedoms().motions.empty();
+  const bool is_short = is_young && !is_implicit && end && !driven;
   const double unsaid = !is_young     ? kWarning
                         : is_implicit ? kYoungLimit * options_.ledger_limit
                         : is_short    ? kShortWarning

@@ -102,6 +102,12 @@ local flat = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 4, ny = 4
 fails(function() fabric.rigid.surface { mesh = flat, closed = true } end, "expected a closed surface")
 fails(function() fabric.rigid.surface { mesh = flat, mass = 1 } end, "expected a closed surface")
 local other = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 5, ny = 4 }
+do -- quadrilaterals are cut as in the first shape, although others of their diagonals are the shorter ones later
+  local function bowl(depth)
+    return fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 4, ny = 4 }:map(function(x, y) return x, y, -depth * ((x - 0.01) ^ 2 + (y - 0.01) ^ 2) end)
+  end
+  fabric.rigid.motion { meshes = { bowl(0), bowl(20) }, times = { 0, 1 } }
+end
 fails(function() fabric.rigid.motion { meshes = { flat, other }, times = { 0, 1 } } end, "motion: field 'meshes': expected the same facets in every shape")
 fails(function() fabric.rigid.motion { meshes = { flat, flat }, times = { 1, 0 } } end, "that ascend")
 local function run(m) return fabric.dynamic { model = m, duration = 1e-3 } end

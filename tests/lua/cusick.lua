@@ -121,6 +121,16 @@ do
   check("shares of the weight do not matter to elastic cloth", fabric.lab.cusick(t).coefficient, relaxed.coefficient, { absolute = 1e-4 })
 end
 
+do -- what would give a wrong number, or none for hours
+  local function refused(words, t)
+    t.disc, t.support = 0.3, 0.18
+    local ok, message = pcall(fabric.lab.cusick, t)
+    assert(not ok and tostring(message):find(words, 1, true), message)
+  end
+  refused("field 'held': expected the diameter of the support", { card = sheet(2e-6), contact = false, held = 0.1 })
+  refused("field 'card': expected a card with bending of its own", { card = fabric.card "blend", by = "relaxation" })
+end
+
 -- --- a limp disc hangs down in folds, and two seeds side by side are what each is alone, to the last bit
 do
   local t = { card = sheet(2e-6, 1e6), disc = 0.24, support = 0.18, cells = 3, around = 36, lowering = 0.05, shakes = 0, duration = 0.15, window = 0.05, still = 1,

@@ -74,11 +74,12 @@ std::vector<model::Facets> read_shapes(const Call& call) {
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(L, -1, i);
-    const auto mesh = to_object<mesh::Mesh>(L, -1);
-    if (call.has("files") && lua_type(L, -1) == LUA_TSTRING)
-      shapes.push_back(facets(lua_tostring(L, -1), false));
-    else if (mesh != nullptr)
-      shapes.push_back(model::facets_of(*mesh, false));
+    const auto mesh = call.has("files") && lua_type(L, -1) == LUA_TSTRING
+                          ? std::make_shared<mesh::Mesh>(format::read_mesh(lua_tostring(L, -1)))
+                          : to_object<mesh::Mesh>(L, -1);
+    if (mesh != nullptr)
+      shapes.push_back(shapes.empty() ? model::facets_of(*mesh, false)
+                                      : model::facets_of(*mesh, shapes.front()));
     else
       call.refuse(field, "expected a list of " + std::string(call.has("files") ? "file names" : "meshes") +
                              ", got " + describe(L, -1) + " at place " + std::to_string(i));
