@@ -152,7 +152,16 @@ for _, asked in ipairs { "false", "true" } do
   lay(asked)
   local found = folder.reduce "out/folder"
   assert(found.warp.loops.curved and (found.card.warp.loop ~= nil) == (asked == "true"))
-  write_report(found, "out/report")
+  local _, rows = write_report(found, "out/report")
+  local told = 0
+  for _, row in ipairs(rows) do -- the band holds the value, of the loop too
+    local low, high = row[3]:match "^(%S+) to (%S+)$"
+    if row[1]:find "^warp loop" or row[1] == "warp unloading" and asked == "true" then
+      told = told + 1
+      assert(tonumber(low) <= tonumber(row[2]) and tonumber(row[2]) <= tonumber(high), table.concat(row, " | "))
+    end
+  end
+  assert(told == (asked == "true" and 4 or 0), told)
   local f <close> = assert(io.open "out/report/report.html")
   local text = f:read "a"
   assert(text:find("Loops of the warp", 1, true) and text:find("the straight law misses it by rms", 1, true))
