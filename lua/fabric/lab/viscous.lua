@@ -15,6 +15,7 @@ local bias_angle = require "fabric.lab.frames".bias_angle
 local fail = define.fail
 
 local blocks, per_decade, rounds = 150, 12, 4
+local apart, parts = 1.5, 8 -- speeds that differ by this factor are two; parts of a test's time over which its own speed is taken
 local turned = 0.01 -- of the largest strain: a way back by less is noise of the reading
 local usual_scatter, bent = 0.04, 0.5
 
@@ -150,6 +151,36 @@ local function speed_of(test)
     if dE > 1e-4 * test.reach * math.max(1, 100 / #test.rows) and dt > 0 then way, seconds = way + dE, seconds + dt end
   end
   return seconds > 0 and way / seconds or nil
+end
+
+-- Whether the strain's rate changes within a test by the factor that tells speeds apart: over eighths of its time, in which a hold is a low rate.
+-- The rest before the pull does not count.
+local function turns(test)
+  local E, at = test.zones[1].E, 1
+  while at < #test.rows - 1 and E[test.rows[at + 1]] < 0.02 * test.reach do at = at + 1 end
+  local first, last = test.rows[at], test.rows[#test.rows]
+  local from, whole = test.time[first], test.time[last] - test.time[first]
+  local least, most, before = math.huge, 0, E[first]
+  for part = 1, parts do
+    local t = from + whole * part / parts
+    while at < #test.rows - 1 and test.time[test.rows[at + 1]] < t do at = at + 1 end
+    local a, b = test.rows[at], test.rows[at + 1]
+    local dt = test.time[b] - test.time[a]
+    local here = dt > 0 and E[a] + (E[b] - E[a]) * math.min(1, (t - test.time[a]) / dt) or E[b]
+    local way = math.max(0, here - before)
+    least, most, before = math.min(least, way), math.max(most, way), here
+  end
+  return most > apart * least
+end
+
+-- Whether the tests can tell what relaxes from the elastic curve: speeds that differ, or one that changes within a test.
+local function tells_speed(state)
+  local slow, fast = math.huge, 0
+  for _, test in ipairs(state.tests) do
+    if turns(test) then return true end
+    if test.speed then slow, fast = math.min(slow, test.speed), math.max(fast, test.speed) end
+  end
+  return fast >= apart * slow
 end
 
 -- --- the elastic curve: cubic B-splines over equal intervals, with the value zero at zero ---
@@ -425,7 +456,7 @@ local function speeds_of(state)
     if g.speed and (not slow or g.speed < slow.speed) then slow = g end
     if g.speed and (not fast or g.speed > fast.speed) then fast = g end
   end
-  if not slow or fast.speed < 1.5 * slow.speed then return end
+  if not slow or fast.speed < apart * slow.speed then return end
   local function mean(g)
     local sum = 0
     for _, test in ipairs(g) do sum = sum + factor_of(test, true) / #g end
@@ -505,7 +536,11 @@ local function decide(state, out, positive, negative, fixed)
   local needed = -2 * math.log(1 - state.confidence) -- of chi^2 with two degrees of freedom: modulus and time
   local gain, against = positive and positive.gain or 0, negative and negative.gain or 0
   local softer = out.speed and out.speed.high < 0
-  if softer then
+  if not tells_speed(state) then
+    out.one_speed = true
+    out.reason = ("One speed and no hold cannot tell a stiff toe of the elastic curve from relaxation, so that nothing is concluded: tests at speeds that "
+      .. "differ by a factor of %g or more would tell, or one with a hold."):format(apart)
+  elseif softer then
     out.contradicts = true
     out.reason = ("The faster record is the softer one: no positive viscosity explains it. Nothing of shear relaxes in what these tests show; what else "
       .. "differs between them (specimens, slip, heat, friction that falls with the speed) is not this law's.")
