@@ -14,6 +14,22 @@ function check.numbers(call, field, list)
   return #list
 end
 
+-- The forces of a pull in the rows that count: positive, but for noise below zero by no more than this share of the largest.
+local below = 0.1
+function check.pull(call, field, forces, rows)
+  local low, high, place = math.huge, -math.huge, 1
+  for _, row in ipairs(rows) do
+    local F = forces[row] or 0
+    if F < low then low, place = F, row end
+    high = math.max(high, F)
+  end
+  if low == 0 and high == 0 then fail(("%s: field '%s': expected a pull that carries something, got zeros alone"):format(call, field)) end
+  if #rows > 0 and low < -below * math.max(high, 0) then
+    fail(("%s: field '%s': force runs from %.4g to %.4g N (the least at place %d): a pull counts positive; change the sign of the record, or take off its offset"):format(
+      call, field, low, high + 0.0, place))
+  end
+end
+
 -- A test: lists E, S of equal length, with branches within them.
 function check.test(call, i, test, field)
   field = field or ("tests[%d]"):format(i)

@@ -19,6 +19,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local lab, registry = fabric.lab, define.registry
+local check_pull = require("fabric.lab.frames").check_pull
 local told_of_loops = require("fabric.lab.loops").ready
 
 -- Raises an error at the line of the deck's call.
@@ -164,8 +165,10 @@ local function in_shear_without_markers(about, plain)
   for i, s in ipairs(plain) do
     local width, length = size.width or about.width, size.length or about.gauge_length
     local record = record_of(about, s.file, width, length)
-    local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = width, length = length,
-      thickness = about.thickness * (about.plies or 1), cut = true }
+    local pull = { displacement = record.displacement, force = record.force, width = width, length = length, limit = 30, cut = true }
+    check_pull("laboratory: " .. s.file, "force", pull)
+    pull.thickness = about.thickness * (about.plies or 1)
+    local shear = lab.bias_shear(pull)
     if about.viscous then
       pulls[i] = { name = s.file, displacement = record.displacement, force = record.force, time = seconds_of(record, s.file), width = width, length = length }
     end

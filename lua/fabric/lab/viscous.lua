@@ -113,6 +113,7 @@ local function prepared(t, i)
   if math.type(stop) ~= "integer" or stop < 1 or stop > n then fail(("viscous: field '%s.failure': expected a row from 1 to %d, got %s"):format(field, n, tostring(stop))) end
   out.rows = virgin_rows(out.zones[1].E, stop, math.sin(math.rad(t.limit)) / 2)
   if #out.rows < 3 then fail(("viscous: field '%s': expected at least 3 rows of loading or holding within %g degrees, got %d"):format(field, t.limit, #out.rows)) end
+  if first ~= "E" then check.pull("viscous", field .. ".force", test.force, out.rows) end
   out.reach, out.peak = 0, 0
   for _, k in ipairs(out.rows) do
     out.reach, out.peak = math.max(out.reach, out.zones[1].E[k]), math.max(out.peak, math.abs(out.measured[k]))
