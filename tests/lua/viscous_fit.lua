@@ -230,3 +230,8 @@ fails("viscous: field 'tests[1]': expected E and S of one length, 3 and more, go
 fails("viscous: field 'tests[1].speed': expected a positive number in m/s, got -1", lab.viscous,
   { tests = { { displacement = { 0, 1e-3, 2e-3 }, force = { 0, 1, 2 }, width = 0.05, length = 0.15, speed = -1 } }, thickness = 1e-3 })
 fails("viscous: field 'tests[1]': expected a test that was sheared and carried something", lab.viscous, { tests = { { E = { 0, 0, 0 }, S = { 0, 0, 0 }, time = { 0, 1, 2 } } } })
+-- a curve of one point makes no card
+fails("card: field 'shear.loading': expected two points {strain, stress} or more, got 1", lab.card,
+  { name = "n", density = 590, thickness = 1e-3, shear = { loading = { { 0.01, 1e5 } } }, assume = true })
+fails("card: field 'warp.loading': expected moduli, or points {strain, stress}, got an empty list", lab.card,
+  { name = "n", density = 590, thickness = 1e-3, warp = { loading = {} }, assume = true })
