@@ -114,3 +114,9 @@ assert(os.execute("rm -r '" .. place .. "'"))
 local noisy = pull(0.1, 0.3, 0)
 noisy.force[1] = -0.01 * noisy.force[40]
 assert(lab.bias_shear { displacement = noisy.displacement, force = noisy.force, width = 0.1, length = 0.3, thickness = 1e-3 })
+-- lengths in mm are asked about
+local warned, warn = {}, fabric.warn
+fabric.warn = function(words) warned[#warned + 1] = words end
+lab.bias_shear { displacement = noisy.displacement, force = noisy.force, width = 115, length = 230, thickness = 1e-3 }
+fabric.warn = warn
+assert(#warned == 2 and warned[1] == "bias_shear: field 'width': 115 m is far from what cloth is: is it in m?", warned[1])

@@ -1,6 +1,14 @@
 -- Checks of the tables passed to the laboratory's functions; errors are reported at the deck's line.
+local fabric = require "fabric"
 local fail = require "fabric.define".fail
 local check = {}
+
+-- Asks about a specimen's width or length that no cloth has.
+function check.lengths(call, t)
+  for _, name in ipairs { "width", "length" } do
+    if t[name] < 1e-3 or t[name] > 2 then fabric.warn(("%s: field '%s': %g m is far from what cloth is: is it in m?"):format(call, name, t[name])) end
+  end
+end
 
 -- A list of finite numbers.
 function check.numbers(call, field, list)

@@ -238,6 +238,7 @@ define {
     if t.length < 2 * t.width then define.fail "bias_shear: field 'length': expected at least twice the width (else there is no middle zone)" end
     if (t.card == nil) == (t.force == nil) then define.fail "bias_shear: field 'force': expected either force or card" end
     if t.force and not t.thickness then define.fail "bias_shear: field 'thickness': expected a positive number in m, got nil" end
+    checks.lengths("bias_shear", t)
     check_below_zero(t)
     if t.card then
       check("bias_shear", t, (math.sqrt(2) - 1) * (t.length - t.width))

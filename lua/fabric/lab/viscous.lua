@@ -58,6 +58,7 @@ local function zones_of_bias(t, test, i)
     fail(("viscous: field '%s.length': expected a bias specimen's width and length in m, at least twice as long as wide, got %s and %s"):format(field,
       tostring(w), tostring(h)))
   end
+  check.lengths("viscous", test)
   if not t.thickness then fail "viscous: field 'thickness': expected a positive number in m, since a test is a bias pull's force, got nil" end
   local whole, half = { E = {}, weight = {} }, { E = {}, weight = {} }
   local most = (math.sqrt(2) - 1) * (h - w)
