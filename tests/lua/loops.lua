@@ -179,4 +179,11 @@ says(function() straight:with { weft = { loop = { friction = 0.1, width = 2 } } 
 says(function() fabric.point(straight:with { warp = { loop = { friction = 0.5, curve = 1 } } }) end, "expected a tail (1 - friction) (1 - curve) unloading of at least")
 says(function() lab.loops { tests = { { E = { 0, 0.01, 0.02, 0.03 }, S = { 0, 1e5, 2e5, 4e5 }, branches = { { kind = "loading", first = 1, last = 4 } } } } } end,
   "loops: field 'tests': expected a test that lets go of at least 5 % of its peak stress, got 1 of loading alone")
+local pushed = tests_of(card, 1, 0)[1]
+for k, S in ipairs(pushed.S) do pushed.S[k] = -S end
+says(function() lab.loops { tests = { pushed } } end, "loops: field 'tests[1].S': stress runs from -")
+for k in ipairs(pushed.S) do pushed.S[k] = 0 end
+says(function() lab.loops { tests = { pushed } } end, "loops: field 'tests[1].S': stress runs from 0 to 0 Pa: expected a pull")
+says(function() lab.loops { tests = tests_of(card, 1, 0), fit = { loading = { { 0.1, 1e6 } }, tested = 0.1 } } end,
+  "loops: field 'fit.loading': expected moduli, or two points {strain, stress} and more, got 1")
 fabric.expect(checks)
