@@ -58,6 +58,12 @@ with("gauge_length = 76.2e%-3", "gauge_lenght = 76.2e-3")
 refused "laboratory.lua: unknown field 'gauge_lenght', did you mean 'gauge_length'?"
 with("width = 25.4e%-3, ", "")
 refused "laboratory.lua: field 'width': expected a length in m, got nil"
+with("return {", "return { default_units = { displacement = 'furlong' },")
+refused "field 'default_units.displacement': 'furlong' is no unit of length known"
+with("return {", "return { default_units = 'mm',")
+refused "laboratory.lua: field 'default_units': expected {displacement='mm', force='N'}, got mm"
+with("return {", "return { default_units = { displacement = 'mm', force = 'N' },")
+assert(folder.reduce(place).card.warp.loading[1] == clean.card.warp.loading[1])
 remove "laboratory.lua"
 refused "laboratory.lua"
 write("laboratory.lua", about)

@@ -59,6 +59,15 @@ r = read("Extension (cm),Load\n0,0\n2,100\n4,210\n", { default_units = { displac
 assert(r.displacement[3] == 0.04 and r.force[3] == 2.1)
 r = read("0;0\n1;2\n2;4\n", { columns = { displacement = 1, force = 2 }, default_units = { displacement = "mm", force = "N" } })
 assert(r.displacement[3] == 2e-3 and r.force[3] == 4)
+fails("field 'default_units.displacement': 'furlong' is no unit of length known: expected one of cm, in, m, mm, um", read, "Extension,Load\n0,0\n2,100\n4,210\n",
+  { default_units = { displacement = "furlong", force = "N" } })
+-- a strain beyond 1 without a unit is asked about
+local strains = "Dehnung;Kraft (N)\n0;0\n0,75;100\n1,5;210\n"
+fails("column 'Dehnung': the strain runs to 1.5 and its heading names no unit: is it in %?", read, strains, { gauge_length = 0.1 })
+close(read(strains, { gauge_length = 0.1, units = { strain = "%" } }).strain[3], 0.015, 1e-15)
+close(read(strains, { gauge_length = 0.1, default_units = { strain = "%" } }).strain[3], 0.015, 1e-15)
+close(read(strains, { gauge_length = 0.1, units = { strain = "-" } }).strain[3], 1.5, 1e-15)
+close(read("Dehnung;Kraft (N)\n0;0\n0,1;100\n0,2;210\n", { gauge_length = 0.1 }).strain[3], 0.2, 1e-15)
 fails("expected displacement, force, time or strain, got 'load'", read, "a (mm),b\n0,0\n", { default_units = { load = "N" } })
 
 -- a frame that writes in blocks, the heading above each anew, words in between

@@ -1,8 +1,8 @@
 -- A folder of measurements, reduced to fits and a card. It contains laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary= (a table, or the
---     file in this folder that returns it), degree=, rule=,
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, default_units={...} (where
+--     a heading says none), vocabulary= (a table, or the file in this folder that returns it), degree=, rule=,
 --     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
 --     viscous=true (bias tests at several speeds or with holds, whose records have seconds: the part of shear that relaxes),
@@ -73,7 +73,8 @@ end
 local function along(about, path, direction)
   local tests, grids = {}, {}
   for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
-    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, vocabulary = about.vocabulary, zero = about.zero }))
+    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, default_units = about.default_units,
+      vocabulary = about.vocabulary, zero = about.zero }))
     local markers = s.stem .. "-markers.csv"
     if exists(markers) then grids[#grids + 1] = grid_of(about, markers) end
   end
@@ -122,7 +123,8 @@ end
 
 -- A record of a bias pull: strains and forces per width count for the specimen's size.
 local function record_of(about, file, width, length)
-  return lab.read { file = file, columns = about.columns, units = about.units, vocabulary = about.vocabulary, width = width, gauge_length = length }
+  return lab.read { file = file, columns = about.columns, units = about.units, default_units = about.default_units, vocabulary = about.vocabulary,
+    width = width, gauge_length = length }
 end
 
 -- The seconds of a record from which the part of shear that relaxes is to be found.
@@ -180,7 +182,7 @@ local function in_shear_without_markers(about, plain)
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
+  "units", "default_units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
 
 -- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)
@@ -200,6 +202,7 @@ local function about_of(path)
   end
   need("name", "string", "the fabric's name")
   for _, name in ipairs { "gauge_length", "width", "thickness" } do need(name, "number", "a length in m") end
+  if about.default_units ~= nil then need("default_units", "table", "{displacement='mm', force='N'}") end
   if not about.density and not about.mass_per_area then stop(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)") end
   for _, name in ipairs { "viscous", "loops" } do
     if about[name] ~= nil and type(about[name]) ~= "boolean" then need(name, "boolean", "true or false") end
