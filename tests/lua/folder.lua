@@ -94,7 +94,8 @@ for i = 1, 3 do
   for k = 1, 7 do rows[#rows + 1] = ("%.5f,%g"):format(10 + 0.05 * k, 3 / k) end
   write("warp-" .. i .. ".csv", table.concat(rows, "\n") .. "\n")
 end
-write("bias-1.csv", "Extension (mm),Load (N)\n0,0\n2,1\n4,1.5\n6,2.2\n8,3\n10,4.1\n12,5.5\n14,7.5\n16,10\n18,14\n20,19\n")
+local bias_pull = "Extension (mm),Load (N)\n0,0\n2,1\n4,1.5\n6,2.2\n8,3\n10,4.1\n12,5.5\n14,7.5\n16,10\n18,14\n20,19\n"
+write("bias-1.csv", bias_pull)
 part = folder.reduce(place)
 assert(part.warp.tests[1].failure == 201 and not part.warp.fit.unloading and part.warp.spread and part.shear.without_markers)
 says(part, "warp.unloading", "assumed: 4 times the steepest tangent")
@@ -121,6 +122,19 @@ write("bias-2-frames.csv", "Extension (mm),Load (N)\n-0.001,0\n0,0\n2,1\n4,1.5\n
 part = folder.reduce(place)
 assert(part.shear.without_markers and #part.shear.tests == 2 and #part.shear.tests[2].E == #part.shear.tests[1].E)
 remove "bias-2-frames.csv"
+-- what is asked for and no file can give
+with("return {", "return { loops = true, viscous = true,")
+remove "bias-1.csv"
+local warned, warn = {}, fabric.warn
+fabric.warn = function(words) warned[#warned + 1] = words end
+part = folder.reduce(place)
+fabric.warn = warn
+assert(#part.missed == 2 and part.missed[1] == "loops=true, but no record of a yarn's pull comes back, so there is no loop", part.missed[1])
+assert(warned[#warned]:find("laboratory.lua: viscous=true, but there is no bias pull, so nothing tells what relaxes", 1, true), warned[#warned])
+report.write(part, place .. "/out")
+assert(io.open(place .. "/out/report.html"):read("a"):find("<p>viscous=true, but there is no bias pull", 1, true))
+write("laboratory.lua", about)
+write("bias-1.csv", bias_pull)
 -- a bias pull alone: the yarns go by its shear
 part = without "^warp"
 assert(not part.warp and not part.weft and #part.further == 7)

@@ -231,7 +231,19 @@ local function further_of(card)
   return out
 end
 
--- Returns warp, weft, shear: {tests, fit, ratio, spread} for existing files; card; further: tests that would determine what is assumed; about.
+-- What laboratory.lua asks for and no file can give, a line each; they are told as warnings too.
+local function missed_of(about, found)
+  local out = {}
+  if about.loops and not (found.warp and found.warp.loops or found.weft and found.weft.loops) then
+    out[1] = "loops=true, but no record of a yarn's pull comes back, so there is no loop"
+  end
+  if about.viscous and not found.shear then out[#out + 1] = "viscous=true, but there is no bias pull, so nothing tells what relaxes" end
+  for _, words in ipairs(out) do fabric.warn(("laboratory: %s: %s"):format(about.file, words)) end
+  return out
+end
+
+-- Returns warp, weft, shear: {tests, fit, ratio, spread} for existing files; card; further: tests that would determine what is assumed; missed: what was
+-- asked for and cannot be had; about.
 function folder.reduce(path)
   if type(path) ~= "string" then stop(("expected the name of a folder, got %s"):format(tostring(path))) end
   path = path:gsub("/$", "")
@@ -252,7 +264,7 @@ function folder.reduce(path)
     viscous = viscous, assume = about.assume or true,
     poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = about.bending,
   }
-  out.further = further_of(out.card)
+  out.further, out.missed = further_of(out.card), missed_of(about, out)
   return out
 end
 

@@ -258,6 +258,7 @@ local function html(result, figures, rows, out)
     "<h1>" .. escaped(result.about.name) .. "</h1><p>" .. escaped(result.card.source) .. "</p>",
   }
   for _, text in ipairs(report.contradictions(figures)) do parts[#parts + 1] = "<p><b>" .. escaped(text) .. "</b></p>" end
+  for _, text in ipairs(result.missed or {}) do parts[#parts + 1] = "<p>" .. escaped(text) .. "</p>" end
   parts[#parts + 1] = "<table><tr><th>parameter<th>value<th>95 % band<th>unit<th>from</tr>"
   for _, row in ipairs(rows) do parts[#parts + 1] = "<tr><td>" .. table.concat(row, "<td>") .. "</tr>" end
   parts[#parts + 1] = "</table>"
