@@ -31,6 +31,11 @@ end
 local clean = folder.reduce(place)
 assert(#clean.warp.tests == 2 and #clean.weft.tests == 2 and #clean.shear.tests == 2)
 
+-- forces of the wrong sign, with markers
+write("bias-1-frames.csv", (text_of("bias-1-frames.csv"):gsub("\t(%-?[%d.]+)\n", "\t-%1\n"):gsub("\t%-%-", "\t")))
+refused "bias-1-frames.csv: field 'force': force runs from -"
+write("bias-1-frames.csv", text_of "bias-1-frames.csv")
+
 -- pictures of an earlier run and copies are no specimens
 write("warp-residual.svg", "<svg/>")
 write("warp-1.bak", text_of "warp-1.csv")

@@ -19,6 +19,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local lab, registry = fabric.lab, define.registry
+local check = require "fabric.lab.check"
 local check_pull = require("fabric.lab.frames").check_pull
 local told_of_loops = require("fabric.lab.loops").ready
 
@@ -145,10 +146,21 @@ local function bias_tests(path)
   return marked, plain
 end
 
+-- The rows of a record up to its largest displacement.
+local function rows_up(record)
+  local largest, rows = 1, {}
+  for k, d in ipairs(record.displacement) do
+    if d > record.displacement[largest] then largest = k end
+  end
+  for k = 1, largest do rows[k] = k end
+  return rows
+end
+
 local function in_shear(about, marked)
   local tests = {}
   for i, s in ipairs(marked) do
     local record, grid = paired(record_of(about, s.file, about.width, about.gauge_length), grid_of(about, s.stem .. "-markers.csv"), s.file)
+    check.pull("laboratory: " .. s.file, "force", record.force, rows_up(record))
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
     tests[i].file = s.file
     if about.viscous then
