@@ -82,3 +82,41 @@ fails("bias_sizes: field 'specimens[1].width': expected a length in m, got nil",
 fails("bias_sizes: field 'specimens[1]': expected at least 3 rows within 30 degrees, got 2", lab.bias_sizes,
   { specimens = { { displacement = { 1e-3, 2e-3 }, force = { 1, 2 }, width = 0.05, length = 0.15 } }, thickness = 1e-3 })
 fails("field 'specimens': expected at least one, got none", lab.bias_sizes, { specimens = {}, thickness = 1e-3 })
+
+-- a force of the wrong sign, none at all, or one that turns negative, in all that take a bias pull
+local folder = require "fabric.lab.folder"
+local place = os.tmpname()
+os.remove(place)
+assert(os.execute("mkdir '" .. place .. "'"))
+local function write(name, text)
+  local f <close> = assert(io.open(place .. "/" .. name, "w"))
+  f:write(text)
+end
+local function wrong(words, sign)
+  local s = pull(0.1, 0.3, 0)
+  local lines = { "Displacement (mm),Force (N)" }
+  for i, F in ipairs(s.force) do
+    s.force[i] = sign(i) * F
+    lines[i + 1] = ("%g,%g"):format(s.displacement[i] * 1e3, s.force[i])
+  end
+  fails("bias_sizes: field 'specimens[1].force': " .. words, lab.bias_sizes, { specimens = { s }, thickness = 1e-3 })
+  s.speed = 1e-3
+  fails("viscous: field 'tests[1].force': " .. words, lab.viscous, { tests = { s }, thickness = 1e-3 })
+  fails("bias_shear: field 'force': " .. words, lab.bias_shear, { displacement = s.displacement, force = s.force, width = 0.1, length = 0.3, thickness = 1e-3 })
+  write("bias-1.csv", table.concat(lines, "\n") .. "\n")
+  write("laboratory.lua", "return { name='x', gauge_length=0.3, width=0.1, thickness=1e-3, density=500 }")
+  fails("bias-1.csv: field 'force': " .. words, folder.reduce, place)
+end
+wrong("force runs from -", function() return -1 end)
+wrong("force runs from -", function(i) return i < 30 and 1 or -1 end)
+wrong("expected a pull that carries something, got zeros alone", function() return 0 end)
+assert(os.execute("rm -r '" .. place .. "'"))
+local noisy = pull(0.1, 0.3, 0)
+noisy.force[1] = -0.01 * noisy.force[40]
+assert(lab.bias_shear { displacement = noisy.displacement, force = noisy.force, width = 0.1, length = 0.3, thickness = 1e-3 })
+-- lengths in mm are asked about
+local warned, warn = {}, fabric.warn
+fabric.warn = function(words) warned[#warned + 1] = words end
+lab.bias_shear { displacement = noisy.displacement, force = noisy.force, width = 115, length = 230, thickness = 1e-3 }
+fabric.warn = warn
+assert(#warned == 2 and warned[1] == "bias_shear: field 'width': 115 m is far from what cloth is: is it in m?", warned[1])

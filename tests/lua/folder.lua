@@ -31,6 +31,11 @@ end
 local clean = folder.reduce(place)
 assert(#clean.warp.tests == 2 and #clean.weft.tests == 2 and #clean.shear.tests == 2)
 
+-- forces of the wrong sign, with markers
+write("bias-1-frames.csv", (text_of("bias-1-frames.csv"):gsub("\t(%-?[%d.]+)\n", "\t-%1\n"):gsub("\t%-%-", "\t")))
+refused "bias-1-frames.csv: field 'force': force runs from -"
+write("bias-1-frames.csv", text_of "bias-1-frames.csv")
+
 -- pictures of an earlier run and copies are no specimens
 write("warp-residual.svg", "<svg/>")
 write("warp-1.bak", text_of "warp-1.csv")
@@ -58,6 +63,12 @@ with("gauge_length = 76.2e%-3", "gauge_lenght = 76.2e-3")
 refused "laboratory.lua: unknown field 'gauge_lenght', did you mean 'gauge_length'?"
 with("width = 25.4e%-3, ", "")
 refused "laboratory.lua: field 'width': expected a length in m, got nil"
+with("return {", "return { default_units = { displacement = 'furlong' },")
+refused "field 'default_units.displacement': 'furlong' is no unit of length known"
+with("return {", "return { default_units = 'mm',")
+refused "laboratory.lua: field 'default_units': expected {displacement='mm', force='N'}, got mm"
+with("return {", "return { default_units = { displacement = 'mm', force = 'N' },")
+assert(folder.reduce(place).card.warp.loading[1] == clean.card.warp.loading[1])
 remove "laboratory.lua"
 refused "laboratory.lua"
 write("laboratory.lua", about)
@@ -88,7 +99,8 @@ for i = 1, 3 do
   for k = 1, 7 do rows[#rows + 1] = ("%.5f,%g"):format(10 + 0.05 * k, 3 / k) end
   write("warp-" .. i .. ".csv", table.concat(rows, "\n") .. "\n")
 end
-write("bias-1.csv", "Extension (mm),Load (N)\n0,0\n2,1\n4,1.5\n6,2.2\n8,3\n10,4.1\n12,5.5\n14,7.5\n16,10\n18,14\n20,19\n")
+local bias_pull = "Extension (mm),Load (N)\n0,0\n2,1\n4,1.5\n6,2.2\n8,3\n10,4.1\n12,5.5\n14,7.5\n16,10\n18,14\n20,19\n"
+write("bias-1.csv", bias_pull)
 part = folder.reduce(place)
 assert(part.warp.tests[1].failure == 201 and not part.warp.fit.unloading and part.warp.spread and part.shear.without_markers)
 says(part, "warp.unloading", "assumed: 4 times the steepest tangent")
@@ -115,6 +127,19 @@ write("bias-2-frames.csv", "Extension (mm),Load (N)\n-0.001,0\n0,0\n2,1\n4,1.5\n
 part = folder.reduce(place)
 assert(part.shear.without_markers and #part.shear.tests == 2 and #part.shear.tests[2].E == #part.shear.tests[1].E)
 remove "bias-2-frames.csv"
+-- what is asked for and no file can give
+with("return {", "return { loops = true, viscous = true,")
+remove "bias-1.csv"
+local warned, warn = {}, fabric.warn
+fabric.warn = function(words) warned[#warned + 1] = words end
+part = folder.reduce(place)
+fabric.warn = warn
+assert(#part.missed == 2 and part.missed[1] == "loops=true, but no record of a yarn's pull comes back, so there is no loop", part.missed[1])
+assert(warned[#warned]:find("laboratory.lua: viscous=true, but there is no bias pull, so nothing tells what relaxes", 1, true), warned[#warned])
+report.write(part, place .. "/out")
+assert(io.open(place .. "/out/report.html"):read("a"):find("<p>viscous=true, but there is no bias pull", 1, true))
+write("laboratory.lua", about)
+write("bias-1.csv", bias_pull)
 -- a bias pull alone: the yarns go by its shear
 part = without "^warp"
 assert(not part.warp and not part.weft and #part.further == 7)

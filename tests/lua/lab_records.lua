@@ -59,6 +59,15 @@ r = read("Extension (cm),Load\n0,0\n2,100\n4,210\n", { default_units = { displac
 assert(r.displacement[3] == 0.04 and r.force[3] == 2.1)
 r = read("0;0\n1;2\n2;4\n", { columns = { displacement = 1, force = 2 }, default_units = { displacement = "mm", force = "N" } })
 assert(r.displacement[3] == 2e-3 and r.force[3] == 4)
+fails("field 'default_units.displacement': 'furlong' is no unit of length known: expected one of cm, in, m, mm, um", read, "Extension,Load\n0,0\n2,100\n4,210\n",
+  { default_units = { displacement = "furlong", force = "N" } })
+-- a strain beyond 1 without a unit is asked about
+local strains = "Dehnung;Kraft (N)\n0;0\n0,75;100\n1,5;210\n"
+fails("column 'Dehnung': the strain runs to 1.5 and its heading names no unit: is it in %?", read, strains, { gauge_length = 0.1 })
+close(read(strains, { gauge_length = 0.1, units = { strain = "%" } }).strain[3], 0.015, 1e-15)
+close(read(strains, { gauge_length = 0.1, default_units = { strain = "%" } }).strain[3], 0.015, 1e-15)
+close(read(strains, { gauge_length = 0.1, units = { strain = "-" } }).strain[3], 1.5, 1e-15)
+close(read("Dehnung;Kraft (N)\n0;0\n0,1;100\n0,2;210\n", { gauge_length = 0.1 }).strain[3], 0.2, 1e-15)
 fails("expected displacement, force, time or strain, got 'load'", read, "a (mm),b\n0,0\n", { default_units = { load = "N" } })
 
 -- a frame that writes in blocks, the heading above each anew, words in between
@@ -257,6 +266,15 @@ assert(c.inside < 0.3, c.text)
 fails("expected the fit of these 4 tests, got one of 2", lab.spread, { tests = scaled, fit = { specimens = { {}, {} } } })
 fails("fit.specimens[1].slack': expected a stretch, got nil", lab.spread, { tests = scaled, fit = { specimens = { {}, {}, {}, {} } } })
 fails("field 'spread': a band of S over E, got force over displacement", lab.compare, late_pull, straight, { spread = seen })
+local good, hole = { displacement = { 0, 1, 2 }, force = { 0, 1, 2 } }, { displacement = { 0, 1, 2 }, force = { 0, 0 / 0, 2 } }
+for words, pair in pairs {
+  ["field 'measured.force': expected finite numbers, got "] = { hole, good }, ["field 'test.force': expected finite numbers, got "] = { good, hole },
+  ["field 'test.force': expected finite numbers, got x at place 2"] = { good, { displacement = { 0, 1 }, force = { 0, "x" } } },
+  ["field 'measured.force': expected values that are not all zero"] = { { displacement = { 0, 1, 2 }, force = { 0, 0, 0 } }, good },
+  ["field 'test': expected a result of a test with a curve, or lists displacement and force of one length"] = { good, { displacement = { 0, 1 }, force = { 0 } } },
+  ["field 'test.displacement': expected two points or more, got 0"] = { good, { displacement = {}, force = {} } },
+  ["field 'measured.branches': expected rows of loading"] = { { E = { 0, 1 }, S = { 0, 1 }, branches = { { kind = "unloading", first = 1, last = 2 } } }, { E = { 0, 1 }, S = { 0, 1 } } },
+} do fails("compare: " .. words, lab.compare, pair[1], pair[2]) end
 fails("field 'slack': expected at least 6 rising points to find it, got 3", lab.compare, { displacement = { 1, 2, 3 }, force = { 0, 2, 3 } }, straight, { slack = "find" })
 fails("field 'slack': no first contact is found in this curve", lab.compare, { displacement = { 1, 2, 3, 4, 5, 6, 7, 8 }, force = { 8, 7, 6, 5, 4, 3, 2, 1 } }, straight, { slack = "find" })
 

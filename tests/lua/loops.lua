@@ -152,7 +152,16 @@ for _, asked in ipairs { "false", "true" } do
   lay(asked)
   local found = folder.reduce "out/folder"
   assert(found.warp.loops.curved and (found.card.warp.loop ~= nil) == (asked == "true"))
-  write_report(found, "out/report")
+  local _, rows = write_report(found, "out/report")
+  local told = 0
+  for _, row in ipairs(rows) do -- the band holds the value, of the loop too
+    local low, high = row[3]:match "^(%S+) to (%S+)$"
+    if row[1]:find "^warp loop" or row[1] == "warp unloading" and asked == "true" then
+      told = told + 1
+      assert(tonumber(low) <= tonumber(row[2]) and tonumber(row[2]) <= tonumber(high), table.concat(row, " | "))
+    end
+  end
+  assert(told == (asked == "true" and 4 or 0), told)
   local f <close> = assert(io.open "out/report/report.html")
   local text = f:read "a"
   assert(text:find("Loops of the warp", 1, true) and text:find("the straight law misses it by rms", 1, true))
@@ -170,4 +179,11 @@ says(function() straight:with { weft = { loop = { friction = 0.1, width = 2 } } 
 says(function() fabric.point(straight:with { warp = { loop = { friction = 0.5, curve = 1 } } }) end, "expected a tail (1 - friction) (1 - curve) unloading of at least")
 says(function() lab.loops { tests = { { E = { 0, 0.01, 0.02, 0.03 }, S = { 0, 1e5, 2e5, 4e5 }, branches = { { kind = "loading", first = 1, last = 4 } } } } } end,
   "loops: field 'tests': expected a test that lets go of at least 5 % of its peak stress, got 1 of loading alone")
+local pushed = tests_of(card, 1, 0)[1]
+for k, S in ipairs(pushed.S) do pushed.S[k] = -S end
+says(function() lab.loops { tests = { pushed } } end, "loops: field 'tests[1].S': stress runs from -")
+for k in ipairs(pushed.S) do pushed.S[k] = 0 end
+says(function() lab.loops { tests = { pushed } } end, "loops: field 'tests[1].S': stress runs from 0 to 0 Pa: expected a pull")
+says(function() lab.loops { tests = tests_of(card, 1, 0), fit = { loading = { { 0.1, 1e6 } }, tested = 0.1 } } end,
+  "loops: field 'fit.loading': expected moduli, or two points {strain, stress} and more, got 1")
 fabric.expect(checks)

@@ -136,6 +136,15 @@ assert(f.chi2 > 4 and f.text:find "^The data contradict the model: the residuals
 local told = lab.identify { parameters = parameters, tests = cubic, processes = 1 }
 assert(told.text:find "^The data contradict the model: they differ by more than the noise", told.text)
 
+local same = specimens(3)
+for _, test in ipairs(same) do test.rate = 10 end
+fails("pool: field 'rate': expected tests at two speeds or more, got 3 at one, 10", pool, same, { rate = { reference = 10 } })
+local holed = specimens(2)
+holed[2].measured[4] = nil
+fails("pool: field 'tests[2].measured", pool, holed)
+local shorter = specimens(2)
+shorter[2].finer = function() return { 1, 2 } end
+fails("pool: field 'tests[2].finer': expected 20 predicted numbers, one per measured one, got 2", pool, shorter)
 fails("pool: field 'tests[1].rate': expected a positive number, since the speed plays a part, got nil", pool, specimens(2), { rate = { reference = 10 } })
 fails("pool: field 'tests[1].finer': expected a function, got 3", pool, { { name = "x", measured = { 1 }, predict = predict, finer = 3 } })
 fails("pool: unknown field 'tests[1].noize', did you mean 'noise'?", pool, { { name = "x", measured = { 1 }, predict = predict, noize = 3 } })

@@ -184,8 +184,24 @@ assert(v.low.viscosity <= 3e6 and 3e6 <= v.high.viscosity and v.high.viscosity <
 v = lab.viscous { tests = { made(0.001, 3e9, 1e-3, 0), made(0.05, 3e9, 1e-3, 0) }, time = 1e-3 }
 close(v.viscous.shear.modulus, 3e9, 0.1, "modulus at a given time")
 assert(v.text:find "the time was given", v.text)
-v = lab.viscous { tests = { made(0.01, 0, 1, 0) } }
+v = lab.viscous { tests = { made(0.01, 0, 1, 0, 2) } }
 assert(not v.viscous and v.text:find "^Nothing that relaxes is seen", v.text)
+-- one speed and no hold: a stiff toe looks like what relaxes; two speeds that are nearly one are one
+local function toe(speed)
+  local t = { E = {}, S = {}, time = {} }
+  for k = 0, 200 do t.E[k + 1], t.S[k + 1], t.time[k + 1] = k / 1000, 1e6 * (k / 1000) ^ 0.5, k / 1000 / speed end
+  return t
+end
+local rest = toe(0.01) -- before the pull, which tells nothing
+for k = 2, 201 do rest.time[k] = rest.time[k] + 20 end
+for _, tests in ipairs { { toe(0.01) }, { rest }, { toe(0.01), toe(0.01), toe(0.01) }, { toe(0.01), toe(0.014) }, { made(0.01, 1e6, 3, 0) } } do
+  v = lab.viscous { tests = tests }
+  assert(not v.viscous and not v.modulus and not v.contradicts and v.one_speed, v.text)
+  assert(v.text:find "^One speed and no hold cannot tell a stiff toe of the elastic curve from relaxation", v.text)
+end
+v = lab.card { name = "n", density = 590, thickness = 1e-3, warp = elastic.warp, shear = v.shear, viscous = v, assume = true }
+assert(not v.viscous and v.source:find("viscous: none, one speed and no hold cannot tell", 1, true), v.source)
+assert(not lab.viscous({ tests = { toe(0.01), toe(0.016) } }).one_speed)
 -- the faster is the softer: 20 % less at fifty times the speed, where specimens differ by 3 to 4 %
 local soft = made(0.05, 0, 1, 0)
 for k, S in ipairs(soft.S) do soft.S[k] = 0.8 * S end
@@ -214,3 +230,8 @@ fails("viscous: field 'tests[1]': expected E and S of one length, 3 and more, go
 fails("viscous: field 'tests[1].speed': expected a positive number in m/s, got -1", lab.viscous,
   { tests = { { displacement = { 0, 1e-3, 2e-3 }, force = { 0, 1, 2 }, width = 0.05, length = 0.15, speed = -1 } }, thickness = 1e-3 })
 fails("viscous: field 'tests[1]': expected a test that was sheared and carried something", lab.viscous, { tests = { { E = { 0, 0, 0 }, S = { 0, 0, 0 }, time = { 0, 1, 2 } } } })
+-- a curve of one point makes no card
+fails("card: field 'shear.loading': expected two points {strain, stress} or more, got 1", lab.card,
+  { name = "n", density = 590, thickness = 1e-3, shear = { loading = { { 0.01, 1e5 } } }, assume = true })
+fails("card: field 'warp.loading': expected moduli, or points {strain, stress}, got an empty list", lab.card,
+  { name = "n", density = 590, thickness = 1e-3, warp = { loading = {} }, assume = true })

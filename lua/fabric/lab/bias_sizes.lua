@@ -12,7 +12,9 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local linear = require "fabric.lab.linear"
 local origin = require "fabric.lab.origin"
-local angle_of = require("fabric.lab.frames").bias_angle
+local check = require "fabric.lab.check"
+local frames = require "fabric.lab.frames"
+local angle_of = frames.bias_angle
 local fail = define.fail
 
 local believed = 2     -- standard deviations above which the edge is significant
@@ -134,12 +136,12 @@ end
 
 -- Angle and force in the rows of a specimen that are within the limit.
 local function prepared(t, i, s)
-  for _, name in ipairs { "displacement", "force" } do
-    if type(s[name]) ~= "table" then fail(("bias_sizes: field 'specimens[%d].%s': expected a table of numbers, got %s"):format(i, name, tostring(s[name]))) end
-  end
+  for _, name in ipairs { "displacement", "force" } do check.numbers("bias_sizes", ("specimens[%d].%s"):format(i, name), s[name]) end
   for _, name in ipairs { "width", "length" } do
     if type(s[name]) ~= "number" then fail(("bias_sizes: field 'specimens[%d].%s': expected a length in m, got %s"):format(i, name, tostring(s[name]))) end
   end
+  frames.check_pull("bias_sizes", ("specimens[%d].force"):format(i), { displacement = s.displacement, force = s.force, width = s.width, length = s.length,
+    limit = t.limit, cut = true })
   local shear = fabric.lab.bias_shear { displacement = s.displacement, force = s.force, width = s.width, length = s.length, thickness = t.thickness,
     limit = t.limit, cut = true }
   local out = { width = s.width, length = s.length, name = s.name or ("%g x %g mm"):format(s.width * 1e3, s.length * 1e3), gamma = {}, force = {},

@@ -107,6 +107,23 @@ local function check_assume(t)
   end
 end
 
+-- Checks that a result of fabric.lab.fit, or a similar table, has valid numbers for a card.
+local function check_part(fit, name)
+  if type(fit.loading) ~= "table" then
+    fail(("card: field '%s': expected a result of fabric.lab.fit, or {loading=, unloading=}, got a table without loading"):format(name))
+  end
+  if #fit.loading == 0 then fail(("card: field '%s.loading': expected moduli, or points {strain, stress}, got an empty list"):format(name)) end
+  if type(fit.loading[1]) ~= "table" then return end
+  if #fit.loading < 2 then
+    fail(("card: field '%s.loading': expected two points {strain, stress} or more, got 1: its test has hardly any rows of loading"):format(name))
+  end
+  for i, p in ipairs(fit.loading) do
+    if type(p) ~= "table" or type(p[1]) ~= "number" or type(p[2]) ~= "number" then
+      fail(("card: field '%s.loading': expected points {strain, stress}, got something else at place %d"):format(name, i))
+    end
+  end
+end
+
 -- The assumed part for a direction without a test; nil if there was one.
 local function missing_part(t, name, told)
   if t[name] then return t[name] end
@@ -138,13 +155,6 @@ local function missing_part(t, name, told)
   told["shear.loading"] = ("assumed: straight, %g of the yarns' initial modulus (%s on the shipped cloths), since no bias test was made"):format(
     rule.shear.value, rule.shear.said)
   return { loading = { rule.shear.value * sum / n } }
-end
-
--- Checks that a result of fabric.lab.fit, or a similar table, has valid numbers for a card.
-local function check_part(fit, name)
-  if type(fit.loading) ~= "table" then
-    fail(("card: field '%s': expected a result of fabric.lab.fit, or {loading=, unloading=}, got a table without loading"):format(name))
-  end
 end
 
 local function unloading_of(t, fit, name, told)
@@ -212,6 +222,9 @@ end
 local function card(t)
   check_assume(t)
   local told, made, bands, source, tested = {}, {}, {}, { t.source ~= "" and t.source or nil }, {}
+  for _, name in ipairs(parts) do
+    if t[name] then check_part(t[name], name) end
+  end
   for _, name in ipairs(parts) do
     local fit = missing_part(t, name, told)
     check_part(fit, name)

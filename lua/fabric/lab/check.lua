@@ -1,6 +1,14 @@
 -- Checks of the tables passed to the laboratory's functions; errors are reported at the deck's line.
+local fabric = require "fabric"
 local fail = require "fabric.define".fail
 local check = {}
+
+-- Asks about a specimen's width or length that no cloth has.
+function check.lengths(call, t)
+  for _, name in ipairs { "width", "length" } do
+    if t[name] < 1e-3 or t[name] > 2 then fabric.warn(("%s: field '%s': %g m is far from what cloth is: is it in m?"):format(call, name, t[name])) end
+  end
+end
 
 -- A list of finite numbers.
 function check.numbers(call, field, list)
@@ -12,6 +20,22 @@ function check.numbers(call, field, list)
     end
   end
   return #list
+end
+
+-- The forces of a pull in the rows that count: positive, but for noise below zero by no more than this share of the largest.
+local below = 0.1
+function check.pull(call, field, forces, rows)
+  local low, high, place = math.huge, -math.huge, 1
+  for _, row in ipairs(rows) do
+    local F = forces[row] or 0
+    if F < low then low, place = F, row end
+    high = math.max(high, F)
+  end
+  if low == 0 and high == 0 then fail(("%s: field '%s': expected a pull that carries something, got zeros alone"):format(call, field)) end
+  if #rows > 0 and low < -below * math.max(high, 0) then
+    fail(("%s: field '%s': force runs from %.4g to %.4g N (the least at place %d): a pull counts positive; change the sign of the record, or take off its offset"):format(
+      call, field, low, high + 0.0, place))
+  end
 end
 
 -- A test: lists E, S of equal length, with branches within them.

@@ -1,6 +1,7 @@
 -- fabric.lab.compare: a measured curve compared with that of a test, point by point.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local check = require "fabric.lab.check"
 local curve = require "fabric.lab.curve"
 local fail = define.fail
 
@@ -14,18 +15,17 @@ local function measured_lists(t, xname, yname)
   if type(x) ~= "table" or type(y) ~= "table" or #x ~= #y or #x < 2 then
     fail(("compare: field 'measured': expected lists %s and %s of one length (a result of fabric.lab.tensile, or a record)"):format(xname, yname))
   end
-  for _, list in ipairs { x, y } do
-    for i, v in ipairs(list) do
-      if type(v) ~= "number" then fail(("compare: field 'measured': expected numbers, got %s at place %d"):format(tostring(v), i)) end
-    end
-  end
+  check.numbers("compare", "measured." .. xname, x)
+  check.numbers("compare", "measured." .. yname, y)
   if t.all or type(t.measured.branches) ~= "table" then return x, y end
+  check.test("compare", 1, { E = x, S = y, branches = t.measured.branches, failure = t.measured.failure }, "measured")
   local out_x, out_y, stop = {}, {}, t.measured.failure or #x
   for _, branch in ipairs(t.measured.branches) do
     if branch.kind == "loading" then
       for i = branch.first, math.min(branch.last, stop) do out_x[#out_x + 1], out_y[#out_y + 1] = x[i], y[i] end
     end
   end
+  if #out_x == 0 then fail "compare: field 'measured.branches': expected rows of loading (or give all=true), there are none" end
   return out_x, out_y
 end
 
@@ -40,12 +40,17 @@ local function test_lists(t, xname, yname)
         fail(("compare: field 'test': expected %s and %s in each row of the curve, row %d has none"):format(xname, yname, i))
       end
     end
+    check.numbers("compare", "test." .. xname, x)
+    check.numbers("compare", "test." .. yname, y)
     return x, y
   end
   local x, y = type(rows) == "table" and rows[xname], type(rows) == "table" and rows[yname]
   if type(x) ~= "table" or type(y) ~= "table" or #x ~= #y then
-    fail(("compare: field 'test': expected a result of a test with a curve, or lists %s and %s"):format(xname, yname))
+    fail(("compare: field 'test': expected a result of a test with a curve, or lists %s and %s of one length"):format(xname, yname))
   end
+  check.numbers("compare", "test." .. xname, x)
+  check.numbers("compare", "test." .. yname, y)
+  if #x < 2 then fail(("compare: field 'test.%s': expected two points or more, got %d"):format(xname, #x)) end
   return x, y
 end
 
@@ -120,6 +125,7 @@ local function check_spread(t, xname, yname)
   if xname ~= "E" or yname ~= "S" then fail(("compare: field 'spread': a band of S over E, got %s over %s to compare"):format(yname, xname)) end
   for _, name in ipairs { "E", "next_low", "next_high" } do
     if type(t.spread[name]) ~= "table" then fail "compare: field 'spread': expected a result of fabric.lab.spread" end
+    if check.numbers("compare", "spread." .. name, t.spread[name]) ~= #t.spread.E then fail "compare: field 'spread': expected E, next_low and next_high of one length" end
   end
 end
 
@@ -137,6 +143,7 @@ local function compare(measured, test, options)
   local out = { x = {}, measured = {}, simulated = {}, residual = {}, outside = 0, columns = { xname, yname }, slack = t.slack }
   local peak, squares = 0, 0
   for _, value in ipairs(y) do peak = math.max(peak, math.abs(value)) end
+  if peak == 0 then fail(("compare: field 'measured.%s': expected values that are not all zero"):format(yname)) end
   for i = 1, #x do
     local model = curve.interpolate(ex, ey, x[i])
     if model then

@@ -1,8 +1,8 @@
 -- A folder of measurements, reduced to fits and a card. It contains laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, vocabulary= (a table, or the
---     file in this folder that returns it), degree=, rule=,
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, default_units={...} (where
+--     a heading says none), vocabulary= (a table, or the file in this folder that returns it), degree=, rule=,
 --     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
 --     viscous=true (bias tests at several speeds or with holds, whose records have seconds: the part of shear that relaxes),
@@ -19,6 +19,8 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local lab, registry = fabric.lab, define.registry
+local check = require "fabric.lab.check"
+local check_pull = require("fabric.lab.frames").check_pull
 local told_of_loops = require("fabric.lab.loops").ready
 
 -- Raises an error at the line of the deck's call.
@@ -72,7 +74,8 @@ end
 local function along(about, path, direction)
   local tests, grids = {}, {}
   for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
-    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, vocabulary = about.vocabulary, zero = about.zero }))
+    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, default_units = about.default_units,
+      vocabulary = about.vocabulary, zero = about.zero }))
     local markers = s.stem .. "-markers.csv"
     if exists(markers) then grids[#grids + 1] = grid_of(about, markers) end
   end
@@ -121,7 +124,8 @@ end
 
 -- A record of a bias pull: strains and forces per width count for the specimen's size.
 local function record_of(about, file, width, length)
-  return lab.read { file = file, columns = about.columns, units = about.units, vocabulary = about.vocabulary, width = width, gauge_length = length }
+  return lab.read { file = file, columns = about.columns, units = about.units, default_units = about.default_units, vocabulary = about.vocabulary,
+    width = width, gauge_length = length }
 end
 
 -- The seconds of a record from which the part of shear that relaxes is to be found.
@@ -142,10 +146,21 @@ local function bias_tests(path)
   return marked, plain
 end
 
+-- The rows of a record up to its largest displacement.
+local function rows_up(record)
+  local largest, rows = 1, {}
+  for k, d in ipairs(record.displacement) do
+    if d > record.displacement[largest] then largest = k end
+  end
+  for k = 1, largest do rows[k] = k end
+  return rows
+end
+
 local function in_shear(about, marked)
   local tests = {}
   for i, s in ipairs(marked) do
     local record, grid = paired(record_of(about, s.file, about.width, about.gauge_length), grid_of(about, s.stem .. "-markers.csv"), s.file)
+    check.pull("laboratory: " .. s.file, "force", record.force, rows_up(record))
     tests[i] = lab.shear_from_bias(options(about, { markers = grid, force = record.force, displacement = record.displacement, warp = about.warp }))
     tests[i].file = s.file
     if about.viscous then
@@ -164,8 +179,10 @@ local function in_shear_without_markers(about, plain)
   for i, s in ipairs(plain) do
     local width, length = size.width or about.width, size.length or about.gauge_length
     local record = record_of(about, s.file, width, length)
-    local shear = lab.bias_shear { displacement = record.displacement, force = record.force, width = width, length = length,
-      thickness = about.thickness * (about.plies or 1), cut = true }
+    local pull = { displacement = record.displacement, force = record.force, width = width, length = length, limit = 30, cut = true }
+    check_pull("laboratory: " .. s.file, "force", pull)
+    pull.thickness = about.thickness * (about.plies or 1)
+    local shear = lab.bias_shear(pull)
     if about.viscous then
       pulls[i] = { name = s.file, displacement = record.displacement, force = record.force, time = seconds_of(record, s.file), width = width, length = length }
     end
@@ -177,7 +194,7 @@ local function in_shear_without_markers(about, plain)
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
+  "units", "default_units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
 
 -- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)
@@ -197,6 +214,7 @@ local function about_of(path)
   end
   need("name", "string", "the fabric's name")
   for _, name in ipairs { "gauge_length", "width", "thickness" } do need(name, "number", "a length in m") end
+  if about.default_units ~= nil then need("default_units", "table", "{displacement='mm', force='N'}") end
   if not about.density and not about.mass_per_area then stop(file .. ": field 'density': expected density (kg/m^3) or mass_per_area (kg/m^2)") end
   for _, name in ipairs { "viscous", "loops" } do
     if about[name] ~= nil and type(about[name]) ~= "boolean" then need(name, "boolean", "true or false") end
@@ -225,7 +243,19 @@ local function further_of(card)
   return out
 end
 
--- Returns warp, weft, shear: {tests, fit, ratio, spread} for existing files; card; further: tests that would determine what is assumed; about.
+-- What laboratory.lua asks for and no file can give, a line each; they are told as warnings too.
+local function missed_of(about, found)
+  local out = {}
+  if about.loops and not (found.warp and found.warp.loops or found.weft and found.weft.loops) then
+    out[1] = "loops=true, but no record of a yarn's pull comes back, so there is no loop"
+  end
+  if about.viscous and not found.shear then out[#out + 1] = "viscous=true, but there is no bias pull, so nothing tells what relaxes" end
+  for _, words in ipairs(out) do fabric.warn(("laboratory: %s: %s"):format(about.file, words)) end
+  return out
+end
+
+-- Returns warp, weft, shear: {tests, fit, ratio, spread} for existing files; card; further: tests that would determine what is assumed; missed: what was
+-- asked for and cannot be had; about.
 function folder.reduce(path)
   if type(path) ~= "string" then stop(("expected the name of a folder, got %s"):format(tostring(path))) end
   path = path:gsub("/$", "")
@@ -246,7 +276,7 @@ function folder.reduce(path)
     viscous = viscous, assume = about.assume or true,
     poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = about.bending,
   }
-  out.further = further_of(out.card)
+  out.further, out.missed = further_of(out.card), missed_of(about, out)
   return out
 end
 

@@ -1,6 +1,7 @@
 -- fabric.lab.picture_frame and bias_shear: shear force per width from the two tests of the benchmark, and the reverse [cao2008].
 local fabric = require "fabric"
 local define = require "fabric.define"
+local checks = require "fabric.lab.check"
 local rows = require "fabric.lab.rows"
 
 local quarter = math.pi / 4
@@ -126,6 +127,9 @@ local function rising(t)
   return rows
 end
 
+-- Refuses a force of the wrong sign, or none, in the rows that count.
+local function check_pull(what, field, t) checks.pull(what, field, t.force, rising(t)) end
+
 -- Below zero by no more than a reversal's noise: where the specimen stood before the pull.
 local function check_below_zero(t)
   local high = 0
@@ -234,14 +238,16 @@ define {
     if t.length < 2 * t.width then define.fail "bias_shear: field 'length': expected at least twice the width (else there is no middle zone)" end
     if (t.card == nil) == (t.force == nil) then define.fail "bias_shear: field 'force': expected either force or card" end
     if t.force and not t.thickness then define.fail "bias_shear: field 'thickness': expected a positive number in m, got nil" end
+    checks.lengths("bias_shear", t)
     check_below_zero(t)
     if t.card then
       check("bias_shear", t, (math.sqrt(2) - 1) * (t.length - t.width))
       return bias_force(t)
     end
     check("bias_shear", t, t.cut and math.huge or (math.sqrt(2) - 1) * (t.length - t.width))
+    check_pull("bias_shear", "force", t)
     return bias_curve(t)
   end,
 }
 
-return { bias_angle = bias_angle }
+return { bias_angle = bias_angle, check_pull = check_pull }

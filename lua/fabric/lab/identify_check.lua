@@ -33,7 +33,11 @@ end
 local function check_numbers(path, list, positive, count)
   if type(list) ~= "table" or #list == 0 then refuse(path, "a list of numbers", list) end
   if count and #list ~= count then refuse(path, ("%d numbers, one per measured one"):format(count), #list) end
-  for i, x in ipairs(list) do
+  for key in pairs(list) do
+    if math.type(key) ~= "integer" or key < 1 or key > #list then refuse(path, ("a list of numbers without holes, 1 to %d"):format(#list), ("place %s"):format(key)) end
+  end
+  for i = 1, #list do
+    local x = list[i]
     if not finite(x) or (positive and x <= 0) then refuse(("%s[%d]"):format(path, i), positive and "a positive number" or "a finite number", x) end
   end
 end

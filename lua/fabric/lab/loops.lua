@@ -465,6 +465,23 @@ local function lets_go(tests)
   end
 end
 
+local function check_stress(i, test)
+  local low, high = math.huge, -math.huge
+  for _, S in ipairs(test.S) do low, high = math.min(low, S), math.max(high, S) end
+  if high <= 0 or -low > 2 * high then
+    fail(("loops: field 'tests[%d].S': stress runs from %.4g to %.4g Pa: expected a pull, which counts positive; change the sign of the record"):format(i, low, high + 0.0))
+  end
+end
+
+local function check_fit(fit)
+  if type(fit.loading) ~= "table" or type(fit.tested) ~= "number" then
+    fail "loops: field 'fit': expected a result of fabric.lab.fit of the same tests, got a table without loading or tested"
+  end
+  if #fit.loading == 0 or type(fit.loading[1]) == "table" and #fit.loading < 2 then
+    fail(("loops: field 'fit.loading': expected moduli, or two points {strain, stress} and more, got %d"):format(#fit.loading))
+  end
+end
+
 -- What a test tells, and the secant of its way back; nil if it does not let go of enough.
 local function specimen_of(test, i, fit)
   local specimen = legs_of(test, (fit.specimens or {})[i] and fit.specimens[i].slack or 0, fit.loading)
@@ -483,12 +500,13 @@ end
 local function loops(t)
   local tests = t.tests
   if #tests == 0 then fail "loops: field 'tests': expected at least one test, got none" end
-  for i = 1, #tests do check.test("loops", i, tests[i]) end
+  for i = 1, #tests do
+    check.test("loops", i, tests[i])
+    check_stress(i, tests[i])
+  end
   if not lets_go(tests) then nothing_let_go(#tests) end
   local fit = t.fit or fabric.lab.fit { tests = tests, find_slack = "either", rule = "robust", level = t.level, seed = t.seed }
-  if type(fit.loading) ~= "table" or type(fit.tested) ~= "number" then
-    fail "loops: field 'fit': expected a result of fabric.lab.fit of the same tests, got a table without loading or tested"
-  end
+  check_fit(fit)
   local least, initial = tangents(fit.loading, fit.tested)
   local found, bound, rms = {}, {}, { straight = {}, rule = {}, curved = {} }
   local worth = 0

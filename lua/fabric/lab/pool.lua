@@ -12,6 +12,7 @@
 local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.identify_check"
+local numbers = require("fabric.lab.check").numbers
 local identify = require "fabric.lab.identify"
 local linear = require "fabric.lab.linear"
 local shape = require "fabric.lab.shape"
@@ -99,12 +100,24 @@ local function with_rate(t, i, p, predict)
   return out
 end
 
+-- The same on the finer mesh; wrong numbers are reported at the deck's line.
+local function of_finer(t, i, p)
+  local field, count = ("tests[%d].finer"):format(i), #t.tests[i].measured
+  return with_rate(t, i, p, function(own)
+    local values = t.tests[i].finer(own)
+    local got = type(values) == "table" and #values or tostring(values)
+    if got ~= count then fail(("pool: field '%s': expected %d predicted numbers, one per measured one, got %s"):format(field, count, got)) end
+    numbers("pool", field, values)
+    return values
+  end)
+end
+
 -- From a finer mesh: the ratio of limit to coarse value for every point, and the uncertainty of the limit.
 local function mesh_of(t, p)
   local factors, open, whole = {}, 0, 0
   for i, test in ipairs(t.tests) do
     if test.finer then
-      local coarse, fine = t.predicted(i, p), with_rate(t, i, p, test.finer)
+      local coarse, fine = t.predicted(i, p), of_finer(t, i, p)
       local peak = largest_of(coarse)
       factors[i] = {}
       for k, f in ipairs(fine) do
@@ -315,6 +328,15 @@ local function left_out(t, tests, state, i)
     low = low, high = high }
 end
 
+-- The effect of the speed takes two speeds at least.
+local function check_speeds(t)
+  local slow, fast = math.huge, 0
+  for _, test in ipairs(t.tests) do slow, fast = math.min(slow, test.rate), math.max(fast, test.rate) end
+  if fast < 1.01 * slow then
+    fail(("pool: field 'rate': expected tests at two speeds or more, got %d at one, %g, which tells nothing of what the speed does"):format(#t.tests, slow))
+  end
+end
+
 local function check_arguments(t)
   local plain = {}
   for i = 1, #t.tests do
@@ -336,6 +358,7 @@ local function check_arguments(t)
   local parameters = table.move(t.parameters, 1, #t.parameters, 1, {})
   if t.rate then parameters[#parameters + 1] = { name = "rate", start = 0, low = -(t.rate.most or 0.2), high = t.rate.most or 0.2 } end
   check({ parameters = parameters, tests = plain }, "pool")
+  if t.rate then check_speeds(t) end
   return parameters
 end
 

@@ -164,6 +164,28 @@ local function check_names(t)
   end
 end
 
+-- A unit for headings without one must be known, whether a heading needs it or not.
+local kinds = { displacement = "length", force = "force", time = "time", strain = "strain" }
+local function check_defaults(vocabulary, t)
+  for quantity, unit in pairs(t.default_units or {}) do
+    if not unit_of(vocabulary, quantity, unit) then
+      fail(("read: %s: field 'default_units.%s': '%s' is no unit of %s known: expected one of %s"):format(t.file, quantity, unit, kinds[quantity],
+        keys(vocabulary.units[quantity])))
+    end
+  end
+end
+
+-- A strain without a unit is a number; one beyond 1 is rather in per cent, or an elongation in mm.
+local function check_strain(t, column)
+  if column.unit ~= "" or (t.units or {}).strain or (t.default_units or {}).strain then return end
+  local most = 0
+  for _, e in ipairs(column.values) do most = math.max(most, math.abs(e)) end
+  if most > 1 then
+    fail(("read: %s: column '%s': the strain runs to %.4g and its heading names no unit: is it in %%? give units={ strain='%%' }, or units={ strain='-' } for a number"):format(
+      t.file, column.name, most))
+  end
+end
+
 -- Copies a column in SI to the record; its unit determines what it measures.
 local function take(vocabulary, t, record, quantity, column)
   local factor, meant = factor_of(vocabulary, t, quantity, column)
@@ -174,6 +196,7 @@ local function take(vocabulary, t, record, quantity, column)
     end
     factor = factor * t.width
   end
+  if quantity == "strain" then check_strain(t, column) end
   record[meant == "strain" and "strain" or quantity] = scaled(column.values, factor)
 end
 
@@ -196,6 +219,7 @@ end
 local function read(t)
   check_names(t)
   local vocabulary = vocabulary_of(t)
+  check_defaults(vocabulary, t)
   local file = fabric.table { file = t.file, separator = t.separator, decimal = t.decimal, lenient = true }
   local record = { file = t.file, rows = #file[1].values, preamble = file.preamble, names = {} }
   for i, column in ipairs(file) do
@@ -213,6 +237,7 @@ local function read(t)
       missing(t, record, quantity)
     end
   end
+  if record.strain and not record.displacement then check_strain(t, find_column(vocabulary, t, file, "strain", true)) end
   from_strain(t, record)
   return record
 end

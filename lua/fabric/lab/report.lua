@@ -189,6 +189,21 @@ local function assumed_fit(part)
   return { loading = part.loading, degree = type(part.loading[1]) == "number" and #part.loading or nil }
 end
 
+-- What the card's part was made from: the loops, where they were asked for and seen; else the fit.
+local function source_of(result, name)
+  local part = result[name]
+  if not part then return assumed_fit(result.card[name]) end
+  local loops = result.about.loops and part.loops
+  return loops and loops.curved and loops or part.fit
+end
+
+-- Low and high of a part's unloading modulus; nil without a band.
+local function unloading_band(fit)
+  if fit.loop then return fit.low.unloading, fit.high.unloading end
+  local k, band = fit.degree and fit.degree + 1, fit.band or {}
+  if k and band.low and band.low[k] then return band.low[k], band.high[k] end
+end
+
 local function parameters(result)
   local rows = {}
   local provenance = result.card.provenance or {}
@@ -196,15 +211,16 @@ local function parameters(result)
     rows[#rows + 1] = { what, ("%.4g"):format(value), low and ("%.4g to %.4g"):format(low, high) or "", unit, provenance[field] or "" }
   end
   for _, name in ipairs(names) do
-    local fit, ratio = assumed_fit(result.card[name]), nil
-    if result[name] then fit, ratio = result[name].fit, result[name].ratio end
-    local band = fit.band or {}
+    local fit, ratio = source_of(result, name), result[name] and result[name].ratio
+    local band, loop = fit.band or {}, result.card[name].loop
     for i, d in ipairs(fit.degree and fit.loading or {}) do
       add(("%s d%d"):format(name, i - 1), "MPa", d / u.MPa, band.low and band.low[i] / u.MPa, band.low and band.high[i] / u.MPa, name .. ".loading")
     end
-    local k = fit.degree and fit.degree + 1
-    local known = k and band.low and band.low[k]
-    add(name .. " unloading", "MPa", result.card[name].unloading / u.MPa, known and known / u.MPa, known and band.high[k] / u.MPa, name .. ".unloading")
+    local low, high = unloading_band(fit)
+    add(name .. " unloading", "MPa", result.card[name].unloading / u.MPa, low and low / u.MPa, high and high / u.MPa, name .. ".unloading")
+    for _, number in ipairs(loop and { "friction", "reach", "curve" } or {}) do
+      add(name .. " loop " .. number, "", loop[number], fit.loop and fit.low[number], fit.loop and fit.high[number], name .. ".loop")
+    end
     if type(ratio) == "table" then
       add(name .. " ratio", "", ratio.value, ratio.low, ratio.high, name .. ".poisson")
     elseif name ~= "shear" then
@@ -242,6 +258,7 @@ local function html(result, figures, rows, out)
     "<h1>" .. escaped(result.about.name) .. "</h1><p>" .. escaped(result.card.source) .. "</p>",
   }
   for _, text in ipairs(report.contradictions(figures)) do parts[#parts + 1] = "<p><b>" .. escaped(text) .. "</b></p>" end
+  for _, text in ipairs(result.missed or {}) do parts[#parts + 1] = "<p>" .. escaped(text) .. "</p>" end
   parts[#parts + 1] = "<table><tr><th>parameter<th>value<th>95 % band<th>unit<th>from</tr>"
   for _, row in ipairs(rows) do parts[#parts + 1] = "<tr><td>" .. table.concat(row, "<td>") .. "</tr>" end
   parts[#parts + 1] = "</table>"

@@ -15,6 +15,7 @@ local bias_angle = require "fabric.lab.frames".bias_angle
 local fail = define.fail
 
 local blocks, per_decade, rounds = 150, 12, 4
+local apart, parts = 1.5, 8 -- speeds that differ by this factor are two; parts of a test's time over which its own speed is taken
 local turned = 0.01 -- of the largest strain: a way back by less is noise of the reading
 local usual_scatter, bent = 0.04, 0.5
 
@@ -57,6 +58,7 @@ local function zones_of_bias(t, test, i)
     fail(("viscous: field '%s.length': expected a bias specimen's width and length in m, at least twice as long as wide, got %s and %s"):format(field,
       tostring(w), tostring(h)))
   end
+  check.lengths("viscous", test)
   if not t.thickness then fail "viscous: field 'thickness': expected a positive number in m, since a test is a bias pull's force, got nil" end
   local whole, half = { E = {}, weight = {} }, { E = {}, weight = {} }
   local most = (math.sqrt(2) - 1) * (h - w)
@@ -112,6 +114,7 @@ local function prepared(t, i)
   if math.type(stop) ~= "integer" or stop < 1 or stop > n then fail(("viscous: field '%s.failure': expected a row from 1 to %d, got %s"):format(field, n, tostring(stop))) end
   out.rows = virgin_rows(out.zones[1].E, stop, math.sin(math.rad(t.limit)) / 2)
   if #out.rows < 3 then fail(("viscous: field '%s': expected at least 3 rows of loading or holding within %g degrees, got %d"):format(field, t.limit, #out.rows)) end
+  if first ~= "E" then check.pull("viscous", field .. ".force", test.force, out.rows) end
   out.reach, out.peak = 0, 0
   for _, k in ipairs(out.rows) do
     out.reach, out.peak = math.max(out.reach, out.zones[1].E[k]), math.max(out.peak, math.abs(out.measured[k]))
@@ -150,6 +153,36 @@ local function speed_of(test)
     if dE > 1e-4 * test.reach * math.max(1, 100 / #test.rows) and dt > 0 then way, seconds = way + dE, seconds + dt end
   end
   return seconds > 0 and way / seconds or nil
+end
+
+-- Whether the strain's rate changes within a test by the factor that tells speeds apart: over eighths of its time, in which a hold is a low rate.
+-- The rest before the pull does not count.
+local function turns(test)
+  local E, at = test.zones[1].E, 1
+  while at < #test.rows - 1 and E[test.rows[at + 1]] < 0.02 * test.reach do at = at + 1 end
+  local first, last = test.rows[at], test.rows[#test.rows]
+  local from, whole = test.time[first], test.time[last] - test.time[first]
+  local least, most, before = math.huge, 0, E[first]
+  for part = 1, parts do
+    local t = from + whole * part / parts
+    while at < #test.rows - 1 and test.time[test.rows[at + 1]] < t do at = at + 1 end
+    local a, b = test.rows[at], test.rows[at + 1]
+    local dt = test.time[b] - test.time[a]
+    local here = dt > 0 and E[a] + (E[b] - E[a]) * math.min(1, (t - test.time[a]) / dt) or E[b]
+    local way = math.max(0, here - before)
+    least, most, before = math.min(least, way), math.max(most, way), here
+  end
+  return most > apart * least
+end
+
+-- Whether the tests can tell what relaxes from the elastic curve: speeds that differ, or one that changes within a test.
+local function tells_speed(state)
+  local slow, fast = math.huge, 0
+  for _, test in ipairs(state.tests) do
+    if turns(test) then return true end
+    if test.speed then slow, fast = math.min(slow, test.speed), math.max(fast, test.speed) end
+  end
+  return fast >= apart * slow
 end
 
 -- --- the elastic curve: cubic B-splines over equal intervals, with the value zero at zero ---
@@ -425,7 +458,7 @@ local function speeds_of(state)
     if g.speed and (not slow or g.speed < slow.speed) then slow = g end
     if g.speed and (not fast or g.speed > fast.speed) then fast = g end
   end
-  if not slow or fast.speed < 1.5 * slow.speed then return end
+  if not slow or fast.speed < apart * slow.speed then return end
   local function mean(g)
     local sum = 0
     for _, test in ipairs(g) do sum = sum + factor_of(test, true) / #g end
@@ -505,7 +538,11 @@ local function decide(state, out, positive, negative, fixed)
   local needed = -2 * math.log(1 - state.confidence) -- of chi^2 with two degrees of freedom: modulus and time
   local gain, against = positive and positive.gain or 0, negative and negative.gain or 0
   local softer = out.speed and out.speed.high < 0
-  if softer then
+  if not tells_speed(state) then
+    out.one_speed = true
+    out.reason = ("One speed and no hold cannot tell a stiff toe of the elastic curve from relaxation, so that nothing is concluded: tests at speeds that "
+      .. "differ by a factor of %g or more would tell, or one with a hold."):format(apart)
+  elseif softer then
     out.contradicts = true
     out.reason = ("The faster record is the softer one: no positive viscosity explains it. Nothing of shear relaxes in what these tests show; what else "
       .. "differs between them (specimens, slip, heat, friction that falls with the speed) is not this law's.")

@@ -139,7 +139,9 @@ for _, name in ipairs(knits) do
   local fit = lab.fit { tests = tests, find_slack = "either" }
   print(fit.text)
   local ratio = #grids > 0 and lab.poisson { specimens = grids } or nil
-  if ratio then print(("%s: ratio of the pins %.3f, %.3f to %.3f"):format(name, ratio.value, ratio.low or ratio.value, ratio.high or ratio.value)) end
+  if ratio then
+    print(("%s: ratio of the pins %.3f, %s"):format(name, ratio.value, #grids > 1 and ratio.low and ("%.3f to %.3f"):format(ratio.low, ratio.high) or "one specimen"))
+  end
   local card = lab.card { name = name, source = "sabetta/stitch-by-stitch", density = 300, thickness = 1 * u.mm, warp = fit, poisson = { warp = ratio },
     assume = { thickness = true, density = true } }
   local measured = tests[1]
@@ -151,7 +153,7 @@ for _, name in ipairs(knits) do
     print(name .. ": one curve for all (fabric.lab.pool):\n" .. pool.text)
     several, held, coverage = several + 1, held + pool.coverage, coverage + spread.coverage
   else
-    print(("%s: %d pulls: how specimens differ takes three and more"):format(name, #tests))
+    print(("%s: %d pull%s: how specimens differ takes three and more"):format(name, #tests, #tests == 1 and "" or "s"))
   end
   local c = lab.compare(measured, { E = measured.E, S = fabric.point(card):uniaxial("warp", measured.E, { "S" }).S },
     { file = ("%s/%s.svg"):format(out, name), title = (name:gsub("_", " ")) })
