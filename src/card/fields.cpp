@@ -44,7 +44,7 @@ Rows<YarnLoop> loop_rows(const std::string& side) {
              "share of the peak stress that friction between the fibres carries: the width of the loop")
           .on_line(side + " loop")
           .printed("friction #"),
-      number("reach", &YarnLoop::reach, "", Range{0, 1, true, false},
+      number("reach", &YarnLoop::reach, "", Range{1e-3, 1, false, false},
              "share of the way from the peak to zero stress over which that friction is lost, and built up "
              "again after a reversal")
           .or_else(0.5)
