@@ -43,13 +43,14 @@ bool Descent::direction(Problem& problem, double m) {
 // trapezoidal rule; where it would not (cut), the step is taken back. A rigid body on its way does work on
 // the cloth, so that the energy may rise meanwhile.
 Answer Descent::lower(Problem& problem) {
+  uphill_ = false;
   const bool on_its_way = !problem.arrived();
   const double share = problem.limit(delta_);
   if (!(share > 0)) return Answer::cut;
   problem.retract(delta_, share);
   Answer answer = checked(problem.residual(trial_r_), trial_r_);
-  if (answer == Answer::ok && !on_its_way && !(dot(delta_, r_) + dot(delta_, trial_r_) > 0))
-    answer = Answer::cut;
+  uphill_ = answer == Answer::ok && !on_its_way && !(dot(delta_, r_) + dot(delta_, trial_r_) > 0);
+  if (uphill_) answer = Answer::cut;
   if (answer != Answer::ok) problem.retract(delta_, 0);
   return answer;
 }
@@ -83,7 +84,7 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
     if (problem.arrived() && (rounding || relative <= options.tolerance))
       return stop(NewtonStatus::converged);
     for (;; m *= kRise) {
-      if (m > kMost) return stop(NewtonStatus::diverged);
+      if (m > kMost) return stop(uphill_ ? NewtonStatus::too_many_iterations : NewtonStatus::law_failed);
       if (result.iterations++ >= options.max_iterations) return stop(NewtonStatus::too_many_iterations);
       const Answer answer = direction(problem, m) ? lower(problem) : Answer::cut;
       if (answer == Answer::broken) return stop(NewtonStatus::broken);

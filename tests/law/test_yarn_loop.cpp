@@ -180,7 +180,7 @@ TEST_CASE("a loop that no yarn can have is refused by its field", "[law][loop][c
   refused([](auto& w) { w.warp.loop->friction = 1; },
           "field 'warp.loop.friction': expected a number from 0 to below 1, got 1");
   refused([](auto& w) { w.warp.loop->reach = 0; },
-          "field 'warp.loop.reach': expected a number above 0 to 1, got 0");
+          "field 'warp.loop.reach': expected a number from 0.001 to 1, got 0");
   refused([](auto& w) { w.weft.loop->curve = 1.1; },
           "field 'weft.loop.curve': expected a number from 0 to 1");
 }

@@ -147,3 +147,25 @@ assert(e.rigid > 0 and e.friction > 0 and e.error < 1e-2, e.error)
 a:restore(kept):solve()
 for i, x in ipairs { a:body(shot) } do assert(x == want[i]) end
 assert(a.energy.friction == e.friction and a.energy.kinetic == e.kinetic)
+
+-- Relaxation while a body moves: nothing happens before it touches, and it ends where Newton's method does; a sheet that is free to move is said to be so.
+do
+  local function pushed(method, from, way)
+    local m = fabric.model { mesh = fabric.mesh.rectangle { width = 0.05, height = 0.05, nx = 4, ny = 4 }, card = fabric.card "worsted" }
+    m:fix("boundary", "x y z")
+    local ball = fabric.rigid.sphere { radius = 0.01, centre = { 0.025, 0.025, from } }
+    m:contact { between = { ball, "all" } }:move(ball, { z = fabric.ramp(way, 1) })
+    local a = fabric.static { model = m, duration = 1, step = 0.2, method = method }:solve()
+    local _, _, force = a:reaction(ball)
+    return force, a
+  end
+  local force, a = pushed("relaxation", -0.05, 0.01)
+  assert(force == 0 and a.time == 1 and a.energy.stored == 0)
+  local by_newton = pushed("newton", -0.0103, 0.003)
+  force = pushed("relaxation", -0.0103, 0.003)
+  assert(by_newton ~= 0 and math.abs(force / by_newton - 1) < 1e-3, force .. " " .. by_newton)
+  local free = fabric.model { mesh = fabric.mesh.rectangle { width = 0.05, height = 0.05, nx = 3, ny = 3 }, card = fabric.card "worsted" }
+  free:fix("left", "x y"):gravity { 0, 0, fabric.ramp(-9.81, 1) }
+  local good, message = pcall(function() fabric.static { model = free, duration = 1, method = "relaxation" }:solve() end)
+  assert(not good and tostring(message):find("supports that leave no part free", 1, true), message)
+end

@@ -214,11 +214,11 @@ local function check(t)
   t.held = t.held or t.support
   if t.held > t.support then refuse("held", ("at most the diameter of the support, %g m"):format(t.support), ("%g m"):format(t.held)) end
   if not t.contact and t.held < t.support then refuse("held", "the diameter of the support where contact = false holds the cloth at its edge", ("%g m"):format(t.held)) end
+  if t.by == "relaxation" and t.shakes > 0 then refuse("shakes", 'none with by = "relaxation", which knows no time', t.shakes) end
   if t.by == "relaxation" and not t.card.bending then
     refuse("card", 'a card with bending of its own with by = "relaxation", which creeps for hours without (fabric.card(name, { bending = "estimated" }))',
       "one that bends by its thickness")
   end
-  if t.by == "relaxation" and t.shakes > 0 then refuse("shakes", 'none with by = "relaxation", which knows no time', t.shakes) end
   t.side = t.side or t.disc / 2
   t.duration = t.duration or t.lowering + t.shakes * t.period + 4
   if t.duration <= t.lowering then refuse("duration", ("more than the lowering, %g s"):format(t.lowering), ("%g s"):format(t.duration)) end
