@@ -3,6 +3,7 @@ import importlib.util
 import json
 import os
 import pathlib
+import signal
 import sys
 
 missing = [name for name in ("ipykernel", "jupyter_client") if importlib.util.find_spec(name) is None]
@@ -19,6 +20,9 @@ import threading
 
 subprocess.run([sys.executable, str(kernel), "install"], check=True, stdout=subprocess.DEVNULL)
 assert json.loads((data / "kernels/fabricsh/kernel.json").read_text())["display_name"] == "fabricsh"
+
+# What a shell starts in the background has Ctrl-C ignored, which programs inherit.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 from jupyter_client.manager import KernelManager
 

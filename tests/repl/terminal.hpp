@@ -92,8 +92,10 @@ class Terminal {
   bool ended_ = false, bytes_end_ = false;
 };
 
-// Becomes the program, with these variables set (empty: unset).
+// Becomes the program, with these variables set (empty: unset). What a shell starts in the background has
+// Ctrl-C ignored, which programs inherit.
 inline int become(const std::string& program, const std::map<std::string, std::string>& variables) {
+  signal(SIGINT, SIG_DFL);
   for (const auto& [name, value] : variables)
     value.empty() ? unsetenv(name.c_str()) : setenv(name.c_str(), value.c_str(), 1);
   execl(program.c_str(), program.c_str(), static_cast<char*>(nullptr));
