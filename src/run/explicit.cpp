@@ -275,8 +275,8 @@ void Explicit::give_up(const StepReport& report) {
             number(assembly_->contact()->speed_stopped()) +
             " m/s); or loads and velocities that are in SI units.";
   else
-    text += ".\nTry: a step below " + number(usual_step()) + " s (the stable one is " + number(stable_) +
-            " s); or loads and velocities that are in SI units.";
+    text += ".\nTry: a step below " + number(std::min(usual_step(), report.step / 2)) +
+            " s (the stable one is " + number(stable_) + " s); or loads and velocities that are in SI units.";
   std::string why = text.substr(std::string("dynamic: ").size());
   why += "\nstretch    the sheet is stretched to " + number(assembly_->largest_stretch()) +
          " times its length at most, the step in use is " + number(now_.step / stable_) +
