@@ -43,7 +43,8 @@ def cell(code, wait=60):
         elif message["msg_type"] == "display_data":
             heard["shown"].append(sorted(content["data"]))
 
-    reply = client.execute_interactive(code, timeout=wait, output_hook=hear)["content"]
+    # Jupyter drops what is sent right behind a cell that fails, unless it is told not to.
+    reply = client.execute_interactive(code, timeout=wait, output_hook=hear, stop_on_error=False)["content"]
     return reply, heard
 
 
