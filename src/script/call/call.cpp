@@ -204,8 +204,8 @@ Fields::Fields(lua_State* L, int index, const std::vector<Argument>& rows, std::
     : L_(L), index_(lua_absindex(L, index)), rows_(&rows), path_(std::move(path)), positional_(positional) {
   luaL_checkstack(L, 10, "fields");
   make_plain(L, index_, rows);
-  std::optional<std::string>
-      wrong;  // the first in the alphabet: Lua's own order differs from one start to the next
+  // The first in the alphabet: Lua's own order differs from one start to the next.
+  std::optional<std::string> wrong;
   lua_pushnil(L);
   while (lua_next(L, index_) != 0) {
     lua_pop(L, 1);
