@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "law/beside_batches.hpp"
 #include "law/law_point.hpp"
 #include "law/thesis_cards.hpp"
 #include "message_of.hpp"
@@ -99,30 +100,10 @@ TEST_CASE("single points and batches agree on shear with friction and on shear t
           "[law][batch]") {
   Random random(8);
   for (const auto& card : {cloth(), with_viscous(cloth()), with_viscous(thesis_card(1))})
-    for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-      if (isa > best_isa()) continue;
-      std::vector<LawPoint> points(lanes, LawPoint(card));
-      const auto& law = *points[0].law;
-      const int n = law::state_size(law);
-      std::vector<double> E(5 * lanes), s0(n * lanes), s1(n * lanes), S(5 * lanes), C(25 * lanes),
-          out(law::energy_values * lanes);
-      for (int step = 0; step < 50; ++step) {
-        const law::Step over{0, random(0, 1)};
-        for (int l = 0; l < lanes; ++l) {
-          const Strain e{random(-0.02, 0.1), random(-0.02, 0.1), 0, 0, random(-0.5, 0.5)};
-          for (int i = 0; i < 5; ++i) E[i * lanes + l] = e[i];
-          for (int i = 0; i < n; ++i) s0[i * lanes + l] = points[l].s[i];
-          points[l].go(e, over);
-        }
-        REQUIRE(law::batch_function(isa)(law, over, E.data(), s0.data(), s1.data(), S.data(), C.data()) == 0);
-        law::batch_energy(isa)(law, E.data(), s1.data(), out.data());
-        for (int l = 0; l < lanes; ++l) {
-          CHECK(S[4 * lanes + l] == Approx(points[l].S[4]).epsilon(1e-11).margin(1e-3));
-          CHECK(C[24 * lanes + l] == Approx(points[l].C[24]).epsilon(1e-11));
-          CHECK(out[l] == Approx(points[l].energy().stored).epsilon(1e-11).margin(1e-6));
-          CHECK(out[3 * lanes + l] ==
-                Approx(points[l].energy().dissipated_shear).epsilon(1e-11).margin(1e-6));
-        }
-      }
-    }
+    beside_batches(card, 50, random, [](const LawPoint& point, const Lane& lane) {
+      CHECK(lane.S(4) == Approx(point.S[4]).epsilon(1e-11).margin(1e-3));
+      CHECK(lane.C(24) == Approx(point.C[24]).epsilon(1e-11));
+      CHECK(lane.energy(0) == Approx(point.energy().stored).epsilon(1e-11).margin(1e-6));
+      CHECK(lane.energy(3) == Approx(point.energy().dissipated_shear).epsilon(1e-11).margin(1e-6));
+    });
 }

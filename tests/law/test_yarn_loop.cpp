@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "catch.hpp"
+#include "law/beside_batches.hpp"
 #include "law/data.hpp"
 #include "law/law_point.hpp"
 #include "law/thesis_cards.hpp"
@@ -191,36 +192,16 @@ TEST_CASE("single points and batches agree on curved loops", "[law][batch][loop]
   woven(one_side).weft.loop = card::YarnLoop{0.4, 0.3, 0.2};
   for (const auto& card : {with_loops(thesis_card(0)), one_side,
                            with_loops(with_biaxial(with_viscous(with_friction(thesis_card(0)))))})
-    for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-      if (isa > best_isa()) continue;
-      std::vector<LawPoint> points(lanes, LawPoint(card));
-      const auto& law = *points[0].law;
-      const int n = law::state_size(law);
-      std::vector<double> E(5 * lanes), s0(n * lanes), s1(n * lanes), S(5 * lanes), C(25 * lanes),
-          out(law::energy_values * lanes);
-      for (int step = 0; step < 80; ++step) {
-        const law::Step over{0, random(0, 1)};
-        for (int l = 0; l < lanes; ++l) {
-          const Strain e{random(-0.02, 0.1), random(-0.02, 0.1), 0, 0, random(-0.5, 0.5)};
-          for (int i = 0; i < 5; ++i) E[i * lanes + l] = e[i];
-          for (int i = 0; i < n; ++i) s0[i * lanes + l] = points[l].s[i];
-          points[l].go(e, over);
-        }
-        REQUIRE(law::batch_function(isa)(law, over, E.data(), s0.data(), s1.data(), S.data(), C.data()) == 0);
-        law::batch_energy(isa)(law, E.data(), s1.data(), out.data());
-        for (int l = 0; l < lanes; ++l) {
-          const auto energy = points[l].energy();
-          for (const int i : {0, 1})
-            CHECK(S[i * lanes + l] == Approx(points[l].S[i]).epsilon(1e-9).margin(1e-2));
-          for (const int i : {0, 6}) CHECK(C[i * lanes + l] == Approx(points[l].C[i]).epsilon(1e-9));
-          for (int i = 0; i < n; ++i)
-            CHECK(s1[i * lanes + l] == Approx(points[l].s[i]).epsilon(1e-9).margin(1e-9));
-          CHECK(out[l] == Approx(energy.stored).epsilon(1e-9).margin(1e-6));
-          CHECK(out[lanes + l] == Approx(energy.dissipated_warp).epsilon(1e-9).margin(1e-6));
-          CHECK(out[2 * lanes + l] == Approx(energy.dissipated_weft).epsilon(1e-9).margin(1e-6));
-        }
-      }
-    }
+    beside_batches(card, 80, random, [](const LawPoint& point, const Lane& lane) {
+      const auto energy = point.energy();
+      for (const int i : {0, 1}) CHECK(lane.S(i) == Approx(point.S[i]).epsilon(1e-9).margin(1e-2));
+      for (const int i : {0, 6}) CHECK(lane.C(i) == Approx(point.C[i]).epsilon(1e-9));
+      for (int i = 0; i < law::state_size(*point.law); ++i)
+        CHECK(lane.s(i) == Approx(point.s[i]).epsilon(1e-9).margin(1e-9));
+      CHECK(lane.energy(0) == Approx(energy.stored).epsilon(1e-9).margin(1e-6));
+      CHECK(lane.energy(1) == Approx(energy.dissipated_warp).epsilon(1e-9).margin(1e-6));
+      CHECK(lane.energy(2) == Approx(energy.dissipated_weft).epsilon(1e-9).margin(1e-6));
+    });
 }
 
 // --- what the checks of energy and memory are worth: they must fail on laws that are wrong ---
