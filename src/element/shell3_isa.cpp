@@ -132,7 +132,8 @@ unsigned force(const section::Section& section, const law::Step& step, const She
 
 constexpr int kX = 6, kD = 6;  // base vectors a1 a2; two rotations per node
 using Columns3 = Columns<kX, kD>;
-using Tangent3 = Tangent<kX, kD>;
+template <bool symmetric>
+using Tangent3 = Tangent<kX, kD, symmetric>;
 
 inline void put(Pack (&column)[kX][kReach], int vector, int place, V3 v) {
   column[3 * vector][place] = v.x;
@@ -180,8 +181,9 @@ inline void fill_shear(const Triangle& t, double thickness, int g, const V3 (&b)
 }
 
 // Adds the second variation of the strains at fixed resultants.
+template <bool symmetric>
 inline void add_geometric(const Totals& s, const Forces3& f, const Triangle& t, const V3 (&b)[3][2],
-                          Tangent3& K) {
+                          Tangent3<symmetric>& K) {
   const Resultants& r = s.r;
   add_scalar(0, 0, r.N[0], K);
   add_scalar(1, 1, r.N[1], K);
@@ -215,7 +217,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     for (int q = 0; q < 2; ++q) b[a][q] = load3(batch.b, 6 * a + 3 * q);
   Columns3 B;
   fill(t, b, B);
-  Tangent3 K;
+  Tangent3<symmetric> K;
   clear(K);
   Totals s;
   clear(s);
@@ -226,14 +228,14 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     failed |= integrate(section, step, batch, columns_at(section, batch, g), strains_at(t, g), g, r, &k);
     add(r, section.thickness, g, s);
     fill_shear(t, section.thickness, g, b, B);
-    add_material<symmetric>(B, k, K);
+    add_material(B, k, K);
   }
-  if (symmetric) mirror(K);
+  mirror(K);
   const Forces3 forces = forces_of(t, s);
   if (!batch.law_only) add_geometric(s, forces, t, b, K);
   store_forces(forces, f);
   constexpr double share[2][3] = {{-1, 1, 0}, {-1, 0, 1}};
-  store_tangent(K, share, out);
+  store_tangent(K, share, batch.wanted, out);
   return failed;
 }
 

@@ -83,13 +83,15 @@ struct ShellBatch {
   double* now = nullptr;
   double** log = nullptr;  // the end of the log
   int first_lane = 0;      // of the part of the batch that a kernel works on
+  // The tangent's blocks of nodes a and b that are written: bit 4 a + b.
+  unsigned wanted = 0xffff;
 };
 using Shell4Batch = ShellBatch;
 
 // All return the mask of the lanes whose law failed.
 // f   24 per lane: internal force on x (12, N) and on d (12, N m), the derivative of the internal energy.
-// K   20x20 per lane, column-major: tangent on (u, q), with the second variation -(f_d . d) I2 of the
-// directors for the INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
+// K   20x20 per lane, column-major, as far as wanted: tangent on (u, q), with the second variation -(f_d . d)
+// I2 of the directors for the INTERNAL force. E   [gauss][point][5] material strains, doubled shears.
 using Shell4Force = unsigned (*)(const section::Section&, const law::Step&, const Shell4Batch&, double* f);
 using Shell4Tangent = unsigned (*)(const section::Section&, const law::Step&, const Shell4Batch&, double* f,
                                    double* K);

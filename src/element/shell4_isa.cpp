@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kVectors = 3, kX = 3 * kVectors, kD = 8;  // mid1 mid2 twist; two rotations per node
 using Columns4 = Columns<kX, kD>;
-using Tangent4 = Tangent<kX, kD>;
+template <bool symmetric>
+using Tangent4 = Tangent<kX, kD, symmetric>;
 
 // The loops over the points are separate, so that the law is compiled once and the others are unrolled.
 template <Sharing sharing>
@@ -172,7 +173,9 @@ inline void add_geometric(const Resultants& r, int g, Geometric& s) {
   }
 }
 
-inline void add_membrane_geometric(const Membrane& m, const Forces& f, const SampleColumns& s, Tangent4& K) {
+template <bool symmetric>
+inline void add_membrane_geometric(const Membrane& m, const Forces& f, const SampleColumns& s,
+                                   Tangent4<symmetric>& K) {
   const Pack* N = f.sample;
   add_scalar(0, 0, N[0] + N[1] + N[4], K);
   add_scalar(1, 1, N[2] + N[3] + N[5], K);
@@ -197,8 +200,9 @@ inline void add_membrane_geometric(const Membrane& m, const Forces& f, const Sam
 // Products of the columns of two edges, with position vectors on one side, and the second variation of beta,
 //   F.d2 beta(u, v) = u.H v,
 //   H = 2 f' (delta F^T + F delta^T + (F.delta) 1) + 4 f'' (F.delta) delta delta^T.
+template <bool symmetric>
 inline void add_edge_geometric(const Kinematics& k, const Geometric& s, const Forces& f, const Rotations& q,
-                               Tangent4& K) {
+                               Tangent4<symmetric>& K) {
   const Pack two(2.0), four(4.0);
   for (int e = 0; e < 4; ++e) {
     const Edge& edge = k.edge[e];
@@ -238,7 +242,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   clear(forces);
   Geometric geometric;
   clear(geometric);
-  Tangent4 K;
+  Tangent4<symmetric> K;
   clear(K);
   unsigned failed = 0;
   Columns4 B;
@@ -252,10 +256,10 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
     add_geometric(r, g, geometric);
     position_columns(k, p, samples, section.thickness, g, B);
     rotation_columns(k, p, q, section.thickness, g, B);
-    add_material<symmetric>(B, stiffness, K);
+    add_material(B, stiffness, K);
   }
   close(m, batch.geometry, forces);
-  if (symmetric) mirror(K);
+  mirror(K);
   if (!batch.law_only) {
     add_membrane_geometric(m, forces, samples, K);
     add_edge_geometric(k, geometric, forces, q, K);
@@ -269,7 +273,7 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   store_forces(nodes, f);
   constexpr double share[kVectors][4] = {
       {-.25, .25, .25, -.25}, {-.25, -.25, .25, .25}, {.25, -.25, .25, -.25}};
-  store_tangent(K, share, out);
+  store_tangent(K, share, batch.wanted, out);
   return failed;
 }
 

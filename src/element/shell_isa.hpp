@@ -111,12 +111,12 @@ inline void add_stress(const Transform& t, const double* S, double z, Resultants
   for (int j = 0; j < 2; ++j) r.Q[j] += t.L[2][3 + j] * s[2] + t.L[3][3 + j] * s[3];
 }
 
-inline void add_powers(const Pack (&D)[5][5], double z, bool symmetric, Stiffness& k) {
+inline void add_powers(const Pack (&D)[5][5], double z, bool symmetric, Stiffness& k, bool coupled = true) {
   double power = 1;
   for (int m = 0; m < 5; ++m, power *= z)
     for (int i = 0; i < 3; ++i) {
       for (int j = symmetric ? i : 0; j < 3; ++j) k.Z[m][i][j] += Pack(power) * D[i][j];
-      if (m < 3)
+      if (m < 3 && coupled)
         for (int j = 0; j < 2; ++j) {
           k.in_g[m][i][j] += Pack(power) * D[i][3 + j];
           if (!symmetric) k.g_in[m][j][i] += Pack(power) * D[3 + j][i];
@@ -124,6 +124,14 @@ inline void add_powers(const Pack (&D)[5][5], double z, bool symmetric, Stiffnes
     }
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) k.g_g[i][j] += D[3 + i][3 + j];
+}
+
+// Whether the director is normal to the element in all lanes: no in-plane strain shears it.
+inline bool is_level(const Transform& t) {
+  unsigned tilted = 0;
+  for (int i = 2; i < 4; ++i)
+    for (int j = 0; j < 3; ++j) tilted |= bits(!(t.L[i][j] == Pack(0.0)));
+  return tilted == 0;
 }
 
 inline void add_tangent(const Transform& t, const double* C, double z, Stiffness& k) {
@@ -151,18 +159,23 @@ inline void add_symmetric_tangent(const Transform& t, const double* C, double z,
   constexpr int in[3] = {0, 1, 4};
   const auto at = [&](int i, int j) { return t.weight * load(C + (5 * i + j) * lanes); };
   Pack D[5][5], CL[3][3], shear[2] = {at(2, 2), at(3, 3)};
+  const bool level = is_level(t);
   for (int i = 0; i < 3; ++i) {
     const Pack c[3] = {at(in[i], 0), at(in[i], 1), at(in[i], 4)};
     for (int j = 0; j < 3; ++j) CL[i][j] = c[0] * t.L[0][j] + c[1] * t.L[1][j] + c[2] * t.L[4][j];
   }
   for (int i = 0; i < 5; ++i) {
+    if (level && i < 3) continue;
     const Pack s2 = shear[0] * t.L[2][i], s3 = shear[1] * t.L[3][i];
     for (int j = i; j < 5; ++j) D[i][j] = s2 * t.L[2][j] + s3 * t.L[3][j];
   }
   for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) D[i][j] += t.L[0][i] * CL[0][j] + t.L[1][i] * CL[1][j] + t.L[4][i] * CL[2][j];
+    for (int j = i; j < 3; ++j) {
+      const Pack in_plane = t.L[0][i] * CL[0][j] + t.L[1][i] * CL[1][j] + t.L[4][i] * CL[2][j];
+      D[i][j] = level ? in_plane : D[i][j] + in_plane;
+    }
   D[4][3] = D[3][4];
-  add_powers(D, z, true, k);
+  add_powers(D, z, true, k, !level);
 }
 
 // Stores the trial states of a law; `place` is the offset of the first of them in the batch's states. In
@@ -317,7 +330,8 @@ inline ShellBatch part(const ShellBatch& batch, int first) {
   const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
   return {from(batch.geometry), from(batch.x),   from(batch.d), from(batch.b),
           from(batch.s0),       from(batch.s1),  batch.sharing, batch.law_only,
-          batch.changed,        from(batch.now), batch.log,     first};
+          batch.changed,        from(batch.now), batch.log,     first,
+          batch.wanted};
 }
 
 template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4Curvature curvature,

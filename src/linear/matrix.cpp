@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 namespace fabricsh::linear {
@@ -46,7 +47,9 @@ Pattern Pattern::with(std::vector<std::vector<Index>>&& further) const {
     starts.push_back(static_cast<Index>(rows.size()));
     std::vector<Index>().swap(more);
   }
-  return {std::move(starts), std::move(rows)};
+  Pattern made(std::move(starts), std::move(rows));
+  made.upper = upper;
+  return made;
 }
 
 Index Pattern::slot(Index r, Index c) const {
@@ -77,6 +80,46 @@ void Matrix::carry(const std::shared_ptr<const Pattern>& p) {
         carried[static_cast<std::size_t>(p->slot(pattern->row[k], c))] = v;
   pattern = p;
   value = std::move(carried);
+}
+
+namespace {
+
+// Both triangles of an upper pattern. Columns are visited in ascending order, so that rows are.
+Pattern both_triangles(const Pattern& upper) {
+  std::vector<Index> starts(static_cast<std::size_t>(upper.size) + 1, 0);
+  const auto each = [&](auto visit) {
+    for (Index c = 0; c < upper.size; ++c)
+      for (Index k = upper.column[c]; k < upper.column[c + 1] && upper.row[k] <= c; ++k)
+        visit(upper.row[k], c);
+  };
+  each([&](Index r, Index c) {
+    ++starts[c + 1];
+    if (r != c) ++starts[r + 1];
+  });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<Index> rows(static_cast<std::size_t>(starts.back())), next(starts.begin(), starts.end() - 1);
+  each([&](Index r, Index c) { rows[next[c]++] = r; });
+  each([&](Index r, Index c) {
+    if (r != c) rows[next[r]++] = c;
+  });
+  return {std::move(starts), std::move(rows)};
+}
+
+}  // namespace
+
+void mirror(const Matrix& A, std::uint64_t& of, Matrix& K) {
+  const Pattern& upper = *A.pattern;
+  if (of != upper.version) K = Matrix(std::make_shared<const Pattern>(both_triangles(upper)));
+  of = upper.version;
+  // The rows of column r beyond the diagonal are the columns c with an entry (r, c), in their order.
+  const Pattern& both = *K.pattern;
+  std::vector<Index> next(both.column.begin(), both.column.end() - 1);
+  for (Index c = 0; c < upper.size; ++c)
+    for (Index k = upper.column[c]; k < upper.column[c + 1] && upper.row[k] <= c; ++k)
+      K.value[static_cast<std::size_t>(next[c]++)] = A.value[static_cast<std::size_t>(k)];
+  for (Index c = 0; c < upper.size; ++c)
+    for (Index k = upper.column[c]; k < upper.column[c + 1] && upper.row[k] < c; ++k)
+      K.value[static_cast<std::size_t>(next[upper.row[k]]++)] = A.value[static_cast<std::size_t>(k)];
 }
 
 }  // namespace fabricsh::linear

@@ -25,12 +25,16 @@ class Pattern {
   std::vector<Index> column;  // size + 1 starts
   std::vector<Index> row;     // ascending in each column
   std::uint64_t version = 0;  // unique among all patterns of the program
+  // Of a symmetric matrix whose upper triangle is kept: entries below the diagonal are absent or mean
+  // nothing.
+  bool upper = false;
 
   Index entries() const { return static_cast<Index>(row.size()); }
   // The index of an entry in the array of values. An entry outside the pattern is a
   // bug: debug builds assert, release builds throw, rather than change another entry.
   Index slot(Index r, Index c) const;
-  // This pattern with additional entries; columns as in the constructor.
+  // This pattern with additional entries, not below the diagonal if this one is upper; columns as in the
+  // constructor.
   Pattern with(std::vector<std::vector<Index>>&& further) const;
 };
 
@@ -42,12 +46,18 @@ struct Matrix {
   std::vector<double> value;
 
   Index size() const { return pattern->size; }
-  void add(Index r, Index c, double v) { value[static_cast<std::size_t>(pattern->slot(r, c))] += v; }
+  void add(Index r, Index c, double v) {
+    if (!pattern->upper || r <= c) value[static_cast<std::size_t>(pattern->slot(r, c))] += v;
+  }
   void clear();  // sets all entries to zero
   // Takes over another pattern if its version differs; the values are then zero.
   void follow(const std::shared_ptr<const Pattern>& p);
   // Takes over another pattern with all values. A nonzero one outside of it is a bug, as in add().
   void carry(const std::shared_ptr<const Pattern>& p);
 };
+
+// The symmetric matrix whose upper triangle A keeps, with both triangles; K follows its pattern, which is
+// made anew if `of`, the version of the pattern of which it was made, is another one.
+void mirror(const Matrix& A, std::uint64_t& of, Matrix& K);
 
 }  // namespace fabricsh::linear

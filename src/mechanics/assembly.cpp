@@ -162,7 +162,7 @@ void Assembly::couple(std::vector<NodePair> pairs) {
 // Makes the pattern hold the pairs that the terms couple at the trial configuration.
 void Assembly::couple() {
   if (!stiffness_) {
-    stiffness_ = std::make_unique<Stiffness>(dofs_, cloth_->batches(), cloth_->places());
+    stiffness_ = std::make_unique<Stiffness>(dofs_, cloth_->batches(), cloth_->places(), upper_);
     stiffness_->couple(coupled_);
   }
   std::vector<NodePair> wanted;

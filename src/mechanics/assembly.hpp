@@ -55,6 +55,9 @@ class Assembly {
 
   // For runs that compute the forces once in a step: see Cloth. To be called before the first forces.
   void update_in_place() { cloth_->update_in_place(); }
+  // For runs whose tangents are symmetric and go to a solver of symmetric matrices alone: they keep the upper
+  // triangle. To be called before the first tangent.
+  void keep_upper() { upper_ = true; }
 
   // --- configurations: see Dofs
   void begin_iterate();
@@ -190,6 +193,7 @@ class Assembly {
   Cloth* cloth_ = nullptr;
   Contacts* contact_ = nullptr;
   const std::vector<Vec3>* moments_ = nullptr;  // those of the term that has moments
+  bool upper_ = false;
   std::unique_ptr<Stiffness> stiffness_;
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
   std::vector<double> force_x_, force_d_;              // internal, 3 per node

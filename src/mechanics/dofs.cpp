@@ -347,18 +347,16 @@ double Dofs::largest_force(std::span<const double> on_x, std::span<const double>
 
 double Dofs::rounding_floor(const linear::Matrix& K) const {
   if (diagonal_version_ != K.pattern->version) {
-    diagonal_.clear();
-    for (Index eq = 0; eq < K.size(); ++eq) diagonal_.push_back(K.pattern->slot(eq, eq));
+    for (auto& entries : diagonal_) entries.clear();
+    for (Index eq = 0; eq < K.size(); ++eq) diagonal_[turns_[eq]].push_back(K.pattern->slot(eq, eq));
     diagonal_version_ = K.pattern->version;
   }
   double stiffest[2] = {0, 0}, farthest = 0;  // displacements, rotations; largest coordinate
-  for (Index eq = 0; eq < K.size(); ++eq) {
-    const double k = std::abs(K.value[diagonal_[eq]]);
-    stiffest[turns_[eq]] = std::max(stiffest[turns_[eq]], k);
-  }
+  for (int turning = 0; turning < 2; ++turning)
+    for (const Index entry : diagonal_[turning])
+      stiffest[turning] = std::max(stiffest[turning], std::abs(K.value[entry]));
   for (const double x : std::as_const(configuration_).x()) farthest = std::max(farthest, std::abs(x));
-  return 16 * std::numeric_limits<double>::epsilon() *
-         std::max(farthest * stiffest[0], stiffest[1] / length_);
+  return 16 * std::numeric_limits<double>::epsilon() * std::max(farthest * stiffest[0], stiffest[1] / length_);
 }
 
 }  // namespace fabricsh::mechanics

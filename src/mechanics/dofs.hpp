@@ -112,7 +112,7 @@ class Dofs {
   std::vector<std::vector<std::pair<Index, int>>> led_;  // per node: followers it leads, and as which lead
   double length_ = 1;
   // Places of the diagonal in the values of a matrix with the pattern of this version.
-  mutable std::vector<Index> diagonal_;
+  mutable std::vector<Index> diagonal_[2];  // entries of the matrix: displacements, rotations
   mutable std::uint64_t diagonal_version_ = 0;
 };
 

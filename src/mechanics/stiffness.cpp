@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "geometry/turning.hpp"
 
@@ -14,7 +15,6 @@ using element::shell4_dofs;
 using Column = Eigen::Matrix<double, 5, 1>;
 using Dense = Eigen::Matrix<double, shell4_dofs, shell4_dofs>;
 constexpr int kEntries = shell4_dofs * shell4_dofs;
-constexpr int kBlocks = 4 * shell4_dofs;  // slots per element
 
 std::array<Index, shell4_dofs> equations_of(const Freedoms& freedoms, const std::array<Index, 4>& nodes) {
   std::array<Index, shell4_dofs> eq;
@@ -33,23 +33,35 @@ void into_frames(const Freedoms& freedoms, const std::array<Index, 4>& nodes, De
   }
 }
 
-// Adds the columns of an element tangent to their slots; entry (r, c) is k[(rows * c + r) * stride].
-void add_columns(const double* k, int stride, int corners, int rows, const Index* slot,
-                 const signed char* offset, double* value) {
-  bool whole[4];
-  for (int a = 0; a < corners; ++a) whole[a] = offset[5 * a] == 0 && offset[5 * a + 4] == 4;
-  for (int c = 0; c < 5 * corners; ++c, slot += 4) {
-    const double* column = k + static_cast<long>(rows) * c * stride;
-    for (int a = 0; a < corners; ++a) {
-      if (slot[a] < 0) continue;
-      double* to = value + slot[a];
-      const double* from = column + 5L * a * stride;
-      if (whole[a]) {
+std::vector<Index> ends_of_blocks(const Dofs& dofs) {
+  std::vector<Index> end(static_cast<std::size_t>(dofs.unknowns()), -1);
+  for (const NodeFreedoms& node : dofs.freedoms().nodes) {
+    const Index last = *std::max_element(node.equation.begin(), node.equation.end());
+    for (const Index eq : node.equation)
+      if (eq >= 0) end[eq] = last;
+  }
+  for (const Body& body : dofs.freedoms().bodies)
+    for (Index i = 0; i < 6; ++i) end[body.equation + i] = body.equation + 5;
+  return end;
+}
+
+// Adds the blocks of an element tangent to their slots; entry (r, c) is k[(rows * c + r) * stride].
+void add_blocks(const double* k, int stride, int rows, std::span<const ElementBlock> blocks,
+                const signed char* offset, double* value) {
+  for (const ElementBlock& block : blocks) {
+    if (!block.used()) continue;
+    const signed char* of_row = offset + 5 * block.row;
+    const bool whole = of_row[0] == 0 && of_row[4] == 4;
+    const double* from = k + 5L * (static_cast<long>(rows) * block.column + block.row) * stride;
+    for (int c = 0; c < 5; ++c, from += static_cast<long>(rows) * stride) {
+      if (block.slot[c] == ElementBlock::none) continue;
+      double* to = value + block.slot[c];
+      if (whole) {
         for (int i = 0; i < 5; ++i) to[i] += from[i * stride];
         continue;
       }
       for (int i = 0; i < 5; ++i)
-        if (offset[5 * a + i] >= 0) to[offset[5 * a + i]] += from[i * stride];
+        if (of_row[i] >= 0) to[of_row[i]] += from[i * stride];
     }
   }
 }
@@ -61,11 +73,20 @@ inline void prefetch_rows(const double* first) {
   if ((reinterpret_cast<std::uintptr_t>(first) & 63u) > 24) __builtin_prefetch(first + 4, 1, locality);
 }
 
+template <int locality>
+inline void prefetch_block(const ElementBlock& block, const double* value) {
+  if (!block.used()) return;
+  for (const std::uint32_t slot : block.slot)
+    if (slot != ElementBlock::none) prefetch_rows<locality>(value + slot);
+}
+
 }  // namespace
 
-Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places)
-    : dofs_(dofs), batches_(batches) {
+Stiffness::Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places,
+                     bool upper)
+    : dofs_(dofs), batches_(batches), upper_(upper) {
   list_tied_elements(places);
+  if (upper) block_end_ = ends_of_blocks(dofs);
   make_pattern();
   make_slots();
 }
@@ -106,6 +127,11 @@ void couple_all(const std::vector<Index>& unknowns, std::vector<std::vector<Inde
 
 }  // namespace
 
+void Stiffness::keep_upper(std::vector<std::vector<Index>>& columns) const {
+  for (std::size_t c = 0; c < columns.size() && upper_; ++c)
+    std::erase_if(columns[c], [&](Index r) { return r > block_end_[c]; });
+}
+
 void Stiffness::make_pattern() {
   std::vector<std::vector<Index>> columns(dofs_.unknowns());
   std::vector<Index> all;
@@ -118,7 +144,10 @@ void Stiffness::make_pattern() {
   for (const Body& body : dofs_.freedoms().bodies)
     for (Index i = 0; i < 6; ++i)
       for (Index j = 0; j < 6; ++j) columns[body.equation + i].push_back(body.equation + j);
-  own_ = pattern_ = std::make_shared<const linear::Pattern>(std::move(columns));
+  keep_upper(columns);
+  linear::Pattern made(std::move(columns));
+  made.upper = upper_;
+  own_ = pattern_ = std::make_shared<const linear::Pattern>(std::move(made));
 }
 
 void Stiffness::couple(std::span<const NodePair> pairs) {
@@ -131,15 +160,19 @@ void Stiffness::couple(std::span<const NodePair> pairs) {
     add_unknowns(dofs_, b, all);
     couple_all(all, columns);
   }
+  keep_upper(columns);
   pattern_ = pairs.empty() ? own_ : std::make_shared<const linear::Pattern>(own_->with(std::move(columns)));
   make_slots();
 }
 
 // The unknowns of a node have consecutive numbers, so that its rows are adjacent in each column. It is
-// therefore enough to store one slot for each column and node of an element, and one offset for each row.
+// therefore enough to store one slot for each column of the block of two nodes, and one offset for each row.
 void Stiffness::make_slots() {
   const Freedoms& freedoms = dofs_.freedoms();
-  slots_.assign(batches_.size() * lanes * kBlocks, -1);
+  if (pattern_->entries() > static_cast<Index>(ElementBlock::none))
+    throw Error("the matrix of the stiffness has more than 4,294,967,295 entries: expected a smaller model");
+  blocks_.assign(batches_.size() * lanes * per_element(), {});
+  wanted_.assign(batches_.size(), 0);
   offsets_.assign(batches_.size() * lanes * shell4_dofs, -1);
   care_.assign(batches_.size() * lanes, Care::none);
   for (std::size_t b = 0; b < batches_.size(); ++b)
@@ -158,34 +191,39 @@ void Stiffness::make_slots() {
           offsets_[(b * lanes + l) * shell4_dofs + i] = static_cast<signed char>(eq[i] - first[a]);
         }
       }
-      Index* slot = slots_.data() + (b * lanes + l) * kBlocks;
-      for (int c = 0; c < shell4_dofs; ++c)
-        for (int a = 0; a < 4; ++a)
-          if (first[a] >= 0 && eq[c] >= 0) slot[4 * c + a] = pattern_->slot(first[a], eq[c]);
+      if (care_[b * lanes + l] != Care::none) wanted_[b] = 0xffff;
+      ElementBlock* block = blocks_.data() + (b * lanes + l) * per_element();
+      for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) {
+          if (first[row] < 0 || first[column] < 0 || (upper_ && first[row] > block_end_[first[column]]))
+            continue;
+          block->row = static_cast<signed char>(row);
+          block->column = static_cast<signed char>(column);
+          wanted_[b] |= static_cast<std::uint16_t>(1u << (4 * row + column));
+          for (int c = 0; c < 5; ++c)
+            if (const Index e = eq[5 * column + c]; e >= 0)
+              block->slot[c] = static_cast<std::uint32_t>(pattern_->slot(first[row], e));
+          ++block;
+        }
     }
 }
 
 // Prefetches the entries that a batch adds to. They are scattered over the matrix, so that the processor does
 // not prefetch them by itself.
 void Stiffness::fetch(Index b, const Target& to) const {
-  const Index* slot = slots_.data() + b * lanes * kBlocks;
-  const double* value = to.K.value.data();
-  for (int i = 0; i < batches_[b].used * kBlocks; ++i)
-    if (slot[i] >= 0) prefetch_rows<2>(value + slot[i]);
+  for (const ElementBlock& block : blocks_of(b * lanes, batches_[b].used))
+    prefetch_block<2>(block, to.K.value.data());
 }
 
 void Stiffness::scatter(Index b, const double* K, const Target& to) {
   const Batch& batch = batches_[b];
   for (int l = 0; l < batch.used; ++l) {
     const Index element = b * lanes + l;
-    const Index* next = slots_.data() + (element + 1) * kBlocks;
-    for (int i = 0; l + 1 < batch.used && i < kBlocks; ++i)
-      if (next[i] >= 0) prefetch_rows<3>(to.K.value.data() + next[i]);
     if (care_[element] == Care::frames || (care_[element] == Care::driven && !to.lead.empty()))
       scatter_with_care(batch, element, l, K, to);
     else
-      add_columns(K + l, lanes, batch.kind->corners, batch.kind->dofs, slots_.data() + element * kBlocks,
-                  offsets_.data() + element * shell4_dofs, to.K.value.data());
+      add_blocks(K + l, lanes, batch.kind->dofs, blocks_of(element, 1),
+                 offsets_.data() + element * shell4_dofs, to.K.value.data());
   }
 }
 
@@ -203,8 +241,8 @@ void Stiffness::scatter_with_care(const Batch& batch, Index element, int lane, c
     std::copy_n(k.data(), kEntries, tied_tangent_.data() + tied_place_[element] * kEntries);
     return;
   }
-  add_columns(k.data(), 1, batch.kind->corners, shell4_dofs, slots_.data() + element * kBlocks,
-              offsets_.data() + element * shell4_dofs, to.K.value.data());
+  add_blocks(k.data(), 1, shell4_dofs, blocks_of(element, 1), offsets_.data() + element * shell4_dofs,
+             to.K.value.data());
   if (to.lead.empty()) return;
   const auto eq = equations_of(freedoms, batch.nodes[lane]);
   for (int c = 0; c < dofs; ++c) {

@@ -1,6 +1,8 @@
 // Assembles stiffness between nodes into a matrix on unknowns: its pattern, fixed slots for the elements'
 // tangents, and the treatment of blocks with frames, ties and driven degrees of freedom.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,10 +14,20 @@
 
 namespace fabricsh::mechanics {
 
+// Where the block of two nodes of an element is added: for each of the five columns the index of the entry in
+// the row node's first row.
+struct ElementBlock {
+  static constexpr std::uint32_t none = 0xffffffff;
+  signed char row = -1, column = -1;  // corners of the element; -1: there is no block
+  std::array<std::uint32_t, 5> slot{none, none, none, none, none};
+  bool used() const { return row >= 0; }
+};
+
 class Stiffness {
  public:
-  // batches: those of the cloth.
-  Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places);
+  // batches: those of the cloth. upper: the pattern keeps the upper triangle, which is enough for a solver of
+  // symmetric matrices; the node's own blocks are whole.
+  Stiffness(const Dofs& dofs, std::span<const Batch> batches, std::span<const Place> places, bool upper);
 
   // The pattern of elements, ties and coupled pairs.
   const std::shared_ptr<const linear::Pattern>& pattern() const { return pattern_; }
@@ -30,6 +42,8 @@ class Stiffness {
     std::span<double> product;
   };
   void fetch(Index batch, const Target& to) const;  // to be called some time before scatter()
+  // The blocks of a batch's tangents that scatter() reads: bit 4 a + b of nodes a and b.
+  unsigned wanted(Index batch) const { return wanted_[static_cast<std::size_t>(batch)]; }
   // Adds the tangents of a batch, as the kernels write them; batches of one colour may run in parallel.
   void scatter(Index batch, const double* K, const Target& to);
   // Adds those of elements with tied nodes, which scatter() stores: their leads may be shared across colours.
@@ -51,15 +65,24 @@ class Stiffness {
   void make_pattern();
   void make_slots();
   void list_tied_elements(std::span<const Place> places);
+  void keep_upper(std::vector<std::vector<Index>>& columns) const;
   void scatter_with_care(const Batch& batch, Index element, int lane, const double* K, const Target& to);
 
   const Dofs& dofs_;
   std::span<const Batch> batches_;
+  bool upper_;
+  std::vector<Index> block_end_;  // for each unknown the last one of its node or body; empty if not upper_
   std::shared_ptr<const linear::Pattern> own_, pattern_;  // of elements and ties; with the coupled pairs
-  // For each batch and lane: slot of each column's first row for each node (4 x 20, the column first), -1:
-  // none; offsets for the node's five rows, -1: no unknown; and whether the element needs special treatment.
+  std::size_t per_element() const { return upper_ ? 10 : 16; }  // blocks
+  std::span<const ElementBlock> blocks_of(Index element, int count) const {
+    const auto n = per_element();
+    return {blocks_.data() + static_cast<std::size_t>(element) * n, static_cast<std::size_t>(count) * n};
+  }
+  // For each batch and lane: its blocks; the offsets of its rows from their node's first row, -1: no unknown;
+  // and whether the element needs special treatment.
   enum class Care : char { none, driven, frames };
-  std::vector<Index> slots_;
+  std::vector<ElementBlock> blocks_;
+  std::vector<std::uint16_t> wanted_;
   std::vector<signed char> offsets_;
   std::vector<Care> care_;
   std::vector<Index> tied_place_;  // for each lane: index in tied_elements_ or -1; empty without ties

@@ -35,6 +35,8 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       problem_(*assembly_, newmark_, poll_),
       newton_(assembly_->symmetric() ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()),
       control_(control_of(options, *assembly_)) {
+  // Damping by stiffness multiplies its matrix.
+  if (assembly_->symmetric() && !(options_.stiffness_damping > 0)) assembly_->keep_upper();
   if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit();
   tell_contacts();
   now_.step = control_.current();

@@ -71,8 +71,10 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.stabilise > 0)
     stabilisation_ =
         &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
-  auto linear = takes_symmetric(options_, *assembly_) ? linear::make_symmetric_solver()
-                                                      : linear::make_unsymmetric_solver();
+  const bool symmetric = takes_symmetric(options_, *assembly_);
+  auto linear = symmetric ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver();
+  // Relaxation and descent sum whole columns.
+  if (symmetric && options_.method == Method::newton) assembly_->keep_upper();
   if (options_.control == Control::arc && assembly_->hangs_on_time())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "

@@ -154,3 +154,54 @@ TEST_CASE("after an indefinite matrix the symmetric solver doubts the next, and 
   CHECK(told == doubted);
   CHECK(doubted != fresh);  // rounded another way: why the doubt is kept with a run's state
 }
+
+namespace {
+
+// The upper triangle of A, with some entries below the diagonal that mean nothing.
+Matrix upper_of(const Matrix& A) {
+  std::vector<Index> column{0}, row;
+  std::vector<double> value;
+  for (Index c = 0; c < A.size(); ++c) {
+    for (Index k = A.pattern->column[c]; k < A.pattern->column[c + 1]; ++k) {
+      const Index r = A.pattern->row[k];
+      if (r > c + 1) continue;
+      row.push_back(r);
+      value.push_back(r <= c ? A.value[k] : 1e6);
+    }
+    column.push_back(static_cast<Index>(row.size()));
+  }
+  Pattern pattern(std::move(column), std::move(row));
+  pattern.upper = true;
+  Matrix upper(std::make_shared<const Pattern>(std::move(pattern)));
+  upper.value = std::move(value);
+  return upper;
+}
+
+}  // namespace
+
+TEST_CASE("a matrix that keeps its upper triangle is solved as the whole one, to the bit") {
+  for (const double shift : {0.0, 1.07}) {  // definite and not
+    const auto A = laplacian(20, shift), upper = upper_of(A);
+    std::vector<double> b(A.size()), of_whole(b.size()), of_upper(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = std::sin(1.0 + static_cast<double>(i));
+    for (const auto make : {make_symmetric_solver, make_unsymmetric_solver}) {
+      const auto one = make(Ordering::amd), two = make(Ordering::amd);
+      REQUIRE(one->factorise(A));
+      REQUIRE(two->factorise(upper));
+      REQUIRE(one->solve(A, b, of_whole));
+      REQUIRE(two->solve(upper, b, of_upper));
+      CHECK(of_whole == of_upper);
+      CHECK(two->report().negative_pivots == negative_eigenvalues(20, shift));
+    }
+  }
+}
+
+TEST_CASE("a matrix that keeps its upper triangle takes no entry below the diagonal") {
+  Pattern pattern(std::vector<std::vector<Index>>{{0}, {0, 1}});
+  pattern.upper = true;
+  Matrix A(std::make_shared<const Pattern>(std::move(pattern)));
+  A.add(0, 1, 3);
+  A.add(1, 0, 3);
+  CHECK(A.value == std::vector<double>{0, 3, 0});
+  CHECK(A.pattern->with({{0, 1}, {0, 1}}).upper);
+}

@@ -184,6 +184,92 @@ TEST_CASE("the assembled tangent is the derivative of the residual, with every k
   CHECK(tangent_errors(a)[1] < 1e-9);
 }
 
+TEST_CASE("a tangent that keeps its upper triangle has the whole one's entries, to the bit") {
+  const Mat3 frame = model::frame_from(Vec3(1, 0.5, 0.2), Vec3(0, 1, -0.3));
+  const std::pair<const char*, std::function<void(model::Model&)>> sheets[] = {
+      {"none", [](model::Model&) {}},
+      {"supports",
+       [&](model::Model& m) {
+         m.fix("left", model::parse_freedoms("x z ry"), frame);
+         m.move("right", along_x(0));
+         m.fix("top", model::parse_freedoms("y"));
+       }},
+      {"ties",
+       [](model::Model& m) {
+         m.tie({model::TieKind::rigid, "top", {}, {}});
+         m.tie({model::TieKind::equal, "bottom", {}, tied("x z")});
+       }},
+  };
+  for (const bool triangles : {false, true})
+    for (const auto& [name, load] : sheets) {
+      INFO(name << (triangles ? ", mixed mesh" : ""));
+      const auto m = loaded_sheet(load, 0.2, 0.004, triangles);
+      mechanics::Assembly whole(*m), upper(*m);
+      upper.keep_upper();
+      linear::Matrix K[2];
+      for (auto* a : {&whole, &upper}) {
+        std::vector<double> step(static_cast<std::size_t>(a->unknowns()));
+        for (std::size_t i = 0; i < step.size(); ++i) step[i] = 1e-4 * std::sin(7.0 * static_cast<double>(i));
+        a->begin_iterate();
+        a->retract(step, 1, a->targets(0));
+        REQUIRE(a->tangent({}, K[a == &upper], {}, {}));
+      }
+      CHECK(K[1].pattern->upper);
+      CHECK(K[1].pattern->entries() < 0.65 * static_cast<double>(K[0].pattern->entries()));
+      for (mechanics::Index c = 0; c < K[0].size(); ++c)
+        for (auto k = K[0].pattern->column[c]; k < K[0].pattern->column[c + 1]; ++k) {
+          const auto r = K[0].pattern->row[k];
+          if (r <= c && K[0].value[k] != K[1].value[K[1].pattern->slot(r, c)])
+            FAIL("row " << r << ", column " << c);
+        }
+    }
+}
+
+TEST_CASE("a tangent after the forces of its place leaves their law states, and is the same without them") {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.03, 0.03, 3, 3));
+  const model::Model m(mesh, test::blend(), {});
+  const auto states = [](const mechanics::Assembly& a) {
+    std::vector<double> all;
+    for (mechanics::Index e = 0; e < a.elements(); ++e)
+      a.visit(e, [&](double, const law::Law& law, const double*, const double* state) {
+        all.insert(all.end(), state, state + law::state_size(law));
+      });
+    return all;
+  };
+  mechanics::Assembly plain(m), between(m), alone(m), late(m);
+  const auto step_of = [](const mechanics::Assembly& a, double scale) {
+    std::vector<double> step(static_cast<std::size_t>(a.unknowns()));
+    for (std::size_t i = 0; i < step.size(); ++i)
+      step[i] = scale * 3e-4 * std::sin(7.0 * static_cast<double>(i));
+    return step;
+  };
+  linear::Matrix K[2];
+  for (const double scale : {1.0, 0.6, 1.4}) {  // loading, unloading, loading beyond
+    for (auto* a : {&plain, &between, &alone}) {
+      a->begin_iterate();
+      a->retract(step_of(*a, scale), 1, a->targets(0));
+      if (a == &alone) REQUIRE(a->tangent({}, K[0], {}, {}));
+      REQUIRE(a->forces({}));
+      if (a == &between) REQUIRE(a->tangent({}, K[1], {}, {}));
+      a->commit(scale);
+    }
+    CHECK(states(between) == states(plain));
+    // States of forces at another place are not taken for those of this one.
+    late.begin_iterate();
+    const auto step = step_of(late, scale);
+    late.retract(step, 0.5, late.targets(0));
+    REQUIRE(late.forces({}));
+    late.retract(step, 1, late.targets(0));
+    linear::Matrix unused;
+    REQUIRE(late.tangent({}, unused, {}, {}));
+    late.commit(scale);
+    const auto reached = states(late), want = states(plain);
+    for (std::size_t i = 0; i < want.size(); ++i)
+      CHECK(std::abs(reached[i] - want[i]) <= 1e-12 + 1e-9 * std::abs(want[i]));
+    CHECK(K[0].value == K[1].value);
+  }
+}
+
 TEST_CASE("directors on the edge of a cut lie in its plane of symmetry, at a corner in both planes") {
   // A quarter of a sphere's cap between the planes x = 0 and y = 0.
   auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.5, 0.5, 4, 4));

@@ -30,17 +30,19 @@ class Umfpack final : public LinearSolver {
   Umfpack& operator=(const Umfpack&) = delete;
   ~Umfpack() override { clear(true); }
 
-  bool analyse(const Matrix& A) override {
+  bool analyse(const Matrix& given) override {
     clear(true);
+    const Matrix& A = whole(given);
     control_[UMFPACK_ORDERING] =
         use_metis(ordering_, A.size()) ? UMFPACK_ORDERING_METIS : UMFPACK_ORDERING_AMD;
     return umfpack_dl_symbolic(A.size(), A.size(), as_long(A.pattern->column), as_long(A.pattern->row),
                                nullptr, &symbolic_, control_, info_) == UMFPACK_OK;
   }
 
-  bool factorise_numbers(const Matrix& A) override {
+  bool factorise_numbers(const Matrix& given) override {
     clear(false);
     if (symbolic_ == nullptr) return false;
+    const Matrix& A = whole(given);
     const auto status = umfpack_dl_numeric(as_long(A.pattern->column), as_long(A.pattern->row),
                                            A.value.data(), symbolic_, &numeric_, control_, info_);
     // A pivot that is rounding error beside the largest one: a part can move freely; its sign means nothing.
@@ -51,8 +53,9 @@ class Umfpack final : public LinearSolver {
     return !report_.singular;
   }
 
-  bool solve(const Matrix& A, std::span<const double> b, std::span<double> x) override {
+  bool solve(const Matrix& given, std::span<const double> b, std::span<double> x) override {
     if (numeric_ == nullptr) return false;
+    const Matrix& A = given.pattern->upper ? both_ : given;
     return umfpack_dl_solve(UMFPACK_A, as_long(A.pattern->column), as_long(A.pattern->row), A.value.data(),
                             x.data(), b.data(), numeric_, control_, info_) == UMFPACK_OK;
   }
@@ -60,6 +63,12 @@ class Umfpack final : public LinearSolver {
   LinearReport report() const override { return report_; }
 
  private:
+  // UMFPACK reads both triangles.
+  const Matrix& whole(const Matrix& A) {
+    if (!A.pattern->upper) return A;
+    mirror(A, both_of_, both_);
+    return both_;
+  }
   void clear(bool symbolic) {
     if (numeric_ != nullptr) umfpack_dl_free_numeric(&numeric_);
     if (symbolic && symbolic_ != nullptr) umfpack_dl_free_symbolic(&symbolic_);
@@ -93,6 +102,8 @@ class Umfpack final : public LinearSolver {
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
   LinearReport report_;
+  Matrix both_;  // of a matrix that keeps its upper triangle
+  std::uint64_t both_of_ = 0;
 };
 
 }  // namespace

@@ -20,7 +20,9 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
   std::size_t law = 0;
   for (Batch& batch : batches_) {
     batch.law = law;
-    law += static_cast<std::size_t>(batch.kind->in_plane) * batch.section->state_size * lanes;
+    const auto numbers = static_cast<std::size_t>(batch.kind->in_plane) * batch.section->state_size * lanes;
+    most_states_ = std::max(most_states_, numbers);
+    law += numbers;
   }
   states_ = LawStates(law);
   make_geometry(directors);
@@ -236,8 +238,7 @@ void Cloth::fetch(const Batch& batch, const double* trial) const {
   const long states = static_cast<long>(kind.in_plane) * batch.section->state_size * lanes;
   const double* law = states_.committed().data() + batch.law;
   for (long i = 0; i < states; i += lanes) __builtin_prefetch(law + i);
-  for (long i = 0; i < states && !states_.in_place(); i += lanes)
-    __builtin_prefetch(trial + batch.law + i, 1);
+  for (long i = 0; i < states && trial != nullptr; i += lanes) __builtin_prefetch(trial + batch.law + i, 1);
   if (batch.sharing != element::Sharing::element) return;
   const double* geometry = batch.geometry;
   const auto columns = [geometry](int first, int count, int stride = 1) {
@@ -248,6 +249,16 @@ void Cloth::fetch(const Batch& batch, const double* trial) const {
   columns(Layout::modes, element::kEnhanced, element::kSamples);
   columns(Layout::modes + 2, element::kEnhanced, element::kSamples);
   columns(kind.first_point, Layout::transform);
+}
+
+// Batches of one colour do not follow each other in the mesh, so that the processor does not prefetch their
+// nodes.
+void Cloth::fetch_nodes(const Batch& batch) const {
+  const double *const x = configuration_.x().data(), *const d = configuration_.d().data(),
+                      *const b1 = configuration_.b1().data();
+  for (const auto& nodes : batch.nodes)
+    for (const int a : {0, 2})
+      for (const double* from : {x, d, b1}) __builtin_prefetch(from + 3 * nodes[a]);
 }
 
 void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
@@ -272,18 +283,17 @@ void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
     }
 }
 
-// Computes the forces of one batch into its slots, and its tangent if K is not null. aside: the array that
-// LawStates::evaluate() returned, null in place. Returns an element whose law failed, or -1.
-Index Cloth::evaluate(Index b, const law::Step& step, double* aside, double* K, bool law_only) {
+// Computes the forces of one batch into its slots, and its tangent if it is asked for. trial: where the
+// batch's trial states are written, null in place. Returns an element whose law failed, or -1.
+Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const TangentOf& tangent) {
   alignas(64) double x[12 * lanes], d[12 * lanes], basis[24 * lanes];
   const Batch& batch = batches_[b];
   const auto& kernels = batch.kind->kernels;
-  gather(batch, x, d, K == nullptr ? nullptr : basis);
+  gather(batch, x, d, tangent.K == nullptr ? nullptr : basis);
   const bool in_place = states_.in_place();
   double* const now = states_.now() + batch.law;
-  double* const trial = in_place ? states_.now() : aside;
-  element::ShellBatch data{batch.geometry, x,       d, basis, now, in_place ? nullptr : aside + batch.law,
-                           batch.sharing,  law_only};
+  element::ShellBatch data{batch.geometry, x, d, basis, now, trial, batch.sharing, tangent.law_only};
+  data.wanted = tangent.wanted;
   double* log = nullptr;
   if (in_place) {
     data.changed = states_.changed() + batch.law / lanes;
@@ -292,13 +302,14 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* aside, double* K, 
     data.log = &log;
   }
   double* f = element_force_.data() + batch.force;
-  const unsigned failed = (K == nullptr ? kernels.force(*batch.section, step, data, f)
-                                        : kernels.tangent(*batch.section, step, data, f, K)) &
+  const unsigned failed = (tangent.K == nullptr ? kernels.force(*batch.section, step, data, f)
+                                                : kernels.tangent(*batch.section, step, data, f, tangent.K)) &
                           ((1u << batch.used) - 1);
   if (in_place) states_.end_group(log);
-  if (!share_.empty() && !law_only) share_[b] = share_of(batch, trial);
-  if (sums_expected_ && K == nullptr)
-    batch_energies(batch, x, d, trial + batch.law, sums_.data() + b * law::energy_values * lanes);
+  const double* const reached = in_place ? now : trial;
+  if (!share_.empty() && !tangent.law_only && !tangent.known) share_[b] = share_of(batch, reached);
+  if (sums_expected_ && tangent.K == nullptr)
+    batch_energies(batch, x, d, reached, sums_.data() + b * law::energy_values * lanes);
   return failed == 0 ? -1 : batch.element[__builtin_ctz(failed)];
 }
 
@@ -334,7 +345,8 @@ Index Cloth::evaluate_and_sum(const law::Step& step, double* aside, Forces& forc
     std::vector<std::uint32_t> later;
     for (Index i = from; i < to; ++i) {
       if (i + 1 < to) fetch(batches_[order_[i + 1]], aside);
-      failed = std::max(failed, evaluate(order_[i], step, aside, nullptr));
+      const Index b = order_[i];
+      failed = std::max(failed, evaluate(b, step, aside == nullptr ? nullptr : aside + batches_[b].law, {}));
       for (auto k = first_finished_[i]; k < first_finished_[i + 1]; ++k) {
         const auto n = finished_[k];
         if (static_cast<Index>(begun_[n]) < from)
@@ -369,6 +381,7 @@ Outcome Cloth::add_forces(const law::Step& step, const Trial&, Forces& forces) {
   double* aside = states_.evaluate().data();
   if (sums_expected_) sums_.resize(batches_.size() * law::energy_values * lanes);
   const Index failed = evaluate_and_sum(step, aside, forces);
+  evaluated_ = {configuration_.version(), step};
   sums_version_ = sums_expected_ ? configuration_.version() : 0;
   return outcome(failed);
 }
@@ -379,19 +392,36 @@ void Cloth::commit() {
   sums_version_ = sums_version_ + 1 == configuration_.version() ? configuration_.version() : 0;
 }
 
+namespace {
+bool same(const law::Step& a, const law::Step& b) { return a.t0 == b.t0 && a.dt == b.dt && a.at == b.at; }
+}  // namespace
+
+// Where the forces of this configuration and step were the last computed, their trial states stay, and those
+// of the tangent, which are the same, go into a buffer that does not leave the cache.
 Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
                                 const Stiffness::Target& to) {
-  double* aside = states_.evaluate().data();
+  const bool kept = !law_only && !states_.in_place() && evaluated_.version == configuration_.version() &&
+                    same(evaluated_.step, step);
+  double* const aside = kept ? nullptr : states_.evaluate().data();
+  if (!kept) evaluated_ = {};
   Index failed = -1;
   for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
-#pragma omp parallel for schedule(static) \
-    reduction(max                         \
-              : failed) if (colour_start_[c + 1] - colour_start_[c] >= few_batches)
-    for (Index b = colour_start_[c]; b < colour_start_[c + 1]; ++b) {
-      alignas(64) double k[element::shell4_dofs * element::shell4_dofs * lanes];
-      stiffness.fetch(b, to);
-      failed = std::max(failed, evaluate(b, step, aside, k, law_only));
-      stiffness.scatter(b, k, to);
+    const Index from = colour_start_[c], to_end = colour_start_[c + 1];
+#pragma omp parallel reduction(max : failed) if (to_end - from >= few_batches)
+    {
+      LineVector buffer(kept ? most_states_ : 0);
+#pragma omp for schedule(static)
+      for (Index b = from; b < to_end; ++b) {
+        alignas(64) double k[element::shell4_dofs * element::shell4_dofs * lanes];
+        stiffness.fetch(b, to);
+        if (b + 1 < to_end) {
+          fetch(batches_[b + 1], aside);
+          fetch_nodes(batches_[b + 1]);
+        }
+        double* const trial = kept ? buffer.data() : aside == nullptr ? nullptr : aside + batches_[b].law;
+        failed = std::max(failed, evaluate(b, step, trial, {k, law_only, kept, stiffness.wanted(b)}));
+        stiffness.scatter(b, k, to);
+      }
     }
   }
   return outcome(failed);

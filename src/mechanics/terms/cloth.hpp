@@ -108,6 +108,7 @@ class Cloth final : public Term {
   Index evaluate_and_sum(const law::Step& step, double* aside, Forces& forces);
   void sum_node(Index node, Forces& forces) const;
   void fetch(const Batch& batch, const double* trial) const;
+  void fetch_nodes(const Batch& batch) const;
   void gather(const Batch& batch, double* x, double* d, double* b) const;
   // Energies (J) of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft
   // and shear, created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
@@ -115,7 +116,15 @@ class Cloth final : public Term {
                       double* sum) const;
   std::vector<double> all_batch_energies() const;
   Outcome outcome(Index failed);  // for the element that failed, -1: none
-  Index evaluate(Index batch, const law::Step& step, double* aside, double* K, bool law_only = false);
+  // A tangent that is asked for beside the forces; K null: none. law_only: B^T C B alone. wanted: see
+  // ShellBatch.
+  struct TangentOf {
+    double* K = nullptr;
+    bool law_only = false;
+    bool known = false;  // the trial states are those of the last forces
+    unsigned wanted = 0xffff;
+  };
+  Index evaluate(Index batch, const law::Step& step, double* trial, const TangentOf& tangent);
 
   // A point through the thickness whose card states a tested range.
   struct TestedPoint {
@@ -125,7 +134,7 @@ class Cloth final : public Term {
   };
   void find_tested();
   const std::vector<TestedPoint>& tested(const Batch& batch) const;
-  double share_of(const Batch& batch, const double* law) const;
+  double share_of(const Batch& batch, const double* states) const;  // states: of this batch
   Strained most_strained_of(const Batch& batch, int first_lane, int last_lane) const;
 
   const model::Model& model_;
@@ -138,6 +147,12 @@ class Cloth final : public Term {
   std::vector<Place> place_;         // per element
   GeometryStore geometry_;
   LawStates states_;
+  std::size_t most_states_ = 0;  // numbers of a batch
+  // The configuration and step of the last forces, whose trial states are stored; version 0: none.
+  struct Evaluated {
+    std::uint64_t version = 0;
+    law::Step step;
+  } evaluated_;
   // The forces of the elements as the kernels write them, and the location of each node's forces therein: the
   // entries of node n are [first_slot_[n], first_slot_[n + 1]), and its three components are `lanes` apart.
   struct ForceSlot {

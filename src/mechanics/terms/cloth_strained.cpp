@@ -32,12 +32,12 @@ const std::vector<Cloth::TestedPoint>& Cloth::tested(const Batch& batch) const {
   return tested_[static_cast<std::size_t>(batch.section - model_.sections().data())];
 }
 
-double Cloth::share_of(const Batch& batch, const double* law) const {
+double Cloth::share_of(const Batch& batch, const double* states) const {
   alignas(64) double share[lanes] = {};
   const long stride = static_cast<long>(batch.section->state_size) * lanes;
   for (const TestedPoint& point : tested(batch))
-    shares_(*point.law, point.inverse.data(), law + batch.law + static_cast<long>(point.state) * lanes,
-            stride, batch.kind->in_plane, share);
+    shares_(*point.law, point.inverse.data(), states + static_cast<long>(point.state) * lanes, stride,
+            batch.kind->in_plane, share);
   return *std::max_element(share, share + lanes);  // empty lanes repeat an element
 }
 
