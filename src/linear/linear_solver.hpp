@@ -50,8 +50,8 @@ class LinearSolver {
 // for large ones, as measured with tests/bench/bench_solver.cpp.
 enum class Ordering { automatic, amd, metis };
 
-// UMFPACK with the symmetric-pattern strategy, for matrices with unsymmetric values (of a pattern that keeps the
-// upper triangle it makes both). BLAS uses one thread.
+// UMFPACK with the symmetric-pattern strategy, for matrices with unsymmetric values (of a pattern that keeps
+// the upper triangle it makes both). BLAS uses one thread.
 std::unique_ptr<LinearSolver> make_unsymmetric_solver(Ordering ordering = Ordering::automatic);
 
 // Supernodal Cholesky (CHOLMOD), which reads the upper triangle only. A matrix that

@@ -356,7 +356,8 @@ double Dofs::rounding_floor(const linear::Matrix& K) const {
     for (const Index entry : diagonal_[turning])
       stiffest[turning] = std::max(stiffest[turning], std::abs(K.value[entry]));
   for (const double x : std::as_const(configuration_).x()) farthest = std::max(farthest, std::abs(x));
-  return 16 * std::numeric_limits<double>::epsilon() * std::max(farthest * stiffest[0], stiffest[1] / length_);
+  return 16 * std::numeric_limits<double>::epsilon() *
+         std::max(farthest * stiffest[0], stiffest[1] / length_);
 }
 
 }  // namespace fabricsh::mechanics
