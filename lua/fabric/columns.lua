@@ -219,6 +219,7 @@ define {
 local function cell(value)
   if math.type(value) == "integer" then return tostring(value) end
   if type(value) == "number" then return ("%.6g"):format(value) end
+  if type(value) == "table" then return #value > 0 and ("<list of %d>"):format(#value) or "<table>" end
   return value == nil and "" or tostring(value)
 end
 

@@ -9,12 +9,15 @@ local rooms = {
   { "cloth", "^fabric%.woven$", "^fabric%.svk$", "^fabric%.linear$", "^fabric%.cards?$", "^card[:.]" },
   { "one point of cloth", "^fabric%.point$", "^point[:.]" },
   { "meshes", "^fabric%.mesh%.", "^mesh[:.]" },
+  { "rigid bodies that cloth touches", "^fabric%.rigid%." },
   { "models", "^fabric%.model$", "^model[:.]", "^fabric%.history$", "^fabric%.ramp$", "^history[:.]" },
   { "runs", "^fabric%.static$", "^fabric%.dynamic$", "^analysis[:.]" },
   { "virtual tests", "^fabric%.lab%.uniaxial$", "^fabric%.lab%.bias", "^fabric%.lab%.shear$", "^fabric%.lab%.biaxial$",
-    "^fabric%.lab%.drape$", "^fabric%.lab%.poke$", "^fabric%.lab%.mesh_error$" },
+    "^fabric%.lab%.drape$", "^fabric%.lab%.poke$", "^fabric%.lab%.mesh_error$", "^fabric%.lab%.ball_drop$", "^fabric%.lab%.capstan$", "^fabric%.lab%.cusick$",
+    "^fabric%.lab%.cantilever$", "^fabric%.lab%.heart_loop$" },
   { "laboratory: from measurement to card", "^fabric%.lab%." },
-  { "pictures and files", "^fabric%.plot$", "^fabric%.render$", "^fabric%.table$", "^fabric%.folder$" },
+  { "pictures, tables and files", "^fabric%.plot$", "^fabric%.render$", "^fabric%.table$", "^fabric%.folder$", "^fabric%.columns$", "^fabric%.show$", "^fabric%.write$" },
+  { "to and from other programs", "^fabric%.export%.", "^fabric%.import%." },
   { "the rest", "" },
 }
 

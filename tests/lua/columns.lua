@@ -49,6 +49,7 @@ local lines, print_ = {}, print
 print = function(text) lines[#lines + 1] = text end -- luacheck: ignore
 fabric.show(rows, { rows = 4, columns = { "S", "E" } })
 fabric.show { { name = "blend", E = 1 }, { name = "duck" } }
+fabric.show { { E = 1, list = { 4, 5 } } }
 print = print_ -- luacheck: ignore
 assert(table.concat(lines, "\n") == [[
      S    E
@@ -59,7 +60,9 @@ assert(table.concat(lines, "\n") == [[
      1    1
   E   name
   1  blend
-      duck]], table.concat(lines, "\n"))
+      duck
+  E         list
+  1  <list of 2>]], table.concat(lines, "\n"))
 
 -- what cannot be
 local function refused(words, call)
