@@ -4,7 +4,6 @@
 --
 -- The warp of the blend is pulled to 75 % of 18 mm, let back to 70 %, pulled to 100 %, let go until slack and beyond.
 local fabric = require "fabric"
-local MPa = fabric.units.MPa
 local folder = arg[1] or "out/law"
 
 local card = fabric.card "blend"
