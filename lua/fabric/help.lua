@@ -228,6 +228,19 @@ local function result_fields(words)
   return lines
 end
 
+-- A unit of fabric.units by its name, or all of them.
+local function units(word)
+  local known = require("fabric").units
+  if type(known[word]) == "number" then return { ("%s: a unit, %.10g in SI; fabric.units.%s"):format(word, known[word], word) } end
+  if word ~= "unit" and word ~= "units" then return {} end
+  local names = {}
+  for name, size in pairs(known) do
+    if type(name) == "string" and type(size) == "number" then names[#names + 1] = name end
+  end
+  table.sort(names)
+  return { "fabric.units: " .. table.concat(names, " "), "  Numbers to multiply by: 25.4*mm is a length in m." }
+end
+
 -- Rows that contain the words as a phrase, or otherwise each of the words.
 local function speaking(rows, words)
   local found = {}
@@ -250,8 +263,8 @@ local function search(word)
   local lines, found = {}, below(rows, word)
   if #found == 0 then found = speaking(rows, word:lower()) end
   local fields, manual = result_fields(word), pages(word:lower())
-  if #found == 0 and #fields == 0 and #manual == 0 then return nothing(rows, word) end
-  table.move(fields, 1, #fields, #lines + 1, lines)
+  table.move(fields, 1, #fields, 1 + #table.move(units(word), 1, 2, 1, lines), lines)
+  if #found == 0 and #lines == 0 and #manual == 0 then return nothing(rows, word) end
   grouped(found, lines)
   table.move(manual, 1, #manual, #lines + 1, lines)
   return lines
