@@ -107,7 +107,7 @@ end
 local function units_of(t, notes)
   local said, where = read.units(t.file)
   if not t.units then
-    if not said then notes[#notes + 1] = "units: the file states none; mm-t-s (mm, t, s, N, MPa) was taken, units= gives others" end
+    if not said then notes[#notes + 1] = "units: the file states none (in a comment 'Units: ... (mm-t-s)' or in /BEGIN); mm, t, s, N, MPa were taken, units= gives others" end
     return said or units.of "mm-t-s"
   end
   if said and said.name ~= t.units then
