@@ -53,6 +53,7 @@ for unit, newton in pairs { ["daN/5cm"] = 200, ["daN/5 cm"] = 200, ["N/5 cm"] = 
   ["mN/mm"] = 1, ["cN/cm"] = 1, ["gf/cm"] = 0.980665 } do
   close(read(("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit), { width = 0.5 }).force[2] / newton, 50, 1e-12)
 end
+fails("expected the unit of the force (one of N, cN, daN, gf, kN, kgf, lbf, mN, ozf; per width N/50mm,", read, "Extension (mm),Force (cN/tex)\n0,0\n2,100\n4,210\n")
 fails("a strain but no displacement: expected field 'gauge_length' in m", read, "Dehnung (%),Kraft (N)\n0,0\n2,100\n4,210\n")
 fails("column 'Load' is a force per width: expected field 'width' of the specimen in m", read, "Extension (mm),Load (N/mm)\n0,0\n2,100\n4,210\n")
 -- the extension in mm is the displacement, the one in per cent the strain
