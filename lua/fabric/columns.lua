@@ -7,20 +7,35 @@ local column_kind, curve_kind = { __name = "fabric.column" }, { __name = "fabric
 
 local function column(values) return setmetatable(values, column_kind) end
 
+-- A value in a message.
+local function told(value) return type(value) == "string" and "'" .. value .. "'" or tostring(value) end
+
+-- Methods are called with a colon; c.S.max() and c.max("S") have no column or curve of their own.
+local function with_colon(name, method)
+  local kind, rest = name:match "^(%a+):(.*)"
+  return function(self, ...)
+    if getmetatable(self) ~= "fabric." .. kind then
+      fail(("%s: expected a %s in front of a colon, as in %s:%s, got %s"):format(name, kind, kind == "curve" and "c" or "c.S",
+        kind == "curve" and rest .. "('S')" or rest .. "()", self == nil and "none" or type(self)))
+    end
+    return method(self, ...)
+  end
+end
+
 -- The operand for each row: a number is the same for all, a list has one value per row.
 local function operand(value, count, sign)
   if type(value) == "number" then return function() return value end end
   if type(value) ~= "table" then fail(("column %s: expected a number or a list of numbers, got %s"):format(sign, type(value))) end
   if #value ~= count then fail(("column %s: expected lists of equal length, got %d and %d numbers"):format(sign, count, #value)) end
   return function(i)
-    if type(value[i]) ~= "number" then fail(("column %s: expected numbers, got %s at place %d"):format(sign, tostring(value[i]), i)) end
+    if type(value[i]) ~= "number" then fail(("column %s: expected numbers, got %s at place %d"):format(sign, told(value[i]), i)) end
     return value[i]
   end
 end
 
 local function operator(sign, calculate)
   return function(a, b)
-    local count = type(a) == "table" and #a or #b
+    local count = #(type(a) == "table" and a or b)
     local left, right, out = operand(a, count, sign), operand(b, count, sign), {}
     for i = 1, count do out[i] = calculate(left(i), right(i)) end
     return column(out)
@@ -36,10 +51,16 @@ column_kind.__div = operator("/", function(a, b) return a / b end)
 column_kind.__pow = operator("^", function(a, b) return a ^ b end)
 function column_kind.__unm(a) return a * -1 end
 
+local function number_at(values, i, name)
+  if type(values[i]) ~= "number" then fail(("%s: expected numbers, got %s at place %d"):format(name, told(values[i]), i)) end
+  return values[i]
+end
+
 -- The first extreme value and its index; gaps (nan) are skipped.
 local function extreme(values, better, name)
   local best, place
-  for i, value in ipairs(values) do
+  for i in ipairs(values) do
+    local value = number_at(values, i, name)
     if value == value and (not best or better(value, best)) then best, place = value, i end
   end
   if not best then fail(name .. ": expected at least one number, the column has none") end
@@ -49,15 +70,17 @@ end
 function Column:max() return extreme(self, function(a, b) return a > b end, "column:max") end
 function Column:min() return extreme(self, function(a, b) return a < b end, "column:min") end
 
-function Column:sum()
+local function sum(values, name)
   local total = 0
-  for _, value in ipairs(self) do total = total + value end
+  for i in ipairs(values) do total = total + number_at(values, i, name) end
   return total
 end
 
+function Column:sum() return sum(self, "column:sum") end
+
 function Column:mean()
   if #self == 0 then fail "column:mean: expected at least one number, the column has none" end
-  return self:sum() / #self
+  return sum(self, "column:mean") / #self
 end
 
 function Column:map(change)
@@ -77,12 +100,15 @@ local function names_of(rows)
 end
 
 local function named(rows, name)
+  if type(name) ~= "string" then
+    fail(("columns: expected the name of a column, got %s; the columns are %s"):format(tostring(name), table.concat(names_of(rows), ", ")))
+  end
   local out = {}
   for i = 1, #rows do
     local value = rawget(rows[i], name)
     if type(value) ~= "number" then
       fail(("columns: expected a number %s in each row, row %d of %d has %s; the columns are %s"):format(tostring(name), i, #rows,
-        value == nil and "none" or tostring(value), table.concat(names_of(rows), ", ")))
+        value == nil and "none" or told(value), table.concat(names_of(rows), ", ")))
     end
     out[i] = value
   end
@@ -99,7 +125,7 @@ function Curve:map(change)
   return column(out)
 end
 
--- y where x first passes the value, by linear interpolation between two rows; nil if it never does.
+-- y where x first passes the value, by linear interpolation between two rows; nil and a sentence that says why if it never does.
 function Curve:interpolate(y, x, value)
   if type(value) ~= "number" then
     fail(("curve:interpolate: expected two names and a number, as in curve:interpolate('S', 'E', 0.1), got %s"):format(tostring(value)))
@@ -112,6 +138,8 @@ function Curve:interpolate(y, x, value)
       return ys[i - 1] + (ys[i] - ys[i - 1]) * (value - before) / (xs[i] - before)
     end
   end
+  if #xs == 0 then return nil, "the curve has no rows" end
+  return nil, ("%s is nowhere %.6g, it goes from %.6g to %.6g"):format(x, value, xs:min(), (xs:max()))
 end
 
 function Curve:max(name)
@@ -122,6 +150,10 @@ end
 function Curve:min(name)
   local value, place = named(self, name):min()
   return value, self[place]
+end
+
+for kind, methods in pairs { column = Column, curve = Curve } do
+  for name, method in pairs(methods) do methods[name] = with_colon(kind .. ":" .. name, method) end
 end
 
 -- curve.S is a column; a column with the name of a method is available by curve:column.
@@ -177,7 +209,8 @@ define {
   positional = true,
   arguments = { { name = "rows", kind = "table", sentence = "of a test, a record, or a fabric.table; or lists of equal length with names" } },
   sentence = "Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), "
-    .. ":map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1, curve:map(f) a column of f(row).",
+    .. ":map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), "
+    .. "curve:map(f) a column of f(row).",
   example = "local c = require 'fabric'.columns{ E={0, 0.1, 0.2}, S={0, 1e6, 3e6} }\n"
     .. "assert((c.S / 1e6):max() == 3 and math.abs(c:interpolate('S', 'E', 0.15) - 2e6) < 1)",
   run = columns_of,
@@ -186,6 +219,7 @@ define {
 local function cell(value)
   if math.type(value) == "integer" then return tostring(value) end
   if type(value) == "number" then return ("%.6g"):format(value) end
+  if type(value) == "table" then return #value > 0 and ("<list of %d>"):format(#value) or "<table>" end
   return value == nil and "" or tostring(value)
 end
 

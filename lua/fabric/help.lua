@@ -9,12 +9,15 @@ local rooms = {
   { "cloth", "^fabric%.woven$", "^fabric%.svk$", "^fabric%.linear$", "^fabric%.cards?$", "^card[:.]" },
   { "one point of cloth", "^fabric%.point$", "^point[:.]" },
   { "meshes", "^fabric%.mesh%.", "^mesh[:.]" },
+  { "rigid bodies that cloth touches", "^fabric%.rigid%." },
   { "models", "^fabric%.model$", "^model[:.]", "^fabric%.history$", "^fabric%.ramp$", "^history[:.]" },
   { "runs", "^fabric%.static$", "^fabric%.dynamic$", "^analysis[:.]" },
   { "virtual tests", "^fabric%.lab%.uniaxial$", "^fabric%.lab%.bias", "^fabric%.lab%.shear$", "^fabric%.lab%.biaxial$",
-    "^fabric%.lab%.drape$", "^fabric%.lab%.poke$", "^fabric%.lab%.mesh_error$" },
+    "^fabric%.lab%.drape$", "^fabric%.lab%.poke$", "^fabric%.lab%.mesh_error$", "^fabric%.lab%.ball_drop$", "^fabric%.lab%.capstan$", "^fabric%.lab%.cusick$",
+    "^fabric%.lab%.cantilever$", "^fabric%.lab%.heart_loop$" },
   { "laboratory: from measurement to card", "^fabric%.lab%." },
-  { "pictures and files", "^fabric%.plot$", "^fabric%.render$", "^fabric%.table$", "^fabric%.folder$" },
+  { "pictures, tables and files", "^fabric%.plot$", "^fabric%.render$", "^fabric%.table$", "^fabric%.folder$", "^fabric%.columns$", "^fabric%.show$", "^fabric%.write$" },
+  { "to and from other programs", "^fabric%.export%.", "^fabric%.import%." },
   { "the rest", "" },
 }
 
@@ -225,6 +228,19 @@ local function result_fields(words)
   return lines
 end
 
+-- A unit of fabric.units by its name, or all of them.
+local function units(word)
+  local known = require("fabric").units
+  if type(known[word]) == "number" then return { ("%s: a unit, %.10g in SI; fabric.units.%s"):format(word, known[word], word) } end
+  if word ~= "unit" and word ~= "units" then return {} end
+  local names = {}
+  for name, size in pairs(known) do
+    if type(name) == "string" and type(size) == "number" then names[#names + 1] = name end
+  end
+  table.sort(names)
+  return { "fabric.units: " .. table.concat(names, " "), "  Numbers to multiply by: 25.4*mm is a length in m." }
+end
+
 -- Rows that contain the words as a phrase, or otherwise each of the words.
 local function speaking(rows, words)
   local found = {}
@@ -247,8 +263,8 @@ local function search(word)
   local lines, found = {}, below(rows, word)
   if #found == 0 then found = speaking(rows, word:lower()) end
   local fields, manual = result_fields(word), pages(word:lower())
-  if #found == 0 and #fields == 0 and #manual == 0 then return nothing(rows, word) end
-  table.move(fields, 1, #fields, #lines + 1, lines)
+  table.move(fields, 1, #fields, 1 + #table.move(units(word), 1, 2, 1, lines), lines)
+  if #found == 0 and #lines == 0 and #manual == 0 then return nothing(rows, word) end
   grouped(found, lines)
   table.move(manual, 1, #manual, #lines + 1, lines)
   return lines

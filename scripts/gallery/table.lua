@@ -18,5 +18,5 @@ for _, i in ipairs(mesh:set "outer") do
   low, high = math.min(low, z), math.max(high, z)
 end
 print(("the rim hangs %.0f to %.0f mm down"):format(-high * 1e3, -low * 1e3))
-fabric.render { file = out .. "/table.png", run = run, field = "uz", view = { 30, 30 }, size = { 85 * mm, 60 * mm }, dpi = 200, axes = false }
+fabric.render { file = out .. "/table.png", run = run, field = "uz", view = { 30, 30 }, size = { 85 * mm, 60 * mm }, dpi = 200 }
 fabric.expect { { "the rim hangs lower than half the overhang, no lower than all of it (1: yes)", low < -0.03 and low >= -0.06 and 1 or 0, 1, absolute = 0 } }

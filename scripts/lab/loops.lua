@@ -92,21 +92,19 @@ made:write(folder .. "/looped.lua")
 local read = fabric.card(folder .. "/looped.lua")
 
 -- The second cycle of the second record.
-local c, shown = other.curves[1], { E = {}, S = {}, straight = {}, curved = {} }
+local c, shown = other.curves[1], {}
 for i, e in ipairs(c.E) do
-  if e > 0.08 then
-    shown.E[#shown.E + 1] = e
-    for _, name in ipairs { "S", "straight", "curved" } do shown[name][#shown.E] = c[name][i] / MPa end
-  end
+  if e > 0.08 then shown[#shown + 1] = { E = e, S = c.S[i], straight = c.straight[i], curved = c.curved[i] } end
 end
 fabric.plot {
   file = folder .. "/lab_loops.svg",
   xlabel = "Green-Lagrange strain E11",
-  ylabel = "second Piola-Kirchhoff stress S11, MPa",
+  ylabel = "second Piola-Kirchhoff stress S11",
+  yunit = "MPa",
   curves = {
-    { x = shown.E, y = shown.S, label = "record" },
-    { x = shown.E, y = shown.straight, label = "straight law", style = "dashed" },
-    { x = shown.E, y = shown.curved, label = "curved loop" },
+    { rows = shown, x = "E", y = "S", label = "record" },
+    { rows = shown, x = "E", y = "straight", label = "straight law", colour = "grey" },
+    { rows = shown, x = "E", y = "curved", label = "curved loop" },
   },
 }
 

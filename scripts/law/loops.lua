@@ -29,19 +29,14 @@ end
 local function walk(of, n) return fabric.point(of):uniaxial("warp", path(n)) end
 local fine, coarse, line = walk(card, 150), walk(card, 1), walk(straight, 150)
 
-local function columns(run)
-  local out = { x = { 0 }, y = { 0 } }
-  for i, r in ipairs(run) do out.x[i + 1], out.y[i + 1] = r.E, r.S / MPa end
-  return out
-end
-local curved, plain = columns(fine), columns(line)
 fabric.plot {
   file = folder .. "/law_loops.svg",
   xlabel = "Green-Lagrange strain E11",
-  ylabel = "second Piola-Kirchhoff stress S11, MPa",
+  ylabel = "second Piola-Kirchhoff stress S11",
+  yunit = "MPa",
   curves = {
-    { x = curved.x, y = curved.y, label = "curved loop" },
-    { x = plain.x, y = plain.y, label = "straight law", style = "dashed" },
+    { rows = line, x = "E", y = "S", label = "straight law", colour = "grey" },
+    { rows = fine, x = "E", y = "S", label = "curved loop" },
   },
 }
 

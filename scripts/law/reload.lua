@@ -4,7 +4,6 @@
 --
 -- The warp of the blend is pulled to 75 % of 18 mm, let back to 70 %, pulled to 100 %, let go until slack and beyond.
 local fabric = require "fabric"
-local MPa = fabric.units.MPa
 local folder = arg[1] or "out/law"
 
 local card = fabric.card "blend"
@@ -31,17 +30,16 @@ end
 local fine = fabric.point(card):uniaxial("warp", path(1000))
 local coarse = fabric.point(card):uniaxial("warp", path(1))
 
-local curve = { E = { 0 }, S = { 0 } }
-for i, r in ipairs(fine) do curve.E[i + 1], curve.S[i + 1] = r.E, r.S / MPa end
-local backbone = { E = {}, S = {} }
-for i = 0, 100 do backbone.E[i + 1], backbone.S[i + 1] = top * i / 100, P(top * i / 100) / MPa end
+local backbone = {}
+for i = 0, 100 do backbone[i + 1] = { E = top * i / 100, S = P(top * i / 100) } end
 fabric.plot {
   file = folder .. "/law_reload.svg",
   xlabel = "Green-Lagrange strain E11",
-  ylabel = "second Piola-Kirchhoff stress S11, MPa",
+  ylabel = "second Piola-Kirchhoff stress S11",
+  yunit = "MPa",
   curves = {
-    { x = curve.E, y = curve.S, label = "law" },
-    { x = backbone.E, y = backbone.S, label = "P(E) of the card", style = "dashed" },
+    { rows = fine, x = "E", y = "S", label = "law" },
+    { rows = backbone, x = "E", y = "S", label = "P(E) of the card", style = "dashed" },
   },
 }
 

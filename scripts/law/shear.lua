@@ -35,18 +35,25 @@ fabric.plot {
   file = folder .. "/law_shear.svg",
   xlabel = "shear strain E12 (tensor)",
   ylabel = "shear stress S12, MPa",
-  curves = { { x = cycle.x, y = cycle.y, label = "0.2, -0.2, 0.25, 0" } },
+  curves = { { x = cycle.x, y = cycle.y, label = "E12 to 0.2, -0.2, 0.25, 0" } },
 }
 
 -- Reloading from just before and just after zero stress.
 local rest = 0.2 - Pg(0.4) / Gu / 2 -- E12 at which the stress has come back to zero
 local fading = card:with { shear = { memory = "fading" } }
 local curves, reached = {}, {}
+local function every(n, list)
+  local out = {}
+  for i = 1, #list, n do out[#out + 1] = list[i] end
+  return out
+end
 for _, case in ipairs { { "printed", card }, { "fading", fading } } do
   for _, where in ipairs { { "before", 0.002, "line" }, { "after", -0.002, "dashed" } } do
     local run, at = drive(case[2], { 0.2, rest + where[2], 0.25 }, 200)
-    run.label, run.style = ("%s, turned just %s zero"):format(case[1], where[1]), where[3]
-    curves[#curves + 1], reached[#reached + 1] = run, at[3].S12
+    reached[#reached + 1] = at[3].S12
+    if case[2] == fading then run = { x = every(30, run.x), y = every(30, run.y) } end -- points on the lines of the printed memory
+    run.label, run.style = ("%s, turned just %s zero"):format(case[1], where[1]), case[2] == fading and "points" or where[3]
+    curves[#curves + 1] = run
   end
 end
 fabric.plot {

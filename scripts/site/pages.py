@@ -1,5 +1,9 @@
-"""What the pages of share/doc need of Sphinx: formulas in plain letters, sessions at the prompt, and KaTeX."""
+"""What the pages of share/doc need of Sphinx: formulas in plain letters, sessions at the prompt, KaTeX, pictures in their size on paper, and
+links that show the title of a page in the place of its file's name."""
+import os
+import pathlib
 import re
+import struct
 
 import pygments.lexer
 import pygments.lexers
@@ -32,6 +36,48 @@ def formulas(app, page, text):
                      flags=re.M | re.S)
 
 
+def titles(app, page, text):
+    """[howto/plot.md](howto/plot.md) is right where files are read; on a site the link shows the title of that page."""
+    def titled(match):
+        shown, target = match.groups()
+        a_file = (shown.endswith(".md") or "/" in shown) and target.partition("#")[0].removesuffix(".md").endswith(shown.removesuffix(".md"))
+        return f"[]({target})" if a_file else match.group()
+
+    text[0] = re.sub(r"\[((?:[\w-]+/)*[\w-]+(?:\.md)?)\]\(((?:[\w.-]+/)*[\w-]+\.md(?:#[\w-]+)?)\)", titled, text[0])
+
+
+PER_MM = {"mm": 1, "cm": 10, "in": 25.4, "pt": 25.4 / 72, "px": 25.4 / 96, "": 25.4 / 96}
+
+
+def width_on_paper(path):
+    """mm: of an SVG its width, of a PNG the width at the resolution that it states, or at 200 pixels per inch. None: another kind of file."""
+    if path.suffix == ".svg":
+        found = re.search(r"<svg[^>]*?\bwidth=[\"']([\d.]+)([a-z]*)[\"']", path.read_text(), re.S)
+        return float(found.group(1)) * PER_MM[found.group(2)] if found else None
+    if path.suffix != ".png":
+        return None
+    data, at, across, each = path.read_bytes(), 8, 0, 25.4 / 200
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        if kind == b"IHDR":
+            across, = struct.unpack(">I", data[at + 8:at + 12])
+        if kind == b"pHYs" and data[at + 16] == 1:
+            each = 1000 / struct.unpack(">I", data[at + 8:at + 12])[0]
+        if kind == b"IDAT":
+            break
+        at += size + 12
+    return across * each
+
+
+def sizes(app, doctree):
+    """Pictures are drawn for paper: the manual shows them in that size, a screen half as large again, so that their letters are those of the text."""
+    by = 1 if os.environ.get("FABRICSH_SITE_MANUAL") else 1.5
+    for image in doctree.findall(nodes.image):
+        width = width_on_paper(pathlib.Path(app.srcdir) / image["uri"]) if "width" not in image else None
+        if width:
+            image["width"] = f"{round(by * width * 96 / 25.4)}px"
+
+
 def inline(self, node):
     self.body.append(self.starttag(node, "span", "", CLASS="math"))
     self.body.append(self.encode(node.astext()) + "</span>")
@@ -48,4 +94,6 @@ def setup(app):
     app.add_lexer("fabricsh", SessionLexer)
     app.add_html_math_renderer("katex", (inline, None), (block, None))
     app.connect("source-read", formulas)
+    app.connect("source-read", titles)
+    app.connect("doctree-read", sizes)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

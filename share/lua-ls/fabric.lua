@@ -274,7 +274,7 @@ function fabric.cards() end
 ---@return boolean
 function fabric.checking() end
 
----Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), :map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1, curve:map(f) a column of f(row).
+---Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), :map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), curve:map(f) a column of f(row).
 ---@param rows table of a test, a record, or a fabric.table; or lists of equal length with names
 ---@return any
 function fabric.columns(rows) end
@@ -389,7 +389,7 @@ function fabric.history(points) end
 ---@class fabric_import_card_fields
 ---@field file string a starter deck with LAW58, or an Abaqus deck with *FABRIC test data
 ---@field from? "openradioss"|"abaqus" default: by the file's ending, .rad or .inp
----@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the file is written in (default "mm-t-s")
+---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the file is written in; default: those that it states in a comment 'Units: ... (mm-t-s)' or in /BEGIN, else mm-t-s
 ---@field name? string of the card; default: the material's
 ---@field thickness? number m: default: that of a section in the file
 ---@field density? number kg/m^3: default: the file's
@@ -1547,7 +1547,7 @@ function fabric.model(fields) end
 ---@field title? string above the axes
 ---@field xlabel? string what x is
 ---@field ylabel? string what y is
----@field xunit? string of fabric.units, or %: x is SI and shown in it, behind the label
+---@field xunit? string of fabric.units, a quotient of two (N/mm, N/5cm), or %: x is SI and shown in it, behind the label
 ---@field yunit? string likewise
 ---@field xrange? number[] {low, high} shown, in SI; default: all
 ---@field yrange? number[] {low, high} shown, in SI; default: all

@@ -26,7 +26,8 @@ import zlib
 import numpy
 
 __all__ = ["CardFile", "Curve", "DeckError", "Error", "Frame", "Interrupted", "NumericalFailure", "Result", "Series", "UsageError",
-           "find_program", "read_card", "read_record", "read_run", "read_series", "run", "run_text", "runs_frame"]
+           "find_program", "read_card", "read_record", "read_run", "read_series", "read_test", "run", "run_text",
+           "runs_frame"]
 
 
 class Error(Exception):
@@ -161,7 +162,10 @@ def read_record(path):
     """A CSV file of run:record or of a virtual test: a Curve. Headings are `name (unit)`, empty cells nan."""
     with open(path, newline="", encoding="utf-8") as file:
         rows = csv.reader(file)
-        heading = next(rows, None)
+        try:
+            heading = next(rows, None)
+        except UnicodeDecodeError:
+            raise ValueError(f"{path}: not written by fabricsh (its letters are not UTF-8); read_test reads the files of testing machines") from None
         if not heading:
             raise ValueError(f"{path}: no heading")
         split = [re.fullmatch(r"(.*?)(?: \(([^()]*)\))?", text) for text in heading]
@@ -377,6 +381,46 @@ for i = 4, #arg do at[#at + 1] = tonumber(arg[i]) end
 local r = fabric.point(fabric.card(arg[2])):uniaxial(angle, at, { "E", "S", "E_lateral" })
 for i = 1, #at do print(("%.17g %.17g %.17g"):format(r.E[i], r.S[i], r.E_lateral[i])) end
 """
+
+
+_TEST = """
+local fabric = require "fabric"
+local t = { file = arg[2] }
+for i = 3, #arg do
+  local name, part, value = arg[i]:match "^([%a_]+)%.?([%a_]*)=(.*)$"
+  if part ~= "" then
+    t[name] = t[name] or {}
+    t[name][part] = name == "columns" and tonumber(value) or value
+  else
+    t[name] = (name == "gauge_length" or name == "width") and tonumber(value) or value
+  end
+end
+local r = fabric.lab.read(t)
+local names = {}
+for _, name in ipairs { "time", "displacement", "strain", "force" } do if r[name] then names[#names + 1] = name end end
+print(table.concat(names, " "))
+for i = 1, #r[names[1]] do
+  local cells = {}
+  for k, name in ipairs(names) do cells[k] = ("%.17g"):format(r[name][i]) end
+  print(table.concat(cells, " "))
+end
+"""
+
+
+def read_test(path, *, program=None, cwd=None, **options):
+    """The record of a testing machine, in whatever language, units and encoding, as fabric.lab.read reads it: a Curve in SI with displacement, force,
+    and time and strain where the file has them. options: its fields, such as units={"force": "daN"}, columns={"force": 3}, gauge_length=0.2 (m),
+    width=0.05 (m), decimal=",", separator=";"."""
+    arguments = []
+    for name, value in options.items():
+        if isinstance(value, dict):
+            arguments += [f"{name}.{part}={entry}" for part, entry in value.items()]
+        else:
+            arguments.append(f"{name}={value}")
+    names, *lines = _helper(_TEST, [str(path), *arguments], program, cwd).splitlines()
+    rows = numpy.array([line.split() for line in lines], dtype=float).reshape(-1, len(names.split()))
+    units = {"time": "s", "displacement": "m", "strain": "", "force": "N"}
+    return Curve({name: rows[:, k] for k, name in enumerate(names.split())}, {name: units[name] for name in names.split()})
 
 
 def _helper(text, arguments, program, cwd):

@@ -2,9 +2,11 @@
 
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
 #include "base/suggest.hpp"
+#include "system/paths.hpp"
 
 namespace fabricsh::app {
 
@@ -12,6 +14,7 @@ const char* const usage =
     "usage: fabricsh [options] [deck.lua [arguments]]\n"
     "  fabricsh                 an interactive session\n"
     "  fabricsh deck.lua a b    runs a deck; it sees its arguments in `arg`\n"
+    "  fabricsh scripts/...     a deck that came with the program is found from any folder\n"
     "options\n"
     "  -e 'chunk'    runs Lua text (the fields of fabric and fabric.units are globals there)\n"
     "  -i            interactive after the deck\n"
@@ -55,13 +58,22 @@ class Reader {
   }
 
  private:
+  // A deck that came with the program is found from any folder by its name in the manual:
+  // scripts/lab/characterise.lua.
+  static std::string found(const std::string& name) {
+    std::error_code trouble;
+    if (!name.starts_with("scripts/") || std::filesystem::exists(name, trouble)) return name;
+    const std::string own = data_file(name);
+    return own.empty() ? name : own;
+  }
+
   void take_deck(const std::string& name) {
     if (name.empty()) {  // for example from an unset variable of the shell
       c_.trouble = "the name of the deck is empty (- is standard input)";
       return;
     }
     c_.has_deck = true;
-    c_.deck = name == "-" ? "" : name;
+    c_.deck = name == "-" ? "" : found(name);
     c_.deck_place = at_;
     c_.arguments.assign(c_.line.begin() + static_cast<std::ptrdiff_t>(at_) + 1, c_.line.end());
   }

@@ -12,6 +12,7 @@
 #include "plot/layout.hpp"
 #include "plot/script.hpp"
 #include "plot/text.hpp"
+#include "plot/visible.hpp"
 #include "system/atomic.hpp"
 
 namespace fabricsh::plot {
@@ -83,7 +84,9 @@ std::vector<std::string> draw(const std::string& path, const Page& page) {
   if (ending == ".eps") drawn = finished_eps(std::move(drawn));
   if (ending == ".png") drawn = finished_png(drawn, page.paper.dpi);
   system::write_file(path, drawn, system::Sync::no);
-  return layout.warnings;
+  std::vector<std::string> warnings = layout.warnings;
+  for (std::string& words : left_out(page)) warnings.push_back(std::move(words));
+  return warnings;
 }
 
 std::vector<std::string> draw(const std::string& path, const Figure& figure) {

@@ -57,9 +57,9 @@ struct Page {
 };
 
 // Replaces the file; its extension determines the format. Texts are not interpreted as markup. Returns
-// warnings about texts that do not fit. Error: another extension, no curve, x and y of different lengths, a
-// curve without a drawable point, no point within the range, a page too small for its axes, or a failure of
-// gnuplot. NoGnuplot if it is not installed.
+// warnings about texts that do not fit and points that a logarithmic axis cannot show. Error: another
+// extension, no curve, x and y of different lengths, a curve without a drawable point, no point within the
+// range, a page too small for its axes, or a failure of gnuplot. NoGnuplot if it is not installed.
 std::vector<std::string> draw(const std::string& path, const Page& page);
 std::vector<std::string> draw(const std::string& path, const Figure& figure);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -83,6 +84,44 @@ Span visible_span(const Figure& f) {
     });
   if (s.x_low > s.x_high) throw Error("figure: no point of any curve lies inside the range asked for");
   return s;
+}
+
+namespace {
+
+// How many of the values a logarithmic axis cannot show; a gap (not finite) is none of them.
+std::size_t too_low(const Axis& axis, const std::vector<double>& values) {
+  if (!axis.logarithmic) return 0;
+  return static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v <= 0; }));
+}
+
+std::string left_out(const Figure& f, const Curve& c) {
+  std::string what;
+  const auto add = [&](std::size_t count, std::size_t all, const char* of) {
+    if (count == 0) return;
+    what += (what.empty() ? "" : ", ") + std::to_string(count) + " of " + std::to_string(all) + " " + of;
+  };
+  add(too_low(f.x, c.x), c.x.size(), "x");
+  add(too_low(f.y, c.y), c.y.size(), "y");
+  for (const auto& [axis, ends, of] :
+       {std::tuple{&f.y, &c.band, "ends of its band"}, std::tuple{&f.y, &c.error, "ends of error bars"},
+        std::tuple{&f.x, &c.x_error, "ends of error bars along x"}})
+    add(too_low(*axis, ends->low) + too_low(*axis, ends->high), 2 * ends->low.size(), of);
+  return what;
+}
+
+}  // namespace
+
+std::vector<std::string> left_out(const Page& page) {
+  std::vector<std::string> out;
+  for (const Figure& f : page.panels)
+    for (std::size_t i = 0; i < f.curves.size(); ++i)
+      if (const std::string what = left_out(f, f.curves[i]); !what.empty()) {
+        const std::string& label = f.curves[i].label;
+        out.push_back("curve " + (label.empty() ? std::to_string(i + 1) : "'" + label + "'") + ": " + what +
+                      " are zero or below, for which a logarithmic axis has no place; they are not drawn");
+      }
+  return out;
 }
 
 }  // namespace fabricsh::plot

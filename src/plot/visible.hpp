@@ -1,5 +1,8 @@
-// The range of values that the axes of a figure show.
+// The range of values that the axes of a figure show, and the points that they cannot show.
 #pragma once
+#include <string>
+#include <vector>
+
 #include "plot/figure.hpp"
 
 namespace fabricsh::plot {
@@ -10,5 +13,8 @@ struct Span {
 
 // Range of the points, bands and error bars within the fixed ranges. Error: a figure that cannot be drawn.
 Span visible_span(const Figure& figure);
+
+// A sentence for each curve with points, band ends or error bars at zero or below on a logarithmic axis.
+std::vector<std::string> left_out(const Page& page);
 
 }  // namespace fabricsh::plot

@@ -101,10 +101,12 @@ bool open_quote(const std::string& input) {
   return input[tokens.back().begin] != '[' && input.back() != '\\';
 }
 
-Result finish(script::Session& session) {
+// leading: how many of the values are not the input's.
+Result finish(script::Session& session, int leading = 0) {
   lua_State* L = session.lua();
   Result result = call(L, 0);
   if (result.outcome != Outcome::done) return result;
+  for (; leading > 0; --leading) lua_remove(L, 1);
   if (lua_gettop(L) > 0) {
     lua_pushcfunction(L, present_all);
     lua_insert(L, 1);
@@ -154,7 +156,10 @@ Result evaluate(script::Session& session, const std::string& input) {
   session.rest_hook(L);
   lua_settop(L, 0);
   if (load(L, "return " + without_equals(input), "=prompt") == LUA_OK) {
-    Result result = finish(session);
+    // A call as the only value would be a tail call, which leaves no place in the input for messages.
+    const bool placed = load(L, "return nil, " + without_equals(input), "=prompt") == LUA_OK;
+    lua_remove(L, placed ? 1 : 2);
+    Result result = finish(session, placed ? 1 : 0);
     result.expression = true;
     return result;
   }

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 #include "catch.hpp"
@@ -82,6 +83,12 @@ TEST_CASE("a deck that does not exist, a syntax error") {
   const Ran missing = run("no-such-deck.lua");
   CHECK(missing.code == 1);
   CHECK(has(missing.out, "cannot read 'no-such-deck.lua': No such file"));
+  // One that came with the program is found from this folder, unless there is one of that name here.
+  CHECK(run("--check scripts/law/reload.lua").code == 0);
+  CHECK(has(run("scripts/law/no-such-deck.lua").out, "cannot read 'scripts/law/no-such-deck.lua'"));
+  std::filesystem::create_directories("scripts/law");
+  write("scripts/law/reload.lua", "print 'mine'\n");
+  CHECK(run("scripts/law/reload.lua").out == "mine\n");
   write("syntax.lua", "x = = 1\n");
   const Ran syntax = run("syntax.lua");
   CHECK(syntax.code == 1);

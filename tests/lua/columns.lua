@@ -22,7 +22,8 @@ for _, c in ipairs { fabric.columns(rows), fabric.columns(lists) } do
   local value, place = c.S:min()
   assert(value == 0 and place == 1)
   assert(math.abs(c:interpolate("S", "E", 0.25) - 0.065) < 1e-15 and c:interpolate("S", "E", 0.3) == c.S[4])
-  assert(c:interpolate("S", "E", 1.5) == nil)
+  local none, why = c:interpolate("S", "E", 1.5)
+  assert(none == nil and why == "E is nowhere 1.5, it goes from 0 to 1", why)
   assert(c:map(function(r) return r.S / 2 end)[11] == 0.5 and c.E:map(math.sqrt)[11] == 1)
 end
 assert(fabric.columns(rows) == rows, "the rows themselves become a curve")
@@ -48,6 +49,7 @@ local lines, print_ = {}, print
 print = function(text) lines[#lines + 1] = text end -- luacheck: ignore
 fabric.show(rows, { rows = 4, columns = { "S", "E" } })
 fabric.show { { name = "blend", E = 1 }, { name = "duck" } }
+fabric.show { { E = 1, list = { 4, 5 } } }
 print = print_ -- luacheck: ignore
 assert(table.concat(lines, "\n") == [[
      S    E
@@ -58,7 +60,9 @@ assert(table.concat(lines, "\n") == [[
      1    1
   E   name
   1  blend
-      duck]], table.concat(lines, "\n"))
+      duck
+  E         list
+  1  <list of 2>]], table.concat(lines, "\n"))
 
 -- what cannot be
 local function refused(words, call)
@@ -78,3 +82,17 @@ refused("columns: expected a table in each row, row 2 is 5", function() return f
 refused("column:max: expected at least one number", function() return fabric.columns { E = { 0 / 0 } }.E:max() end)
 refused("columns: expected at least one row, got empty lists", function() return fabric.columns { E = {} } end)
 refused("show: field 'options.columns': no row has 'Q'", function() fabric.show(rows, { columns = { "Q" } }) end)
+refused("column *: expected a number or a list of numbers, got nil", function() return c.S * nil end)
+refused("column:max: expected a column in front of a colon, as in c.S:max(), got none", function() return (c.S.max()) end)
+refused("curve:max: expected a curve in front of a colon, as in c:max('S'), got string", function() return (c.max "S") end)
+refused("column:max: expected numbers, got '0.0' at place 1", function() return (c.S:map(tostring):max()) end)
+refused("column:mean: expected numbers, got 'x' at place 1", function() return (c.S:map(function() return "x" end):mean()) end)
+refused("columns: expected the name of a column, got nil; the columns are E, S", function() return (c:max()) end)
+
+-- the line in a message is that of the deck
+for _, wrong in ipairs { function() return (c.S:map()) end, function() return (c:interpolate("S")) end, function() return (c.S + { 1 }) end } do
+  local _, message = pcall(wrong)
+  assert(message:find "columns.lua:%d+: column" or message:find "columns.lua:%d+: curve", message)
+  local line = tonumber(message:match ":(%d+):")
+  assert(message:match "^(.-):%d+:" == arg[0] and line == debug.getinfo(wrong, "S").linedefined, message)
+end

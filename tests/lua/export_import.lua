@@ -49,6 +49,43 @@ local E = e + e * e / 2
 check("nominal stress by hand", (1 + e) * fabric.point(r.card):uniaxial("warp", E).S, (4.5e8 - 1e8 * e / 2) * e, 1e-3)
 check("shear below the lock", fabric.point(r.card):strain({ E12 = 0.1 }).S12, 1e6 * math.tan(math.asin(0.2)), 1e-3)
 
+-- A card with a curved loop: the file has its way down, the card that comes back a straight line from the same peak to the same rest, and says so.
+local MPa = fabric.units.MPa
+local looped = fabric.card("blend"):with { warp = { unloading = 300 * MPa, loop = { friction = 0.3, reach = 0.5, curve = 0.6 } } }
+for _, file in ipairs { "looped.rad", "looped.inp" } do
+  local e = fabric.export.card { card = looped, to = file:find "rad" and "openradioss" or "abaqus", file = file }
+  assert(e.report:gsub("\n *", " "):find("curved loops: of the warp .* its loop %(friction 0.3, reach 0.5, curve 0.6%), and those inside it, are lost"), e.report)
+  local l = fabric.import.card { file = file, thickness = looped.thickness, poisson = { 0.25, 0.42 }, tested = looped.tested }
+  check(file .. ": modulus of the whole way down", l.card.warp.unloading, 300 * MPa, 0.02)
+  assert(#l.notes == 1 and l.notes[1]:find "^warp: the file unloads along a curve, 2%d.%d %% of its peak stress off the straight line"
+    and l.notes[1]:find "a stress%-strain loop is lost: card:with{ warp={ loop={...} } gives one" and l.report:find("- warp: the file unloads along a curve", 1, true), l.report)
+end
+
+-- What else has no place in another solver's law is said.
+local rich = fabric.card("blend"):with { viscous = { shear = { modulus = 5 * MPa, time = 10 } }, compression = { { 0.3e-3, 1e3 }, { 0.2e-3, 1e5 } } }
+local said = fabric.export.card({ card = rich, to = "abaqus" }).report:gsub("\n *[*]* *", " ")
+assert(said:find("relaxation: the part of shear that relaxes (5e+06 Pa in 10 s) is lost; what is written is shear too quick for any of it to relax", 1, true), said)
+check("sampled shear is the quick one", fabric.point(rich):strain({ E12 = 0.1 }).S12 - fabric.point(fabric.card "blend"):strain({ E12 = 0.1 }).S12, 5 * MPa * 0.1, 1e-12)
+assert(said:find("compression: how the cloth is pressed is lost", 1, true), said)
+
+-- Units that the file states: in a comment, or in /BEGIN.
+local sheet = fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 1, ny = 1 }, card = fabric.card "blend", warp = 0 }
+sheet:fix("bottom", "x y z")
+for _, units in ipairs { "mm-t-s", "mm-kg-ms", "SI" } do
+  fabric.export.card { card = fabric.card "blend", to = "abaqus", file = "said.inp", units = units }
+  fabric.export.model { model = sheet, warp = 0, file = "said.rad", units = units }
+  fabric.write("begin.rad", (fabric.export.model({ model = sheet, warp = 0, to = "openradioss", units = units }).text:gsub("#[^\n]*\n", "")))
+  for _, file in ipairs { "said.inp", "said.rad", "begin.rad" } do assert(require "fabric.export.read_deck".units(file).name == units, file) end
+end
+for _, file in ipairs { "said.inp", "begin.rad" } do
+  local one = fabric.import.card { file = file, thickness = file == "said.inp" and 0.38e-3 or nil }
+  check(file .. " in SI, as it states: density", one.card.density, 590, 1e-9)
+  check(file .. " in SI, as it states: thickness", one.card.thickness, 0.38e-3, 1e-9)
+end
+local grams = io.open("begin.rad"):read("a"):gsub("( +)kg( +) m( +) s\n", "%1 g%2mm%3ms\n")
+fabric.write("grams.rad", grams)
+check("units of no name, g mm ms: 1 MPa is", require "fabric.export.read_deck".units("grams.rad").stress * MPa, 1, 1e-12)
+
 -- Refusals with file and line.
 local function wrong(words, t)
   local good, message = pcall(fabric.import.card, t)
@@ -63,6 +100,11 @@ wrong("card: bad.rad:6: expected a number in columns 1 to 20, got 'soft'", with(
 wrong("there is no /MAT/LAW58 (or /MAT/FABR_A)", with(write("empty.rad", "#RADIOSS STARTER\n/END\n")))
 wrong("card: short.rad:1: expected a title and at least five lines of LAW58", with(write("short.rad", "/MAT/LAW58/1\nshort\n")))
 wrong("there is no *FABRIC", with(write("none.inp", "*MATERIAL, NAME=a\n*DENSITY\n600.,\n")))
+wrong("card: field 'units': expected the units that said.inp states, 'SI' (line 3: Units: m, kg, s, N, Pa (SI)), got 'mm-t-s'; without the field they are taken from there",
+  { file = "said.inp", thickness = 3e-4, units = "mm-t-s" })
+wrong("card: field 'units': expected the units that grams.rad states, 'g, mm, ms' (line 4: /BEGIN with g, mm, ms), got 'SI'", with "grams.rad")
+wrong("card: words.rad:4: expected units of mass, length and time below /BEGIN, got 'stone mm ms'",
+  { file = write("words.rad", (grams:gsub("    g( +mm)", "stone%1", 1))), thickness = 3e-4 })
 local head = "*MATERIAL, NAME=a\n*DENSITY\n600.,\n*FABRIC\n*UNIAXIAL, COMPONENT=1\n*LOADING DATA\n"
 wrong("card: order.inp:8: expected a strain above 0.1, got 0.05", with(write("order.inp", head .. "1e6, 0.1\n2e6, 0.05\n")))
 wrong("card: word.inp:7: expected a stress and a strain, got 'one, two'", with(write("word.inp", head .. "one, two\n")))

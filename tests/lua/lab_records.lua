@@ -45,6 +45,15 @@ local r = read("Elongation (%),Load (N/5cm)\n0,0\n2,100\n4,210\n", { gauge_lengt
 close(r.displacement[2], 4e-3, 1e-15)
 close(r.force[2], 60, 1e-15)
 assert(r.from_strain and math.abs(r.strain[2] - 0.02) < 1e-17)
+-- as laboratories of textiles write them
+for unit, newton in pairs { daN = 10, DaN = 10, cN = 0.01, gf = 9.80665e-3, kgf = 9.80665, lbf = 4.4482216152605, ozf = 4.4482216152605 / 16 } do
+  close(read(("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit)).force[2] / newton, 100, 1e-12)
+end
+for unit, newton in pairs { ["daN/5cm"] = 200, ["daN/5 cm"] = 200, ["N/5 cm"] = 20, ["kgf/5cm"] = 196.133, ["lbf/in"] = 4.4482216152605 / 0.0254, ["lb/in"] = 4.4482216152605 / 0.0254,
+  ["mN/mm"] = 1, ["cN/cm"] = 1, ["gf/cm"] = 0.980665 } do
+  close(read(("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit), { width = 0.5 }).force[2] / newton, 50, 1e-12)
+end
+fails("expected the unit of the force (one of N, cN, daN, gf, kN, kgf, lbf, mN, ozf; per width N/50mm,", read, "Extension (mm),Force (cN/tex)\n0,0\n2,100\n4,210\n")
 fails("a strain but no displacement: expected field 'gauge_length' in m", read, "Dehnung (%),Kraft (N)\n0,0\n2,100\n4,210\n")
 fails("column 'Load' is a force per width: expected field 'width' of the specimen in m", read, "Extension (mm),Load (N/mm)\n0,0\n2,100\n4,210\n")
 -- the extension in mm is the displacement, the one in per cent the strain

@@ -22,6 +22,14 @@ if not os.execute "gnuplot --version >/dev/null 2>&1" then
   return
 end
 
+-- quotients of units, as laboratories write them
+fails("field 'yunit': unknown unit 'N/5furlong'", { yunit = "N/5furlong", curves = { { x = { 1 }, y = { 1 } } } })
+fails("field 'yunit': unknown unit 'N/0mm'", { yunit = "N/0mm", curves = { { x = { 1 }, y = { 1 } } } })
+for unit, top in pairs { ["N/5cm"] = 20, ["daN/5cm"] = 200, ["cN/tex"] = 1e4, daN = 10 } do
+  local drawn = fabric.plot { ylabel = "pull", yunit = unit, yrange = { 0, 7 * top }, curves = { { x = { 0, 1 }, y = { 0, 6 * top } } } }
+  assert(drawn:find("pull, " .. unit, 1, true) and drawn:find "\n +7 " and not drawn:find "\n +8 ", drawn)
+end
+
 local text = fabric.plot { title = "pull", xlabel = "strain", xunit = "%", ylabel = "stress", yunit = "MPa", xrange = { 0, 0.06 },
   curves = { { rows = rows, x = "E", y = "S", label = "simulated" }, { x = { 0.02 }, y = { 2e6 }, label = "measured", style = "points" } } }
 for _, word in ipairs { "pull: stress, MPa", "strain, %", "simulated", "measured", "o" } do assert(text:find(word, 1, true), text) end

@@ -113,6 +113,7 @@ fabric.ramp(value, duration)
   { "help 'rectangel'", "no entry contains 'rectangel', did you mean 'rectangle'?" },
   { "help 'grips  sag'", "no entry contains 'grips  sag'; help() shows what there is" },
   { "help 'qqqq'", "no entry contains 'qqqq'; help() shows what there is" },
+  { "help 'daN'", "daN: a unit, 10 in SI; fabric.units.daN" },
   { "help 'python'", [[
 pages of the manual
   share/doc/howto/python.md              all this from Python: run, read records, series and cards; notebooks]] },

@@ -85,6 +85,23 @@ TEST_CASE("a figure that cannot be says why and leaves the old one", "[files]") 
   CHECK(folder.listing() == Names{"a.svg"});
 }
 
+TEST_CASE("what a logarithmic axis cannot show is counted", "[files]") {
+  const ScratchFolder folder;
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  Figure f{"", {""}, {"", {}, {}, true}, {{"k", {0, 1, 2, 3}, {-1, 0, gap, 5}}, {"", {1, 2}, {1, 2}}}};
+  f.curves[1].error = {{0.5, -1}, {2, 3}};
+  const auto words = draw(folder / "a.svg", f);
+  REQUIRE(words.size() == 2);
+  CHECK(
+      words[0] ==
+      "curve 'k': 2 of 4 y are zero or below, for which a logarithmic axis has no place; they are not drawn");
+  CHECK(words[1].starts_with("curve 2: 1 of 4 ends of error bars are zero or below"));
+  f.y.logarithmic = false;
+  CHECK(draw(folder / "a.svg", f).empty());
+  f.x.logarithmic = true;
+  CHECK(draw(folder / "a.svg", f).at(0).starts_with("curve 'k': 1 of 4 x are zero or below"));
+}
+
 TEST_CASE("axes: ranges, logarithms; letters for a terminal", "[files]") {
   const ScratchFolder folder;
   const Figure figure{

@@ -109,6 +109,19 @@ class Module(unittest.TestCase):
             pathlib.Path("bad.csv").write_text(text)
             self.assertEqual(str(self.refused(ValueError, lambda: fabricsh.read_record("bad.csv"))), told)
 
+    def test_the_file_of_a_testing_machine(self):
+        pathlib.Path("machine.csv").write_bytes("Prüfzeit;Weg;Kraft\ns;mm;daN\n0;0;0\n0,5;1,5;2,25\n1;3;4,5\n".encode("latin-1"))
+        test = fabricsh.read_test("machine.csv")
+        self.assertEqual((list(test), test.units["force"]), (["time", "displacement", "force"], "N"))
+        numpy.testing.assert_allclose(test["force"], [0, 22.5, 45], rtol=1e-15)
+        numpy.testing.assert_allclose(test["displacement"], [0, 1.5e-3, 3e-3], rtol=1e-15)
+        self.assertIn("machine.csv: not written by fabricsh", str(self.refused(ValueError, lambda: fabricsh.read_record("machine.csv"))))
+        pathlib.Path("strip.csv").write_text("Dehnung (%),Last (N/5cm),b\n0,0,0\n2,100,1\n4,210,2\n")
+        strip = fabricsh.read_test("strip.csv", gauge_length=0.2, width=0.03, columns={"force": 2})
+        numpy.testing.assert_allclose((strip["force"][1], strip["displacement"][1], strip["strain"][2]), (60, 4e-3, 0.04), rtol=1e-14)
+        self.assertIn("read: strip.csv: field 'default_units.force': 'stone' is no unit", str(self.refused(fabricsh.DeckError,
+                      lambda: fabricsh.read_test("strip.csv", default_units={"force": "stone"}, gauge_length=0.2, width=0.03))))
+
     def test_a_series(self):
         self.assertEqual(self.series.times.tolist(), [0, 0.25, 0.5, 0.75, 1])
         frame = self.series.at(0.6)

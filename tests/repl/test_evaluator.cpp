@@ -144,6 +144,11 @@ TEST_CASE("errors never end the session") {
         std::string::npos);
 }
 
+TEST_CASE("an error in a function of the library's own Lua has the place of the input") {
+  CHECK(talk("c = columns{ {E=0} }\nc:max('Q')\n").err.starts_with("prompt:1: columns: expected a number Q"));
+  CHECK(talk("columns{ {E=0}, {E=2} }:max('E')\n(function() end)()\n1, nil\n").out == "2\t{E = 2}\n1\tnil\n");
+}
+
 TEST_CASE("below an error stands who called whom") {
   script::Session session{script::Options{}};
   const auto error_of = [&](const std::string& text) {

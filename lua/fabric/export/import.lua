@@ -31,16 +31,48 @@ local function steepest(list, upto)
   return most
 end
 
--- The unloading modulus between the reversal and a fifth of its stress below; nil for an elastic curve.
-local function modulus(back, part, shifted)
-  if part.elastic then return end
+-- The unloading curve of the file as points {E, S} in the card's measures, from the reversal down to `share` of its stress.
+local function way_down(back, part, shifted, share)
   local c, top = part.unloading, part.meet
   local inverse = { x = c.y, y = c.x }
   local offset = shifted and top[1] - laws.value(inverse, top[2]) or 0
-  local y = 0.8 * top[2]
-  local E1, S1 = back(top[1], top[2])
-  local E0, S0 = back(laws.value(inverse, y) + offset, y)
-  return (S1 - S0) / (E1 - E0)
+  local out, n = {}, 20
+  for i = 0, n do
+    local y = top[2] * (1 - (1 - share) * i / n)
+    local E, S = back(i == 0 and top[1] or laws.value(inverse, y) + offset, y)
+    out[i + 1] = { E, S }
+  end
+  return out
+end
+
+local function slope(list)
+  local a, b = list[1], list[#list]
+  return (a[2] - b[2]) / (a[1] - b[1])
+end
+
+-- How far a curve is from the straight line between its ends: largest difference of stress, as a share of the first.
+local function sag(list)
+  local most, G = 0, slope(list)
+  for _, p in ipairs(list) do most = math.max(most, math.abs(p[2] - list[1][2] - G * (p[1] - list[1][1]))) end
+  return most / list[1][2]
+end
+
+local straight = 0.03  -- of the stress at the reversal; up to this a curve counts as a straight line
+
+-- The unloading modulus: of a straight curve between the reversal and a fifth of its stress below, of a curved one that of the line from the
+-- reversal to (nearly) no stress, as long as it is steeper than `least`; nil for an elastic curve.
+local function modulus(name, back, part, shifted, least, notes)
+  if part.elastic then return end
+  local begins, whole = slope(way_down(back, part, shifted, 0.8)), way_down(back, part, shifted, 0.02)
+  local a, b = whole[#whole - 1], whole[#whole]
+  whole[#whole + 1] = { b[1] - b[2] * (a[1] - b[1]) / (a[2] - b[2]), 0 } -- below that LAW58 hardly pulls on its way to zero strain
+  local off = sag(whole)
+  if off <= straight then return begins end
+  local used = slope(whole) > least and slope(whole) or begins
+  notes[#notes + 1] = ("%s: the file unloads along a curve, %.3g %% of its peak stress off the straight line from the reversal to zero stress; the card unloads along a straight "
+    .. "line at %.4g MPa (the file's curve begins with %.4g MPa), and a stress-strain loop is lost%s"):format(name, 100 * off, used / 1e6, begins / 1e6,
+    name == "shear" and "" or (": card:with{ %s={ loop={...} } gives one"):format(name))
+  return used
 end
 
 -- The card's curve passes smoothly through the points and is a little steeper between them, so the modulus has a margin.
@@ -51,7 +83,8 @@ local function part_of(name, from, kind, notes)
   local back = name == "shear" and measure.shear_back or measure.axis_back
   local list = points(back, from)
   local tested = back(from.meet[1], from.meet[2])
-  local most, unloading = steepest(list, tested), modulus(back, from, kind.shifted)
+  local most = steepest(list, tested)
+  local unloading = modulus(name, back, from, kind.shifted, margin * most, notes)
   if not unloading then
     unloading = margin * most
     notes[#notes + 1] = ("%s: the file unloads along its loading curve; the card's unloading modulus is 1.05 times the steepest slope, so some energy is lost that the file keeps"):format(name)
@@ -70,11 +103,26 @@ local function turn_at(part, name, E, kind)
   if kind.shifted or part.elastic then part.meet = { x, laws.value(part.loading, x) } end
 end
 
+-- The units of the file: those asked for, or those that it states; both have to agree.
+local function units_of(t, notes)
+  local said, where = read.units(t.file)
+  if not t.units then
+    if not said then notes[#notes + 1] = "units: the file states none (in a comment 'Units: ... (mm-t-s)' or in /BEGIN); mm, t, s, N, MPa were taken, units= gives others" end
+    return said or units.of "mm-t-s"
+  end
+  if said and said.name ~= t.units then
+    fail(("card: field 'units': expected the units that %s states, '%s' (%s), got '%s'; without the field they are taken from there"):format(
+      t.file, said.name, where, t.units))
+  end
+  return units.of(t.units)
+end
+
 local function run(t)
   local from = t.from or (t.file:match "%.rad$" and "openradioss") or (t.file:match "%.inp$" and "abaqus")
   local kind = kinds[from]
   if not kind then fail(("card: field 'file': expected a name that ends in .rad or .inp, or field 'from', got '%s'"):format(t.file)) end
-  local p, notes = kind.read(t.file, units.of(t.units)), {}
+  local notes = {}
+  local p = kind.read(t.file, units_of(t, notes))
   local thickness = t.thickness or p.thickness
   if not thickness then fail(("card: field 'thickness': expected a positive number in m (%s has no section), got nil"):format(t.file)) end
   local density = t.density or p.density
@@ -107,7 +155,8 @@ define {
   arguments = {
     { name = "file", kind = "text", sentence = "a starter deck with LAW58, or an Abaqus deck with *FABRIC test data" },
     { name = "from", kind = "text", choices = { "openradioss", "abaqus" }, optional = true, sentence = "default: by the file's ending, .rad or .inp" },
-    { name = "units", kind = "text", choices = units.names, default = "mm-t-s", sentence = "that the file is written in" },
+    { name = "units", kind = "text", choices = units.names, optional = true,
+      sentence = "that the file is written in; default: those that it states in a comment 'Units: ... (mm-t-s)' or in /BEGIN, else mm-t-s" },
     { name = "name", kind = "text", optional = true, sentence = "of the card; default: the material's" },
     { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: that of a section in the file" },
     { name = "density", kind = "number", unit = "kg/m^3", above = 0, optional = true, sentence = "default: the file's" },

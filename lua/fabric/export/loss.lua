@@ -66,7 +66,19 @@ function loss.sentences(card, target)
     add("hysteresis: " .. target.hysteresis)
     add("shear flips: " .. target.flips)
     if card.biaxial then add "biaxial stiffening: the card's fourth spring is lost" end
-    if card.warp.loop or card.weft.loop then add "curved loops: the card's curve from the tested strain to zero stress is written; its loops, and those inside them, are the target's" end
+    for _, axis in ipairs(ours.axes) do
+      local l = card[axis].loop
+      if l then
+        add(("curved loops: of the %s the card's curve from the tested strain to zero stress is written; its loop (friction %.4g, reach %.4g, curve %.4g), and those inside it, are lost: going up again is the target's")
+          :format(axis, l.friction, l.reach, l.curve))
+      end
+    end
+    local f, v = card.shear.friction, card.viscous and card.viscous.shear
+    if f then
+      add(("shear friction: the card's loop, which slips at %.4g Pa, and by %.4g Pa more over a strain of 1, is lost; its ways up and down from the tested shear are written")
+        :format(f.stress, f.growth))
+    end
+    if v then add(("relaxation: the part of shear that relaxes (%.4g Pa in %.4g s) is lost; what is written is shear too quick for any of it to relax"):format(v.modulus, v.time)) end
     if card.law ~= "potential" then add(("law: the card's '%s' law was sampled; its path dependence beyond one axis at a time is lost"):format(card.law)) end
   end
   local bending = card.bending
@@ -76,6 +88,7 @@ function loss.sentences(card, target)
   else
     add("bending: " .. target.bending)
   end
+  if card.compression then add "compression: how the cloth is pressed is lost; contact there presses by rules of its own" end
   if card.kind == "woven" and card.bands then add "bands: the values alone are written" end
   return out
 end

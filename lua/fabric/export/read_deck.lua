@@ -1,5 +1,6 @@
 -- Reads materials from other solvers' decks: the numbers of LAW58 and of *FABRIC as written, curves scaled to SI.
 local define = require "fabric.define"
+local units = require "fabric.export.units"
 local fail = define.fail
 local read = {}
 
@@ -14,6 +15,31 @@ end
 read.lines_of = lines_of
 
 local function trouble(path, line, what) fail(("card: %s:%d: %s"):format(path, line, what)) end
+
+-- The units that a deck states: in a comment "Units: ... (mm-t-s)", which fabric.export writes, or in Radioss' /BEGIN (the third line below it,
+-- in fields of 20 columns: mass, length, time). Returns the system and the words found, or nil.
+function read.units(path)
+  local begin
+  for i, l in ipairs(lines_of(path)) do
+    local name = l:match "^[#$*]+ Units: .*%(([%w-]+)%)%s*$"
+    for _, known in ipairs(units.names) do
+      if name == known then return units.of(name), ("line %d: %s"):format(i, l:match "Units:.-%s*$") end
+    end
+    if l:find "^/BEGIN" then
+      begin = 0
+    elseif begin and l:sub(1, 1) ~= "#" then
+      begin = begin + 1
+      if l:sub(1, 1) == "/" then begin = nil end
+      if begin == 3 then
+        local words = { l:sub(1, 20):match "%S+", l:sub(21, 40):match "%S+", l:sub(41, 60):match "%S+" }
+        if #words < 3 then return end
+        local system = units.of_words(table.unpack(words))
+        if not system then trouble(path, i, ("expected units of mass, length and time below /BEGIN, got '%s'"):format(table.concat(words, " "))) end
+        return system, ("line %d: /BEGIN with %s"):format(i, table.concat(words, ", "))
+      end
+    end
+  end
+end
 
 -- --- Radioss ---
 

@@ -9,15 +9,39 @@ local systems = {
 }
 units.names = { "mm-t-s", "mm-kg-ms", "SI" }
 
--- The system of that name: factors of length, mass, time, stress, density, force, rigidity (N.m), acceleration, velocity; name,
--- words.
-function units.of(name)
-  local s = systems[name]
+local function complete(s, name)
   return {
     name = name, words = s.words, length = s.length, mass = s.mass, time = s.time,
     stress = s.mass / (s.length * s.time ^ 2), density = s.mass / s.length ^ 3, force = s.mass * s.length / s.time ^ 2,
     moment = s.mass * s.length ^ 2 / s.time ^ 2, acceleration = s.length / s.time ^ 2, velocity = s.length / s.time,
   }
+end
+
+-- The system of that name: factors of length, mass, time, stress, density, force, rigidity (N.m), acceleration, velocity; name,
+-- words.
+function units.of(name) return complete(systems[name], name) end
+
+local sizes = {
+  mass = { kg = 1, g = 1e-3, mg = 1e-6, Mg = 1e3, t = 1e3, ton = 1e3, lb = 0.45359237 },
+  length = { m = 1, mm = 1e-3, cm = 1e-2, km = 1e3, ["in"] = 0.0254, ft = 0.3048 },
+  time = { s = 1, ms = 1e-3, mus = 1e-6, us = 1e-6 },
+}
+
+-- The system of Radioss' words for mass, length and time, such as "Mg", "mm", "s", or their sizes in SI as numbers; nil if one is unknown.
+function units.of_words(mass, length, time)
+  local s = { words = ("%s, %s, %s"):format(mass, length, time) }
+  for quantity, word in pairs { mass = mass, length = length, time = time } do
+    local size = sizes[quantity][word] or tonumber(word)
+    if not size or size <= 0 then return end
+    s[quantity] = 1 / size
+  end
+  local name = s.words
+  for known, other in pairs(systems) do
+    local same = true
+    for _, q in ipairs { "mass", "length", "time" } do same = same and math.abs(s[q] / other[q] - 1) < 1e-9 end
+    if same then name, s = known, other end
+  end
+  return complete(s, name)
 end
 
 -- A number with as many digits as fit into `width` characters; never wider.

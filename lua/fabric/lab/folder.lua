@@ -44,6 +44,18 @@ local function specimens(path, pattern)
   return found
 end
 
+-- What stands in a folder without a file of the expected names.
+local function instead(path)
+  local others = {}
+  for _, name in ipairs(fabric.folder(path)) do
+    local kind = name:match "%.(%a+)$"
+    if kind and kinds[kind:lower()] then others[#others + 1] = name end
+  end
+  if #others == 0 then return "there is none" end
+  local more = #others > 3 and (" and %d more"):format(#others - 3) or ""
+  return ("got %s%s: rename them by the direction of the pull"):format(table.concat(others, ", ", 1, math.min(3, #others)), more)
+end
+
 local function exists(path)
   local f = io.open(path)
   if f then f:close() end
@@ -264,7 +276,7 @@ function folder.reduce(path)
   local out = { about = about, warp = along(about, path, "warp"), weft = along(about, path, "weft"),
                 shear = in_shear(about, marked) or in_shear_without_markers(about, plain) }
   if not out.warp and not out.weft and not out.shear then
-    stop(path .. ": expected files of pulls named warp-1.csv, weft-1.csv or bias-1.csv, there is none")
+    stop(path .. ": expected files of pulls named warp-1.csv, weft-1.csv or bias-1.csv, " .. instead(path))
   end
   local viscous = out.shear and out.shear.viscous
   local function fit(name) return out[name] and out[name].fit end

@@ -119,13 +119,19 @@ local function known_factor(vocabulary, t, quantity, column)
   return unit_of(vocabulary, quantity, unit)
 end
 
+-- The units that a quantity may have, in words.
+local function choice(vocabulary, quantity)
+  local all = keys(vocabulary.units[quantity])
+  return quantity == "force" and all .. "; per width " .. keys(vocabulary.units["force per width"]) or all
+end
+
 local function factor_of(vocabulary, t, quantity, column)
   local factor, meant = known_factor(vocabulary, t, quantity, column)
   if factor then return factor, meant end
   local unit = (t.units or {})[quantity] or column.unit
   local got = unit == "" and "the heading says none" or "got '" .. tostring(unit) .. "'"
   fail(("read: %s: column '%s': expected the unit of the %s (one of %s), %s; give units={ %s='...' }"):format(
-    t.file, column.name, quantity, keys(vocabulary.units[quantity]), got, quantity))
+    t.file, column.name, quantity, choice(vocabulary, quantity), got, quantity))
 end
 
 local function scaled(values, factor)
@@ -170,7 +176,7 @@ local function check_defaults(vocabulary, t)
   for quantity, unit in pairs(t.default_units or {}) do
     if not unit_of(vocabulary, quantity, unit) then
       fail(("read: %s: field 'default_units.%s': '%s' is no unit of %s known: expected one of %s"):format(t.file, quantity, unit, kinds[quantity],
-        keys(vocabulary.units[quantity])))
+        choice(vocabulary, quantity)))
     end
   end
 end

@@ -6,15 +6,17 @@ local inch, pound = 0.0254, 4.4482216152605
 -- SI sizes of units, by quantity. A force may be given per width of the specimen.
 words.units = {
   displacement = { m = 1, mm = 1e-3, cm = 1e-2, um = 1e-6, ["in"] = inch },
-  force = { N = 1, kN = 1e3, mN = 1e-3, cN = 1e-2, gf = 9.80665e-3, kgf = 9.80665, lbf = pound },
-  ["force per width"] = { ["N/m"] = 1, ["kN/m"] = 1e3, ["N/mm"] = 1e3, ["N/cm"] = 1e2, ["N/5cm"] = 20, ["N/50mm"] = 20, ["gf/cm"] = 0.980665,
-    ["kgf/cm"] = 980.665, ["lbf/in"] = pound / inch },
+  force = { N = 1, kN = 1e3, daN = 10, mN = 1e-3, cN = 1e-2, gf = 9.80665e-3, kgf = 9.80665, lbf = pound, ozf = pound / 16 },
+  ["force per width"] = { ["N/m"] = 1, ["kN/m"] = 1e3, ["daN/m"] = 10, ["N/mm"] = 1e3, ["mN/mm"] = 1, ["cN/mm"] = 10, ["N/cm"] = 1e2, ["daN/cm"] = 1e3,
+    ["cN/cm"] = 1, ["mN/cm"] = 0.1, ["N/5cm"] = 20, ["N/50mm"] = 20, ["daN/5cm"] = 200, ["daN/50mm"] = 200, ["kN/5cm"] = 2e4, ["gf/cm"] = 0.980665,
+    ["gf/mm"] = 9.80665, ["kgf/cm"] = 980.665, ["kgf/5cm"] = 9.80665 / 0.05, ["kgf/50mm"] = 9.80665 / 0.05, ["lbf/in"] = pound / inch },
   time = { s = 1, ms = 1e-3, min = 60, h = 3600 },
   strain = { ["-"] = 1, ["%"] = 1e-2, ["mm/mm"] = 1, ["1"] = 1, ["m/m"] = 1 },
 }
 
 words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "in", ['"'] = "in", KN = "kN", kp = "kgf", lb = "lbf", lbs = "lbf", S = "s",
-  sec = "s", Sec = "s", sek = "s", Sek = "s", n = "N", ["N/5 cm"] = "N/5cm", ["N/50 mm"] = "N/50mm", ["\u{79d2}"] = "s",
+  sec = "s", Sec = "s", sek = "s", Sek = "s", n = "N", DaN = "daN", dan = "daN", DAN = "daN", CN = "cN", ["N/5 cm"] = "N/5cm", ["N/50 mm"] = "N/50mm", ["daN/5 cm"] = "daN/5cm",
+  ["daN/50 mm"] = "daN/50mm", ["kgf/5 cm"] = "kgf/5cm", ["lb/in"] = "lbf/in", ["lbs/in"] = "lbf/in", ["lbf/inch"] = "lbf/in", ["lb/inch"] = "lbf/in", oz = "ozf", ["\u{79d2}"] = "s",
   ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um" }
 
 -- Parts of names, in lower case without accents: English, German, French, Italian, Polish, Japanese (UTF-8 and Shift-JIS, whose second bytes

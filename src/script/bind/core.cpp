@@ -72,12 +72,40 @@ struct Unit {
   double factor;
 };
 constexpr double gravity = 9.80665;
+constexpr double pound = 0.45359237;
+constexpr double yard = 0.9144;
 constexpr double degrees_per_radian = 57.295779513082320877;
-constexpr Unit units[] = {{"m", 1},     {"mm", 1e-3}, {"cm", 1e-2},     {"inch", 0.0254},
-                          {"Pa", 1},    {"kPa", 1e3}, {"MPa", 1e6},     {"GPa", 1e9},
-                          {"N", 1},     {"kN", 1e3},  {"kgf", gravity}, {"gf", gravity * 1e-3},
-                          {"kg", 1},    {"g", 1e-3},  {"gsm", 1e-3},    {"s", 1},
-                          {"ms", 1e-3}, {"us", 1e-6}, {"deg", 1},       {"rad", degrees_per_radian}};
+constexpr Unit units[] = {{"m", 1},
+                          {"mm", 1e-3},
+                          {"cm", 1e-2},
+                          {"um", 1e-6},
+                          {"inch", 0.0254},
+                          {"yd", yard},
+                          {"Pa", 1},
+                          {"kPa", 1e3},
+                          {"MPa", 1e6},
+                          {"GPa", 1e9},
+                          {"N", 1},
+                          {"kN", 1e3},
+                          {"daN", 10},
+                          {"cN", 1e-2},
+                          {"mN", 1e-3},
+                          {"kgf", gravity},
+                          {"gf", gravity * 1e-3},
+                          {"lbf", gravity* pound},
+                          {"kg", 1},
+                          {"g", 1e-3},
+                          {"lb", pound},
+                          {"oz", pound / 16},
+                          {"gsm", 1e-3},
+                          {"tex", 1e-6},
+                          {"dtex", 1e-7},
+                          {"den", 1e-3 / 9000},
+                          {"s", 1},
+                          {"ms", 1e-3},
+                          {"us", 1e-6},
+                          {"deg", 1},
+                          {"rad", degrees_per_radian}};
 
 void push_units(lua_State* L) {
   lua_newtable(L);

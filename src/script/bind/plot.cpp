@@ -1,10 +1,12 @@
 // fabric.plot: figures from the curves of decks, tables and tests.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/number.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/visible.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/call/words.hpp"
 #include "system/atomic.hpp"
@@ -244,23 +246,43 @@ class Asked {
   const Fields* panel_;
 };
 
+// The size in SI of a unit: one of fabric.units, or a quotient such as N/mm, N/5cm or cN/tex. 0: none of
+// them; `known` receives the names.
+double size_of(lua_State* L, const std::string& name, std::vector<std::string>& known) {
+  known = {"%"};
+  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
+  lua_pushliteral(L, "units");
+  lua_rawget(L, -2);
+  want_table(L, -1, "fabric.units");
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
+  const auto one = [&](const std::string& word) {
+    lua_pushstring(L, word.c_str());
+    const double size = lua_rawget(L, -2) == LUA_TNUMBER ? lua_tonumber(L, -1) : 0;
+    lua_pop(L, 1);
+    return size;
+  };
+  const std::size_t bar = name.find('/');
+  double size = one(name.substr(0, bar));
+  if (bar != std::string::npos) {
+    const std::string below = name.substr(bar + 1);
+    const std::size_t letters = std::min(below.find_first_not_of("0123456789."), below.size());
+    const double count = letters == 0 ? 1 : std::strtod(below.substr(0, letters).c_str(), nullptr);
+    const double each = count * one(below.substr(letters));
+    size = each > 0 ? size / each : 0;
+  }
+  lua_pop(L, 2);
+  std::sort(known.begin(), known.end());
+  return size;
+}
+
 // The size in SI of the unit in which an axis is labelled.
 double unit_size(const Asked& asked, const std::string& field) {
   const std::string name = asked.text(field);
   if (name.empty()) return 1;
   if (name == "%") return 0.01;
-  lua_State* L = asked.where(field).L();
-  lua_getfield(L, LUA_REGISTRYINDEX, "fabric");
-  lua_pushliteral(L, "units");
-  lua_rawget(L, -2);
-  want_table(L, -1, "fabric.units");
-  std::vector<std::string> known{"%"};
-  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
-    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
-  lua_pushstring(L, name.c_str());
-  const double size = lua_rawget(L, -2) == LUA_TNUMBER ? lua_tonumber(L, -1) : 0;
-  lua_pop(L, 3);
-  std::sort(known.begin(), known.end());
+  std::vector<std::string> known;
+  const double size = size_of(asked.where(field).L(), name, known);
   if (size == 0) asked.where(field).refuse(field, unknown("unit", name, known));
   return size;
 }
@@ -460,6 +482,8 @@ int plot(Call& call) {
     return 1;
   }
   const std::string letters = plot::drawn_in_letters(page, call.count("columns"), call.count("lines"));
+  for (const std::string& words : plot::left_out(page))
+    call.session().notices().once(words, "warning: plot: " + words);
   lua_pushlstring(call.L(), letters.data(), letters.size());
   return 1;
 }
@@ -483,7 +507,9 @@ std::vector<Argument> panel_rows() {
           word("title", "above the axes"),
           word("xlabel", "what x is"),
           word("ylabel", "what y is"),
-          word("xunit", "of fabric.units, or %: x is SI and shown in it, behind the label"),
+          word("xunit",
+               "of fabric.units, a quotient of two (N/mm, N/5cm), or %: x is SI and shown in it, behind the "
+               "label"),
           word("yunit", "likewise"),
           range("xrange"),
           range("yrange"),
