@@ -224,12 +224,51 @@ const std::vector<ResultField>& result_fields() { return table().rows; }
 
 const std::vector<double V::*>& element_members() { return table().members; }
 
+std::vector<const ResultField*> fields_of(const Run& run) {
+  std::vector<const ResultField*> all;
+  for (const ResultField& field : result_fields()) all.push_back(&field);
+  for (const auto& field : run.shown()) all.push_back(field.get());
+  return all;
+}
+
+ResultField field_of(const mechanics::Shown& shown) {
+  const auto value = [value = shown.value](const Run&, mesh::Index i, double* out) { *out = value(i); };
+  return {shown.name,     shown.unit,   Shape::scalar, shown.of_elements ? Place::element : Place::node,
+          shown.sentence, {shown.name}, value};
+}
+
+namespace {
+
+// The field is null if the name is not among those of this one.
+FieldPart look_up(const ResultField& field, const std::string& name) {
+  const auto found = std::find(field.components.begin(), field.components.end(), name);
+  if (found != field.components.end()) return {&field, static_cast<int>(found - field.components.begin())};
+  return {field.name == name ? &field : nullptr, -1};
+}
+
+FieldPart look_up(const std::string& name) {
+  for (const ResultField& field : result_fields())
+    if (const FieldPart part = look_up(field, name); part.field != nullptr) return part;
+  return {nullptr, -1};
+}
+
+FieldPart look_up(const Run& run, const std::string& name) {
+  for (const auto& field : run.shown())
+    if (field->name == name) return {field.get(), 0};
+  return look_up(name);
+}
+
+}  // namespace
+
+bool is_field(const Run& run, const std::string& name) { return look_up(run, name).field != nullptr; }
+
+FieldPart find_field(const Run& run, const std::string& name) {
+  const FieldPart part = look_up(run, name);
+  return part.field != nullptr ? part : find_field(name);
+}
+
 FieldPart find_field(const std::string& name) {
-  for (const ResultField& field : result_fields()) {
-    const auto found = std::find(field.components.begin(), field.components.end(), name);
-    if (found != field.components.end()) return {&field, static_cast<int>(found - field.components.begin())};
-    if (field.name == name) return {&field, -1};
-  }
+  if (const FieldPart part = look_up(name); part.field != nullptr) return part;
   const std::string guess = did_you_mean(name, field_names());
   if (!guess.empty()) throw Error("unknown field '" + name + "'" + guess);
   std::string known;

@@ -18,6 +18,8 @@
 
 namespace fabricsh::run {
 
+struct ResultField;
+
 inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal
 inline constexpr double most_steps = 1e10;  // a run with more steps is refused, because it would not end
 
@@ -58,8 +60,10 @@ class Run {
 
   // Adds a term to the compiled model, before the run begins. Its state is stored with that of the run, so a
   // run that restores the state must have the same term. Errors: the run has begun; the tangent is not
-  // symmetric.
+  // symmetric; it shows a field whose name is taken.
   void add(std::unique_ptr<mechanics::Term> term);
+  // The fields that added terms show, besides those of result_fields().
+  const std::vector<std::shared_ptr<const ResultField>>& shown() const { return shown_; }
 
   double time() const { return trial_time_; }
   double duration() const { return duration_; }
@@ -232,6 +236,7 @@ class Run {
   void take_up(Event& event, std::size_t i);
   void run_pending();
 
+  std::vector<std::shared_ptr<const ResultField>> shown_;
   std::vector<Timed> timed_;
   std::vector<Event> events_;
   std::vector<TimedState> kept_timed_;  // as last restored, for hooks that are added later

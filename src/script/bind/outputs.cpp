@@ -216,7 +216,7 @@ int write(Call& call) {
   if (!is_vtu(path) && (!contents.fields.empty() || contents.averaged))
     options.refuse(contents.averaged ? "averaged" : "fields",
                    "expected a file that ends in .vtu, which holds fields, got '" + path + "'");
-  run::check_fields(contents, "write");
+  run::check_fields(*run->analysis, contents, "write");
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   system::make_folder_for(path);
