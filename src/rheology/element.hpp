@@ -15,6 +15,7 @@
 //                        energies dissipated in warp, weft and shear, J/m^3, functions of the state alone
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/range.hpp"
@@ -25,13 +26,32 @@ namespace fabricsh::rheology {
 // stands in the group before it, a row without `place`, of which only name and sentence are used.
 template <class Parameters>
 struct Row {
+  Row(std::string name_, std::string sentence_) : name(std::move(name_)), sentence(std::move(sentence_)) {}
+  Row(std::string name_, double Parameters::*place_, std::string unit_, Range range_, std::string sentence_)
+      : name(std::move(name_)),
+        place(place_),
+        unit(std::move(unit_)),
+        sentence(std::move(sentence_)),
+        range(range_) {}
+  Row ask(double low, double high, std::string words) const {
+    Row copy = *this;
+    copy.usual = {low, high};
+    copy.question = std::move(words);
+    return copy;
+  }
+  Row printed(std::string words, double by = 1) const {
+    Row copy = *this;
+    copy.phrase = std::move(words);
+    copy.scale = by;
+    return copy;
+  }
+
   std::string name;
   double Parameters::*place = nullptr;
   std::string unit, sentence;
-  Range range = {};
-  Range usual = {};         // for cloth; outside it the question is asked
-  std::string question;     // empty: none is asked
-  std::string phrase = {};  // of a printed card, "over # s"; the number is multiplied by `scale`
+  Range range, usual;    // usual: for cloth; outside it the question is asked
+  std::string question;  // empty: none is asked
+  std::string phrase;    // of a printed card, "over # s"; the number is multiplied by `scale`
   double scale = 1;
 };
 

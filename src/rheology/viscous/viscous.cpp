@@ -22,24 +22,15 @@ double pulled_share(double x, double left, double left_twice) {
 }  // namespace
 
 std::vector<Row<Parameters>> Element::rows() {
-  return {{.name = "shear", .sentence = "a spring and a dashpot in series beside in-plane shear"},
-          {"shear.modulus",
-           &Parameters::modulus,
-           "Pa",
-           "of the part that relaxes, in shear's measure",
-           positive,
-           {1e3, 1e12},
-           "is the modulus in Pa? (write 8*MPa; N/m divided by the thickness)",
-           "shear # MPa",
-           1e-6},
-          {"shear.time",
-           &Parameters::time,
-           "s",
-           "relaxation time: at constant strain its stress falls to 1/e",
-           positive,
-           {},
-           "",
-           "over # s"}};
+  const Row<Parameters> shear("shear", "a spring and a dashpot in series beside in-plane shear"),
+      modulus("shear.modulus", &Parameters::modulus, "Pa", positive,
+              "of the part that relaxes, in shear's measure"),
+      time("shear.time", &Parameters::time, "s", positive,
+           "relaxation time: at constant strain its stress falls to 1/e");
+  return {shear,
+          modulus.ask(1e3, 1e12, "is the modulus in Pa? (write 8*MPa; N/m divided by the thickness)")
+              .printed("shear # MPa", 1e-6),
+          time.printed("over # s")};
 }
 
 StepEffect effect_of_step(double x) {
