@@ -107,10 +107,11 @@ ElementValues Run::element(mesh::Index i) const {
 
 double Run::mean(const std::string& name, const std::string& set) const {
   const FieldPart part = find_field(*this, name);
-  if (part.component < 0 || part.field->place != Place::element)
-    throw Error("mean: expected a field with one number per element, got '" + name + "'");
-  const auto inside = model_->mesh().elements_in(model_->mesh().set(set));
-  if (inside.empty()) throw Error("mean: set '" + set + "' holds no whole element");
+  if (part.component < 0) throw Error("mean: expected a field of one number, got '" + name + "'");
+  const auto& nodes = model_->mesh().set(set);
+  const bool nodal = part.field->place == Place::node;
+  const std::vector<mesh::Index> inside = nodal ? nodes : model_->mesh().elements_in(nodes);
+  if (inside.empty()) throw Error("mean: set '" + set + "' holds no " + (nodal ? "node" : "whole element"));
   double sum = 0, values[5];
   for (const auto e : inside) {
     part.field->values(*this, e, values);

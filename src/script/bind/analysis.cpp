@@ -422,9 +422,11 @@ std::vector<Entry> reading() {
        element},
       {"analysis:mean",
        Style::positional,
-       {name_row(run::scalar_names(run::Place::element), "of a number that elements have, see a:element"),
-        value_("set", text, "elements all of whose nodes are in it").or_else("all")},
-       "The mean of a value over elements, each with the same weight. Stresses in Pa, energies in J/m^3.",
+       {name_row(run::scalar_names(), "of a number that elements or nodes have, see a:element and a:node"),
+        value_("set", text, "elements all of whose nodes are in it; or its nodes").or_else("all")},
+       "The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, "
+       "energies in "
+       "J/m^3.",
        run + "assert(a:solve():mean('E11') > 0.2)",
        mean},
       {"analysis:field",
