@@ -76,7 +76,8 @@ std::string Dynamic::method() const {
   text << std::boolalpha << (o.scheme == Scheme::explicit_steps ? "explicit" : "implicit") << " with gamma "
        << number(o.gamma) << ", beta " << number(o.beta.value_or(-1)) << ", hht " << number(o.hht)
        << ", damping " << number(o.mass_damping) << " and " << number(o.stiffness_damping)
-       << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force;
+       << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
+       << solver_text(o.solver);
   return text.str();
 }
 

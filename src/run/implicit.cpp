@@ -33,7 +33,7 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
     : Dynamic(std::move(model), options, std::move(notices)),
       newmark_(*assembly_, *inertia_, scheme_of(options_)),
       problem_(*assembly_, newmark_, poll_),
-      newton_(assembly_->symmetric() ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()),
+      newton_(make_solver(options_.solver, !takes_unsymmetric())),
       control_(control_of(options, *assembly_)) {
   if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit();
   tell_contacts();

@@ -38,8 +38,9 @@ void Run::tell_contacts() {
 
 void Run::add(std::unique_ptr<mechanics::Term> term) {
   if (started_) throw Error(std::string("a term '") + term->name() + "': expected before the run begins");
-  if (!term->symmetric())
-    throw Error(std::string("a term '") + term->name() + "': expected one with a symmetric tangent");
+  if (!term->symmetric() && !takes_unsymmetric())
+    throw Error(std::string("a term '") + term->name() + "': expected one with a symmetric tangent" +
+                (std::string(kind()) == "static" ? ", or the option linear = unsymmetric" : ""));
   const auto shows = term->shows();
   for (const mechanics::Shown& shown : shows)
     if (is_field(*this, shown.name))

@@ -71,8 +71,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.stabilise > 0)
     stabilisation_ =
         &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
-  auto linear = takes_symmetric(options_, *assembly_) ? linear::make_symmetric_solver()
-                                                      : linear::make_unsymmetric_solver();
+  auto linear = make_solver(options_.solver, !takes_unsymmetric());
   if (options_.control == Control::arc && assembly_->hangs_on_time())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
@@ -85,14 +84,14 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.method != Method::newton) {
     relaxation_ = std::make_unique<solver::Relaxation>();
     if (bends_by_itself(*model_))
-      descent_ = std::make_unique<solver::Descent>(takes_symmetric(options_, *assembly_)
-                                                       ? linear::make_symmetric_solver()
-                                                       : linear::make_unsymmetric_solver());
+      descent_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
   }
   tell_contacts();
 }
 
 Static::~Static() = default;
+
+bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *assembly_); }
 
 void Static::check_bodies() const {
   const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
@@ -110,7 +109,7 @@ std::string Static::method() const {
   text << std::boolalpha << "static with control " << (arc_ ? "arc" : "load") << ", method "
        << static_cast<int>(options_.method) << ", linear " << static_cast<int>(options_.linear)
        << ", line search " << options_.line_search << ", stabilise " << number(options_.stabilise)
-       << ", min_step " << number(options_.min_step);
+       << ", min_step " << number(options_.min_step) << solver_text(options_.solver);
   return text.str();
 }
 
