@@ -24,10 +24,12 @@ struct Table {
   std::vector<ResultField> rows;
   Members members;
 
-  void nodal(std::string name, std::string unit, std::string sentence, Names components,
-             Vec3 NodeValues::*what, std::string letter = "") {
-    const auto values = [what](const Run& run, mesh::Index i, double* out) {
-      const Vec3 v = run.node(i).*what;
+  // read(run, node) gives the vector.
+  template <class Read>
+  void vectors(std::string name, std::string unit, std::string sentence, Names components, std::string letter,
+               const Read& read) {
+    const auto values = [read](const Run& run, mesh::Index i, double* out) {
+      const Vec3 v = read(run, i);
       std::copy_n(v.data(), 3, out);
     };
     rows.push_back({std::move(name),
@@ -40,21 +42,15 @@ struct Table {
                     {},
                     std::move(letter)});
   }
-  void supports(std::string name, std::string unit, std::string sentence) {
-    const auto values = [](const Run& run, mesh::Index i, double* out) {
-      const Vec3 v = run.reaction_at(i);
-      std::copy_n(v.data(), 3, out);
-    };
-    Names components = {name + "_x", name + "_y", name + "_z"};
-    rows.push_back({std::move(name),
-                    std::move(unit),
-                    Shape::vector,
-                    Place::node,
-                    std::move(sentence),
-                    std::move(components),
-                    values,
-                    {},
-                    "R"});
+  void nodal(std::string name, std::string unit, std::string sentence, Names components,
+             Vec3 NodeValues::*what, std::string letter = "") {
+    const auto read = [what](const Run& run, mesh::Index i) -> Vec3 { return run.node(i).*what; };
+    vectors(std::move(name), std::move(unit), std::move(sentence), std::move(components), std::move(letter),
+            read);
+  }
+  void supports(const std::string& name, std::string unit, std::string sentence) {
+    const auto read = [](const Run& run, mesh::Index i) { return run.reaction_at(i); };
+    vectors(name, std::move(unit), std::move(sentence), {name + "_x", name + "_y", name + "_z"}, "R", read);
   }
   void touched(const std::string& name, std::string unit, std::string sentence,
                double (mechanics::Contacts::*what)(mechanics::Index) const) {

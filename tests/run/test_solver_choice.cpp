@@ -78,7 +78,7 @@ std::shared_ptr<model::Model> sheet() {
   auto m = std::make_shared<model::Model>(mesh, isotropic(1e6, 0.3, 1e-3), model::Options{});
   m->fix("left", model::parse_freedoms("x y z rotation"));
   model::Components along;
-  along[0] = history::History::ramp(0.002, 1);
+  along[0] = history::History::table({{0, 0}, {1, 0.002}});
   m->move("right", along);
   m->fix("right", model::parse_freedoms("y z rotation"));
   return m;
