@@ -35,7 +35,7 @@ bool has_array(const std::vector<format::Array>& arrays, const std::string& name
   return std::any_of(arrays.begin(), arrays.end(), [&name](const auto& a) { return a.name == name; });
 }
 
-// The field with those of its numbers that are wanted; none: no components.
+// The array of a field with the wanted numbers alone; without components if none is wanted.
 format::Array chosen(const Run& run, const std::vector<std::string>& fields, const ResultField& field) {
   std::vector<int> numbers;
   bool whole = fields.empty() && field.usual;
@@ -119,7 +119,7 @@ void VtkFrame::add_average(const Run& run, format::Array array, bool directions)
   grid_.point_data.push_back(std::move(array));
 }
 
-// A set that is called as an array is gets a word more.
+// A set with the name of another array is written as "set NAME".
 void VtkFrame::add_sets(const Run& run) {
   for (const std::string& name : run.model().mesh().set_names()) {
     const mesh::NodeSet& ids = run.model().mesh().set(name);
