@@ -292,9 +292,9 @@ std::string state_words(const run::Run& a) {
 
 int run_text(lua_State* L) {
   const run::Run& a = *to_object<Run>(L, 1)->analysis;
-  char words[120];
-  std::snprintf(words, sizeof words, "<%s run, t = %.6g of %.6g s, %zu step%s, ", a.kind(), a.time(),
-                a.duration(), a.steps().size(), a.steps().size() == 1 ? "" : "s");
+  const std::string words = std::string("<") + a.kind() + " run, t = " + fabricsh::number(a.time()) + " of " +
+                            fabricsh::number(a.duration()) + " s, " + counted(a.steps().size(), "step") +
+                            ", ";
   lua_pushstring(L, (words + state_words(a) + ">").c_str());
   return 1;
 }
