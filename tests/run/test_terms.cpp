@@ -306,7 +306,7 @@ TEST_CASE("a field that a term shows is read like every other one, and goes to f
   REQUIRE(found != frame.grid().point_data.end());
   CHECK(found->unit == "m");
   CHECK(found->values == a->field("slip"));
-  CHECK(content_of(stem + "_0002.vtu").find("Name=\"slip\"") != std::string::npos);
+  CHECK(content_of(stem + "_00002.vtu").find("Name=\"slip\"") != std::string::npos);
   const auto usual = run::VtkFrame(*a, {}).grid().point_data;
   CHECK(std::any_of(usual.begin(), usual.end(), [](const auto& array) { return array.name == "slip"; }));
   const auto slip = a->field("slip");
