@@ -46,10 +46,10 @@ Law::Law(const LawData& data) : floor_(data.floor) {
   if (data.curve.empty()) {
     check_length("gap", data.gap);
     if (!(data.stiffness > 0) || !std::isfinite(data.stiffness))
-      refuse("stiffness: expected a positive number in Pa/m, got " + std::to_string(data.stiffness));
+      refuse("stiffness: expected a positive number in Pa/m, got " + number(data.stiffness));
     if (!(data.gap > data.floor))
-      refuse("gap: expected more than the floor of " + number(data.floor) + " m, got " +
-             std::to_string(data.gap) + " m");
+      refuse("gap: expected more than the floor of " + number(data.floor) + " m, got " + number(data.gap) +
+             " m");
     gap_ = data.gap;
     add(gap_, 0);
     add(gap_ - onset * (gap_ - floor_), data.stiffness);
