@@ -139,7 +139,7 @@ TEST_CASE("law: what cannot be is refused with what was expected", "[contact]") 
   CHECK(refusal({0.1e-3, 0.15e-3, 1, {}}) ==
         "contact: gap: expected more than the floor of 0.00015 m, got 0.0001 m");
   CHECK(refusal({0.3e-3, 0.15e-3, -1, {}}) ==
-        "contact: stiffness: expected a positive number in Pa/m, got -1.000000");
+        "contact: stiffness: expected a positive number in Pa/m, got -1");
   CHECK(refusal({0.3e-3, 0, 1, {}}) == "contact: floor: expected a positive length in m, got 0");
   CHECK(refusal({0, 0.15e-3, 0, {{0.3e-3, 100}}}) ==
         "contact: compression: expected at least two points, got 1");
