@@ -29,6 +29,8 @@ foreach(target ${FABRICSH_ROOM_TARGETS})
       FILES_MATCHING PATTERN "*.hpp")
   endif()
 endforeach()
+install(FILES ${CMAKE_BINARY_DIR}/generated/rheology/list.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fabricsh/rheology COMPONENT dev)
 foreach(target ${exported})
   string(REPLACE "fabricsh_" "" name ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})

@@ -44,6 +44,22 @@ function(fabricsh_isa_sources target)
   endforeach()
 endfunction()
 
+# generated/rheology/list.hpp: the rheological elements, one in each folder of the room.
+function(fabricsh_rheology folder)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/${folder} ${folder}/*/*.hpp)
+  set(includes)
+  set(names)
+  foreach(header ${headers})
+    get_filename_component(name ${header} NAME_WE)
+    if(header STREQUAL "${name}/${name}.hpp")
+      string(APPEND includes "#include \"rheology/${header}\"\n")
+      string(APPEND names " X(${name})")
+    endif()
+  endforeach()
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/rheology/list.hpp CONTENT
+    "// The folders of the room rheology, by the build.\n#pragma once\n${includes}#define FABRICSH_RHEOLOGY(X)${names}\n" @ONLY)
+endfunction()
+
 function(fabricsh_rooms layers)
   set(targets)
   file(STRINGS ${layers} lines REGEX "^[a-z]+:")

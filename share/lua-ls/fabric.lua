@@ -134,9 +134,9 @@ function analysis:field(name) end
 ---@return number, string?
 function analysis:gap() end
 
----The mean of a value over elements, each with the same weight. Stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" of a number that elements have, see a:element
----@param set? string elements all of whose nodes are in it (default "all")
+---The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, energies in J/m^3.
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure" of a number that elements or nodes have, see a:element and a:node
+---@param set? string elements all of whose nodes are in it; or its nodes (default "all")
 ---@return number
 function analysis:mean(name, set) end
 
@@ -160,7 +160,7 @@ function analysis:reaction(set) end
 
 ---@class analysis_record_fields.options
 ---@field every? number|"step" s: time between rows or frames, or 'step'
----@field columns table name = function(a) that returns a number; or a field's name, for its mean over the elements, or {field, set}
+---@field columns table name = function(a) that returns a number; or a field's name, for its mean over all elements or nodes, or {field, set}
 ---@field order? table names in the order of the columns
 ---@field units? table name = unit of what the function returns, '' for none; put behind the name in the heading. Default: that of the field; N for a column called force (or force_x, force_y, force_z), m for displacement
 

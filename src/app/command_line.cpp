@@ -1,10 +1,10 @@
 #include "app/command_line.hpp"
 
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <sstream>
 
+#include "base/number.hpp"
 #include "base/suggest.hpp"
 #include "system/paths.hpp"
 
@@ -117,10 +117,8 @@ class Reader {
     if (!long_value(word, name, text)) return !c_.trouble.empty();
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    char bound[32];
-    std::snprintf(bound, sizeof bound, "%g", most);
     if (text.empty() || *end != '\0' || !(value >= 1) || value > most)
-      c_.trouble = name + ": expected a number from 1 to " + bound + ", got '" + text + "'";
+      c_.trouble = name + ": expected a number from 1 to " + fabricsh::number(most) + ", got '" + text + "'";
     else
       out = static_cast<Number>(value);
     return only_safe_ = name, true;

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "rheology/elements.hpp"
+
 namespace fabricsh::card {
 
 // A loading curve: either a polynomial tangent modulus D(x) = c0 + c1 x + ... (Pa), or measured points (x,
@@ -81,15 +83,6 @@ struct Bands {
   Band warp, weft, shear;
 };
 
-// Viscous shear: a spring and a dashpot in series, parallel to the elastic spring. modulus in the
-// strain's own measure, Pa; time (s) in which the stress of the dashpot falls to 1/e at constant strain.
-struct Relaxation {
-  double modulus = 0, time = 0;
-};
-struct Viscous {
-  Relaxation shear;
-};
-
 enum class LawKind { potential, incremental, thesis };
 enum class Transverse { elastic, follow };
 
@@ -101,8 +94,8 @@ struct Woven {
   Transverse transverse = Transverse::elastic;  // comparison laws only
   bool shear_hysteresis = true;                 // comparison laws only
   std::optional<Biaxial> biaxial;
-  std::optional<Viscous> viscous;  // law "potential" only
-  std::optional<Bands> bands;      // polynomial loading curves only
+  rheology::Given beside;      // law "potential" only: elements in parallel to its springs
+  std::optional<Bands> bands;  // polynomial loading curves only
 };
 
 struct Svk {  // St. Venant-Kirchhoff (theory.md, 4); shear is the engineering modulus, S12 = 2 G E12

@@ -138,17 +138,31 @@ Rows<Biaxial> biaxial_rows() {
           modulus("unloading", &Biaxial::unloading, "unloading modulus").printed("unloading # MPa", per_MPa)};
 }
 
-Rows<Relaxation> relaxation_rows() {
-  return {modulus("modulus", &Relaxation::modulus, "of the part that relaxes, in shear's measure")
-              .printed("shear # MPa", per_MPa),
-          number("time", &Relaxation::time, "s", positive,
-                 "relaxation time: at constant strain its stress falls to 1/e")
-              .printed("over # s")};
+// The rows of a rheological element; a name with a dot stands in the group before it.
+template <class Parameters>
+Rows<Parameters> element_rows(const std::vector<rheology::Row<Parameters>>& rows, const std::string& inside) {
+  const auto same = [](auto& parameters) -> auto& { return parameters; };
+  Rows<Parameters> out;
+  for (const auto& r : rows) {
+    if (!r.name.starts_with(inside) || r.name.find('.', inside.size()) != std::string::npos) continue;
+    const std::string name = r.name.substr(inside.size());
+    if (r.place == nullptr) {
+      out.push_back(grouped<Parameters>(name, element_rows(rows, r.name + "."), same, r.sentence));
+      continue;
+    }
+    auto f = number(name, r.place, r.unit, r.range, r.sentence);
+    if (!r.question.empty()) f = f.ask(r.usual.low, r.usual.high, r.question);
+    out.push_back(r.phrase.empty() ? f : f.printed(r.phrase, r.scale));
+  }
+  return out;
 }
 
-Rows<Viscous> viscous_rows() {
-  return {group("shear", &Viscous::shear, relaxation_rows(),
-                "a spring and a dashpot in series beside in-plane shear")};
+void add_elements(Rows<Woven>& rows) {
+  rheology::for_each([&rows](auto element, auto given, auto) {
+    const auto own = group(element.name, given, element_rows(element.rows(), ""), element.sentence);
+    rows.push_back(lifted<Woven>(
+        own, [](auto& woven) -> auto& { return woven.beside; }));
+  });
 }
 
 Rows<Band> band_rows() {
@@ -259,7 +273,7 @@ Rows<Estimate> estimate_rows() {
 }
 
 Rows<Woven> woven_rows() {
-  return {
+  Rows<Woven> rows = {
       group("warp", &Woven::warp,
             yarn_rows("warp", "E11", "nu12: contraction along weft when pulled along warp"),
             "along the warp"),
@@ -287,9 +301,11 @@ Rows<Woven> woven_rows() {
             return law.law == LawKind::potential || law.shear_hysteresis ? "" : "no shear hysteresis";
           }),
       group("biaxial", &Woven::biaxial, biaxial_rows(),
-            "a fourth spring that acts when both yarns are stretched"),
-      group("viscous", &Woven::viscous, viscous_rows(), "stress that relaxes with time, law potential only"),
-      group("bands", &Woven::bands, bands_rows(), "confidence bands of the measured parameters").on_lines()};
+            "a fourth spring that acts when both yarns are stretched")};
+  add_elements(rows);
+  rows.push_back(
+      group("bands", &Woven::bands, bands_rows(), "confidence bands of the measured parameters").on_lines());
+  return rows;
 }
 
 template <class Law>

@@ -332,7 +332,7 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) co
 bool Contact::may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap) {
   std::vector<Vec3> end(x.begin(), x.end());
   for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
-  // Half of it, as far as each goes, against the gap.
+  // If two points approach each other by `most`, each of them moves by half of it.
   const double most = patches_.against_on_way(x, end);
   if (cannot_meet(most / 2 * (1 + rounding), gap)) return false;
   return share_of(find(x, most * (1 + rounding)), x, by) < 1;
@@ -366,7 +366,7 @@ Contact::AtPoints Contact::at_points(std::span<const Vec3> x) const {
       if (!active_[of_point_[k] / 4]) continue;
       const Force& slot = slots_[of_point_[k] / 4];
       out.gap[std::size_t(p)] = std::min(out.gap[std::size_t(p)], slot.gap);
-      // A pair that takes off what others count twice pulls towards the side from which those push.
+      // A pair with a negative weight, which corrects for others that count twice, pulls instead of pushing.
       const Vec3& f = slot.on[of_point_[k] % 4];
       face[(f.dot(normal) < 0) == (slot.contact + slot.guard < 0) ? 0 : 1] += f;
     }

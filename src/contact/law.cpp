@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::contact {
 namespace {
@@ -18,7 +19,7 @@ constexpr double guarded = 0.25;  // share of the crush range, next to the floor
 
 void check_length(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value))
-    refuse(std::string(name) + ": expected a positive length in m, got " + std::to_string(value));
+    refuse(std::string(name) + ": expected a positive length in m, got " + number(value));
 }
 
 void check_curve(const LawData& data) {
@@ -28,12 +29,11 @@ void check_curve(const LawData& data) {
     const bool ordered = i == 0 || (c[i].first > c[i - 1].first && c[i].second < c[i - 1].second);
     if (!std::isfinite(c[i].first) || !std::isfinite(c[i].second) || !(c[i].second > 0) || !ordered)
       refuse("compression: expected gaps (m) that ascend and positive pressures (Pa) that descend, got (" +
-             std::to_string(c[i].first) + ", " + std::to_string(c[i].second) + ") as point " +
-             std::to_string(i + 1));
+             number(c[i].first) + ", " + number(c[i].second) + ") as point " + std::to_string(i + 1));
   }
   if (!(c.front().first > data.floor))
-    refuse("compression: expected gaps above the floor of " + std::to_string(data.floor) + " m, got " +
-           std::to_string(c.front().first) + " m");
+    refuse("compression: expected gaps above the floor of " + number(data.floor) + " m, got " +
+           number(c.front().first) + " m");
 }
 
 // Slope of a monotone curve at a point between two secants: the harmonic mean of their slopes.
@@ -46,10 +46,10 @@ Law::Law(const LawData& data) : floor_(data.floor) {
   if (data.curve.empty()) {
     check_length("gap", data.gap);
     if (!(data.stiffness > 0) || !std::isfinite(data.stiffness))
-      refuse("stiffness: expected a positive number in Pa/m, got " + std::to_string(data.stiffness));
+      refuse("stiffness: expected a positive number in Pa/m, got " + number(data.stiffness));
     if (!(data.gap > data.floor))
-      refuse("gap: expected more than the floor of " + std::to_string(data.floor) + " m, got " +
-             std::to_string(data.gap) + " m");
+      refuse("gap: expected more than the floor of " + number(data.floor) + " m, got " + number(data.gap) +
+             " m");
     gap_ = data.gap;
     add(gap_, 0);
     add(gap_ - onset * (gap_ - floor_), data.stiffness);

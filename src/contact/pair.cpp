@@ -171,7 +171,7 @@ Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const
       press += pair.area * at.place.modulated * at.answer.pressure * m.gradient;
     const Mat3 turn =
         slip.friction * normal_force * (h.value * Mat3::Identity() + h.slope * slid * slid.transpose());
-    // lever x turn is across the normal as it is.
+    // The lever is along the normal, so lever x turn has no part along it.
     const Mat3 levers = cross_matrix(lever), pull_by_turn = turn * levers;
     for (int i = 0; i < 4; ++i)
       out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;

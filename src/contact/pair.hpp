@@ -38,8 +38,8 @@ struct Sliding {
   double step = 0;                                                                          // s
   std::array<Vec3, 4> velocity = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // m/s
   std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
-  // 1/s, of the rigid side. It is where the cloth is that a body's surface slides, a lever of the distance
-  // away from the body's core: so the two forces are opposite at one place, and angular momentum is kept.
+  // 1/s, rotation of the rigid side. Its surface velocity is taken at the place of the cloth, so that the two
+  // forces of friction act at one place and angular momentum is conserved.
   Vec3 spin = Vec3::Zero();
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::contact {
 namespace {
@@ -86,7 +87,7 @@ FreeBody::FreeBody(const Mass& mass, const Vec3& velocity, const Vec3& spin)
   if (frame_.determinant() < 0) frame_.col(0) = -frame_.col(0);
   turn_ = frame_;
   if (!(mass_ > 0) || !std::isfinite(mass_))
-    refuse("mass: expected a positive number in kg, got " + std::to_string(mass_));
+    refuse("mass: expected a positive number in kg, got " + number(mass_));
   if (!(moments_.minCoeff() > 0) || !moments_.allFinite())
     refuse("expected an inertia with positive moments");
   if (!velocity.allFinite() || !spin.allFinite()) refuse("expected a finite velocity and spin");
@@ -155,7 +156,7 @@ MovingShape::MovingShape(std::vector<double> times, std::vector<std::vector<Vec3
            std::to_string(times_.size()) + " and " + std::to_string(shapes_.size()));
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     if (!std::isfinite(times_[i]) || (i > 0 && !(times_[i] > times_[i - 1])))
-      refuse("moving surface: expected finite times (s) that ascend, got " + std::to_string(times_[i]) +
+      refuse("moving surface: expected finite times (s) that ascend, got " + number(times_[i]) +
              " as number " + std::to_string(i + 1));
     if (shapes_[i].size() != shapes_[0].size())
       refuse("moving surface: shape " + std::to_string(i + 1) + " has " + std::to_string(shapes_[i].size()) +

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::contact {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 
 void check_radius(const char* what, double radius) {
   if (!(radius > 0) || !std::isfinite(radius))
-    refuse(std::string(what) + ": radius: expected a positive length in m, got " + std::to_string(radius));
+    refuse(std::string(what) + ": radius: expected a positive length in m, got " + number(radius));
 }
 
 double area_of(const std::vector<Vec3>& x, const Triangle& t) {
@@ -87,7 +88,7 @@ int Scene::add_rigid(Surface surface, std::span<const Vec3> vertices) {
 
 int Scene::add_solid(std::span<const Vec3> vertices, std::span<const Triangle> triangles, double radius) {
   if (!(radius >= 0) || !std::isfinite(radius))
-    refuse("solid: radius: expected 0 or a positive length in m, got " + std::to_string(radius));
+    refuse("solid: radius: expected 0 or a positive length in m, got " + number(radius));
   const auto first = std::int32_t(reference_.size()), count = std::int32_t(vertices.size());
   for (const Vec3& v : vertices) {
     if (!v.allFinite()) refuse("solid: expected finite vertices");
@@ -149,8 +150,8 @@ int Scene::add_wall(const Vec3& point, const Vec3& normal) {
 int Scene::add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides) {
   check_radius("disc", radius);
   if (!(edge >= 0 && edge < radius))
-    refuse("disc: edge: expected from 0 to less than the radius of " + std::to_string(radius) + " m, got " +
-           std::to_string(edge));
+    refuse("disc: edge: expected from 0 to less than the radius of " + number(radius) + " m, got " +
+           number(edge));
   if (!(normal.norm() > 0)) refuse("disc: expected a normal that is not zero");
   if (sides < 3) refuse("disc: expected at least 3 sides, got " + std::to_string(sides));
   const Vec3 n = normal.normalized(), u = n.unitOrthogonal(), v = n.cross(u);
@@ -301,7 +302,7 @@ void Scene::meet(int first, int second, const Law& law, double friction) {
       surfaces_[std::size_t(second)].shape != Shape::cloth)
     refuse("at least one of the two surfaces must be cloth");
   if (!(friction >= 0) || !std::isfinite(friction))
-    refuse("friction: expected a number from 0 on, got " + std::to_string(friction));
+    refuse("friction: expected a number from 0 on, got " + number(friction));
   if (between(first, second) != nullptr) refuse("the two surfaces are in contact already");
   Interaction it{first, second, law, friction};
   if (surfaces_[std::size_t(first)].shape != Shape::cloth) std::swap(it.first, it.second);  // cloth first

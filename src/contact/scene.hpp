@@ -57,8 +57,8 @@ struct Interaction {
   std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself
   Law law;
   double friction = 0;
-  // Where what overlaps at the start is opened: the share of the law's lengths that each point begins with, 0
-  // to 1; two edges begin with the smallest of their ends'. Empty: nothing is.
+  // Opening of overlaps at the start: for each point the share, 0 to 1, of the law's lengths with which it
+  // begins; two edges begin with the smallest share of their ends. Empty: nothing is opened.
   std::vector<double> opening = {};
 };
 
@@ -84,11 +84,11 @@ class Scene {
 
   // Another law of the same gap and floor.
   void replace_law(std::size_t interaction, const Law& law) { interactions_[interaction].law = law; }
-  // See Interaction::opening. Sheets of one surface that share no node are no neighbours then.
+  // See Interaction::opening. Sheets of one surface that share no node then no longer count as neighbours.
   void open(std::size_t interaction, std::vector<double> opening) {
     interactions_[interaction].opening = std::move(opening);
   }
-  // Are two points of one surface of the same sheet, which nodes hold together.
+  // Whether two points of one surface belong to the same sheet, that is, are connected by elements.
   bool same_sheet(std::int32_t a, std::int32_t b) const {
     return sheet_[std::size_t(a)] == sheet_[std::size_t(b)];
   }

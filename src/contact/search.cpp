@@ -94,7 +94,7 @@ class Search {
     for (const Rows& rows : found) out.insert(out.end(), rows.begin(), rows.end());
   }
 
-  // The numbers, ascending, of what a grid has sorted, whose box meets another, and which are wanted.
+  // The numbers, ascending, of those things in a grid that are wanted and whose box meets the given box.
   template <class Wanted>
   static void meeting(const Grid& grid, const Boxes& boxes, const Box& cells, const Box& box,
                       std::vector<std::int32_t>& near, Wanted wanted) {

@@ -42,11 +42,11 @@ template <bool rubs, bool curved>
 }
 
 template <bool rubs, bool curved>
-[[gnu::flatten]] unsigned viscous_part(const Law& law, const Step& step, const double* E, const double* s0,
-                                       double* s1, double* S, double* C) {
-  return run_part<potential_state::count + 2 + viscous_state::count + loop_numbers<curved>>(
+[[gnu::flatten]] unsigned parallel_part(const Law& law, const Step& step, const double* E, const double* s0,
+                                        double* s1, double* S, double* C) {
+  return run_part<potential_state::count + 2 + rheology::most_numbers + loop_numbers<curved>>(
       law.state_size, E, s0, s1, S, C, [&](const Pack* e, const Pack* old, Pack* trial) {
-        return viscous_update<rubs, curved>(law.woven, step, e, old, trial);
+        return parallel_update<rubs, curved>(law.woven, step, e, old, trial);
       });
 }
 
@@ -68,7 +68,8 @@ unsigned elastic_part(const Law& law, const Step&, const double* E, const double
 // Selects the kernel of law "potential" by the features that the card uses, so that unused ones cost nothing.
 template <bool curved>
 BatchFunction woven_part_for(const WovenData& w) {
-  if (w.viscous.on) return w.friction.on ? viscous_part<true, curved> : viscous_part<false, curved>;
+  if (rheology::any(w.beside))
+    return w.friction.on ? parallel_part<true, curved> : parallel_part<false, curved>;
   return w.friction.on ? potential_part<true, curved> : potential_part<false, curved>;
 }
 

@@ -7,8 +7,8 @@
 #include "card/fields.hpp"
 #include "law/curve.hpp"
 #include "law/data.hpp"
+#include "law/potential.hpp"
 #include "law/text.hpp"
-#include "law/viscous.hpp"
 
 namespace fabricsh::law {
 
@@ -96,12 +96,16 @@ void compile_friction(const card::Card& card, const card::Woven& woven, WovenDat
   }
 }
 
-void compile_viscous(const card::Card& card, const card::Woven& woven, ViscousData& out) {
-  if (woven.law != card::LawKind::potential)
-    throw Error(card::at_field(card, "viscous") +
-                "expected law = \"potential\", the only one that takes it, got another law");
-  const bool tensor = woven.shear.measure == card::Measure::tensor;
-  out = {true, woven.viscous->shear.modulus / (tensor ? 2 : 1), woven.viscous->shear.time};
+void compile_elements(const card::Card& card, const card::Woven& woven, rheology::Compiled& out) {
+  const double measure = woven.shear.measure == card::Measure::tensor ? 0.5 : 1;
+  rheology::for_each([&](auto element, auto given, auto compiled) {
+    const auto& parameters = woven.beside.*given;
+    if (!parameters) return;
+    if (woven.law != card::LawKind::potential)
+      throw Error(card::at_field(card, element.name) +
+                  "expected law = \"potential\", the only one that takes it, got another law");
+    out.*compiled = element.compile(*parameters, measure);
+  });
 }
 
 // Unloading along a curve (yarn_loop.hpp). Strands slip evenly over the reach, so that the friction lost at
@@ -173,7 +177,7 @@ void compile_plain(Law& law) {
   const WovenData& w = law.woven;
   const auto warp = cubic(w.axis[0].curve), weft = cubic(w.axis[1].curve), shear = cubic(w.shear.curve);
   law.is_plain = law.kind == Kind::potential && warp && weft && shear && !w.shear.fading && !w.biaxial.on &&
-                 !w.viscous.on && !w.friction.on && !is_curved(w);
+                 !rheology::any(w.beside) && !w.friction.on && !is_curved(w);
   if (!law.is_plain) return;
   const auto axis = [&](int i, const CubicBackbone& curve) {
     const AxisData& a = w.axis[i];
@@ -204,7 +208,7 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
   if (law.kind == Kind::potential && woven.biaxial)
     compile_biaxial(*woven.biaxial, w.biaxial, law.biaxial_pieces);
   if (woven.shear.friction) compile_friction(card, woven, w);
-  if (woven.viscous) compile_viscous(card, woven, w.viscous);
+  compile_elements(card, woven, w.beside);
   for (int i = 0; i < 2; ++i) compile_loop(card, woven, i, w);
   w.axis[0].softness = 1 / w.axis[0].unloading;
   w.axis[1].softness = 1 / w.axis[1].unloading;

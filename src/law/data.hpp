@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "law/law.hpp"
+#include "rheology/elements.hpp"
 
 namespace fabricsh::law {
 
@@ -71,11 +72,6 @@ struct FrictionData {
   double limit = 0;
 };
 
-struct ViscousData {  // of shear, in gamma = 2 E12
-  bool on = false;
-  double modulus = 0, time = 0;  // Pa, s
-};
-
 // Unloading of a yarn along curves (yarn_loop.hpp), in shares of the peak stress and of the way to it.
 inline constexpr int loop_strands = 6;
 struct LoopData {
@@ -93,7 +89,7 @@ struct WovenData {
   ShearData shear;
   FrictionData friction;
   BiaxialData biaxial;
-  ViscousData viscous;
+  rheology::Compiled beside;
   double coupling = 0;    // c, Pa
   double transverse = 0;  // G_t, Pa
   bool follow = false;    // transverse shear uses the in-plane branch [williams2010, eq. 6.30]
@@ -102,7 +98,7 @@ struct WovenData {
 inline bool is_curved(const WovenData& law) { return law.loop[0].on || law.loop[1].on; }
 
 // Data of law "potential" for a card with three cubic backbones,
-// without biaxial spring, fading memory, viscous shear or curved loops.
+// without biaxial spring, fading memory, rheological elements or curved loops.
 struct PlainWoven {
   AxisOf<CubicBackbone> axis[2];
   ShearOf<CubicBackbone> shear;
@@ -140,15 +136,10 @@ inline constexpr int gp = 3;          // largest r (distance from g0) on that br
 inline constexpr int sg = 4;          // direction of that branch; 0 means +1
 inline constexpr int lost = 5;        // J/m^3, dissipated on earlier branches
 // Further numbers if the feature is used: the faded peak of the previous branch, or with friction the slip
-// in gamma (then gp is the largest |gamma|, sg its side, and g0 zero); the biaxial peak; viscous shear; the
-// loops of warp and weft.
+// in gamma (then gp is the largest |gamma|, sg its side, and g0 zero); the biaxial peak; those of the
+// rheological elements; the loops of warp and weft.
 inline constexpr int count = 6;
 }  // namespace potential_state
-
-// Of viscous shear: gamma and its stress q at the last step, and the energy lost so far.
-namespace viscous_state {
-inline constexpr int gamma = 0, q = 1, lost = 2, count = 3;
-}
 
 // Of a yarn's loop: where on the way each strand is slack (p_j), and the energy lost in loops, J/m^3.
 namespace loop_state {
@@ -156,7 +147,8 @@ inline constexpr int slack = 0, lost = loop_strands, count = loop_strands + 1;
 }
 
 // Length of the longest state of any law.
-inline constexpr int most_states = potential_state::count + 2 + viscous_state::count + 2 * loop_state::count;
+inline constexpr int most_states =
+    potential_state::count + 2 + rheology::most_numbers + 2 * loop_state::count;
 
 // State of the comparison laws.
 namespace rate_state {

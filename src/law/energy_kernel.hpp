@@ -3,7 +3,6 @@
 #pragma once
 #include "law/potential.hpp"
 #include "law/rate_laws.hpp"
-#include "law/viscous.hpp"
 
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
@@ -99,7 +98,7 @@ EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
   out.shear = shear.dissipated;
   out.created = T(0.0);
   if (w.biaxial.on) add_biaxial_energy(w, E, s, out);
-  if (w.viscous.on) add_viscous_energy(w, s, out.stored, out.shear);
+  rheology::add_energies(w.beside, s + beside_slot(w), out);
   return out;
 }
 

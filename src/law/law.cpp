@@ -25,7 +25,7 @@ void energies(const Law&, const double*, const double*, double*);
 int state_size(const Law& law) { return law.state_size; }
 bool symmetric(const Law& law) { return law.symmetric; }
 bool linear(const Law& law) { return law.kind == Kind::elastic; }
-bool hangs_on_time(const Law& law) { return law.woven.viscous.on; }
+bool hangs_on_time(const Law& law) { return rheology::hangs_on_time(law.woven.beside); }
 
 BatchEnergy batch_energy(Isa isa) {
   switch (isa) {
@@ -107,8 +107,9 @@ double stiffest(const Law& law) {
     return std::max(larger_eigenvalue(e.C11, e.C12, e.C12, e.C22), e.G12);
   }
   const double axial = law.kind == Kind::potential ? stiffest_potential(law.woven) : stiffest_rate(law.woven);
-  return std::max(axial,
-                  law.woven.shear.unloading + law.woven.friction.stiffness + law.woven.viscous.modulus);
+  const rheology::Stiffest beside = rheology::stiffest(law.woven.beside);
+  return std::max(axial + beside.axial,
+                  law.woven.shear.unloading + law.woven.friction.stiffness + beside.shear);
 }
 
 namespace {

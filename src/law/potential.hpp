@@ -29,12 +29,12 @@ inline int biaxial_slot(const WovenData& law) {
   return potential_state::count + (law.shear.fading || law.friction.on ? 1 : 0);
 }
 
-// Index at which the state of viscous shear (viscous.hpp) begins, if there is one.
-inline int viscous_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
+// Index at which the states of the rheological elements begin, if there are any.
+inline int beside_slot(const WovenData& law) { return biaxial_slot(law) + (law.biaxial.on ? 1 : 0); }
 
 // Index at which the state of a yarn's loop begins, if it has one.
 inline int loop_slot(const WovenData& law, int axis) {
-  return viscous_slot(law) + (law.viscous.on ? viscous_state::count : 0) +
+  return beside_slot(law) + rheology::numbers(law.beside) +
          (axis == 1 && law.loop[0].on ? loop_state::count : 0);
 }
 

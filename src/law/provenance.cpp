@@ -3,13 +3,20 @@
 #include <algorithm>
 #include <optional>
 
+#include "rheology/elements.hpp"
+
 namespace fabricsh::law {
 
 const std::vector<std::string>& provenance_fields() {
-  static const std::vector<std::string> names = {
-      "bending",        "biaxial",      "density",      "shear.loading", "shear.unloading",
-      "thickness",      "viscous",      "warp.loading", "warp.loop",     "warp.poisson",
-      "warp.unloading", "weft.loading", "weft.loop",    "weft.poisson",  "weft.unloading"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"bending",         "biaxial",        "density",      "shear.loading",
+                                    "shear.unloading", "thickness",      "warp.loading", "warp.loop",
+                                    "warp.poisson",    "warp.unloading", "weft.loading", "weft.loop",
+                                    "weft.poisson",    "weft.unloading"};
+    rheology::for_each([&all](auto element, auto, auto) { all.emplace_back(element.name); });
+    std::sort(all.begin(), all.end());
+    return all;
+  }();
   return names;
 }
 

@@ -3,16 +3,24 @@
 #include "law/elastic.hpp"
 #include "law/potential.hpp"
 #include "law/rate_laws.hpp"
-#include "law/viscous.hpp"
 
 namespace fabricsh::law {
 inline namespace FABRICSH_ISA {
 
+// Law "potential" with the rheological elements that act in parallel to its springs.
+template <bool rubs, bool curved, class T>
+Response<T> parallel_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
+  Response<T> out = potential_update<rubs, curved>(law, step.at, E, s0, s1);
+  const int slot = beside_slot(law);
+  rheology::add_stresses(law.beside, step.dt, E, s0 + slot, s1 + slot, out);
+  return out;
+}
+
 // Selects the kernel of law "potential" by the features used.
 template <bool rubs, bool curved, class T>
 Response<T> woven_update(const WovenData& law, const Step& step, const T E[5], const T* s0, T* s1) {
-  return law.viscous.on ? viscous_update<rubs, curved>(law, step, E, s0, s1)
-                        : potential_update<rubs, curved>(law, step.at, E, s0, s1);
+  return rheology::any(law.beside) ? parallel_update<rubs, curved>(law, step, E, s0, s1)
+                                   : potential_update<rubs, curved>(law, step.at, E, s0, s1);
 }
 
 template <bool curved, class T>

@@ -1,9 +1,10 @@
 // A term makes force: cloth, gravity, loads, springs, damping, inertia and contact are terms. The assembly is
 // their sum, and nothing else adds force, energy or stiffness. A term provides its forces, tangent, energies
-// by name, the pairs of nodes that it couples, its part of a checkpoint, the largest stable step, and the
-// safe share of a step.
+// by name, the pairs of nodes that it couples, its part of a checkpoint, the largest stable step, the safe
+// share of a step, and the fields that it shows.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -81,6 +82,14 @@ struct OnMass {
   double velocity = 0;      // 1/s
 };
 
+// A number that a term shows of the present state for each node, or for each element. Runs offer it like a
+// field of their own, in VTK files, tables and by name.
+struct Shown {
+  std::string name, unit, sentence;
+  bool of_elements = false;
+  std::function<double(Index)> value;
+};
+
 // Two nodes whose degrees of freedom are coupled in a tangent.
 using NodePair = std::pair<Index, Index>;
 
@@ -150,6 +159,9 @@ class Term {
   virtual void begin_iterate() {}
   virtual void move(double /*scale*/) {}
   virtual bool arrived() const { return true; }  // where the step ends
+
+  // --- fields. The functions are called as long as the term exists.
+  virtual std::vector<Shown> shows() const { return {}; }
 
   // --- state
   virtual void aim(double /*time*/) {}  // sets the time of the next forces

@@ -1,11 +1,11 @@
 #include "mesh/mesh.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/suggest.hpp"
 
 namespace fabricsh::mesh {
@@ -21,9 +21,7 @@ namespace {
 }
 
 std::string text(const Vec3& p) {
-  char buffer[96];
-  std::snprintf(buffer, sizeof buffer, "(%g, %g, %g)", p.x(), p.y(), p.z());
-  return buffer;
+  return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
 }
 
 // The number of corners of an element: 4, or 3 for a triangle.

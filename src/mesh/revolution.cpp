@@ -1,8 +1,8 @@
 // Surfaces of revolution: annulus, cylinder, hemisphere.
-#include <cstdio>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/lattice.hpp"
 
@@ -17,10 +17,8 @@ void check_around(const char* call, Index around, double angle) {
 }
 
 std::string named(const char* call, Index around, Index along, double angle) {
-  std::string name = std::string(call) + " " + std::to_string(around) + "x" + std::to_string(along);
-  char text[48];
-  std::snprintf(text, sizeof text, ", %.10g degrees", angle);
-  return angle < 360 ? name + text : name;
+  const std::string name = std::string(call) + " " + std::to_string(around) + "x" + std::to_string(along);
+  return angle < 360 ? name + ", " + number(angle, 10) + " degrees" : name;
 }
 
 }  // namespace

@@ -57,24 +57,23 @@ void add_mesh(Part& part, const Model& model) {
     for (const mesh::Index n : element) part.add(n);
 }
 
-// The warp direction before it is projected; on a flat mesh without one it is the default.
-void add_warp(Part& part, const Model& model) {
-  const auto add = [&](const WarpField& warp) {
-    for (const Vec3& node : model.mesh().nodes) {
-      const Direction d = warp(node);
-      if (const auto* angle = std::get_if<double>(&d))
-        part.add(*angle);
-      else
-        part.add_vector(std::get<Vec3>(d));
-    }
-  };
-  for (std::size_t r = 0; r < model.regions().size(); ++r) {
-    const auto& o = model.regions()[r].options;
-    part.add(model.sections()[r].thickness, o.points, o.offset, o.plies.size(), o.warp.has_value());
-    if (o.warp) add(*o.warp);
-  }
-  if (model.regions().size() == 1) return;
+void add_regions(Part& part, const Model& model) {
   for (Index e = 0; e < static_cast<Index>(model.mesh().elements.size()); ++e) part.add(model.region_of(e));
+}
+
+// Of one region. The warp direction before it is projected; on a flat mesh without one it is the default.
+void add_warp(Part& part, const Model& model, std::size_t region) {
+  const auto& o = model.regions()[region].options;
+  part.add(model.sections()[region].thickness, o.points, o.offset, o.plies.size(), o.warp.has_value());
+  for (const section::Ply& ply : o.plies) part.add(ply.thickness, ply.angle);
+  if (!o.warp) return;
+  for (const Vec3& node : model.mesh().nodes) {
+    const Direction d = (*o.warp)(node);
+    if (const auto* angle = std::get_if<double>(&d))
+      part.add(*angle);
+    else
+      part.add_vector(std::get<Vec3>(d));
+  }
 }
 
 void add_loads(Part& part, const Model& model) {
@@ -146,7 +145,11 @@ Fingerprint fingerprint(const Model& model, double duration) {
   add("mesh",
       std::to_string(mesh.nodes.size()) + " nodes and " + std::to_string(mesh.elements.size()) + " elements",
       add_mesh);
-  add("warp direction, thickness or plies", "", add_warp);
+  if (model.regions().size() > 1)
+    add("regions", std::to_string(model.regions().size()) + " bodies and regions", add_regions);
+  for (std::size_t r = 0; r < model.regions().size(); ++r)
+    add("warp direction, thickness or plies" + of_region(model, model.regions()[r]), "",
+        [r](Part& part, const Model& m) { add_warp(part, m, r); });
   add("supports", "", [](Part& part, const Model& m) {
     for (const auto& s : m.supports()) part.add_set(s.set).add_freedoms(s.fixed).add_frame(s.frame);
   });
@@ -170,7 +173,14 @@ Fingerprint fingerprint(const Model& model, double duration) {
   return parts;
 }
 
+std::string of_region(const Model& model, const Region& region) {
+  return model.regions().size() == 1 ? "" : " of '" + (region.name.empty() ? "the rest" : region.name) + "'";
+}
+
 std::string difference(const Fingerprint& there, const Fingerprint& here) {
+  const auto lacks = [](const Fingerprint& all, const std::string& name) {
+    return std::none_of(all.begin(), all.end(), [&](const auto& p) { return p.name == name; });
+  };
   std::vector<std::string> names;
   for (const auto& part : here) {
     const auto other =
@@ -179,8 +189,11 @@ std::string difference(const Fingerprint& there, const Fingerprint& here) {
     std::string name = "the " + part.name;
     if (other != there.end() && other->text != part.text)
       name += " (" + other->text + " there, " + part.text + " here)";
+    if (other == there.end()) name += " (none there)";
     names.push_back(name);
   }
+  for (const auto& part : there)
+    if (lacks(here, part.name)) names.push_back("the " + part.name + " (none here)");
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
     text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];

@@ -17,9 +17,12 @@ struct FingerprintPart {
 };
 using Fingerprint = std::vector<FingerprintPart>;
 
-// Covers mesh, warp, thickness, supports, motions, loads, ties and velocities, but not the cards. Histories
-// are sampled at 33 times from 0 to the duration and at their kinks.
+// Covers mesh, regions, warp, thickness, supports, motions, loads, ties and velocities, but not the cards.
+// Histories are sampled at 33 times from 0 to the duration and at their kinks.
 Fingerprint fingerprint(const Model& model, double duration);
+
+// " of 'front.pocket'"; empty in a model of one region.
+std::string of_region(const Model& model, const Region& region);
 
 // "the mesh (441 nodes and 400 elements there, 121 nodes and 100 elements here) and the supports"; empty if
 // the fingerprints are equal.

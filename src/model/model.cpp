@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::model {
 
@@ -202,7 +203,7 @@ void Model::spring(const std::string& set, const std::array<double, 3>& stiffnes
   mesh_->set(set);
   for (const double k : stiffness)
     if (!(k >= 0) || !std::isfinite(k))
-      throw Error("spring: expected stiffnesses of 0 or more in N/m, got " + std::to_string(k));
+      throw Error("spring: expected stiffnesses of 0 or more in N/m, got " + number(k));
   springs_.push_back({set, stiffness, frame});
 }
 

@@ -51,12 +51,11 @@ model::Fingerprint problem_of(const Run& run) {
              "BLAS kernels (other kernels give other bits; the variable OPENBLAS_CORETYPE selects them)",
              kernels, kernels);
   const model::Model& m = run.model();
-  std::string cards;
   for (const auto& region : m.regions()) {
-    cards += card::lua_text(region.card);
+    std::string cards = card::lua_text(region.card);
     for (const auto& ply : region.options.plies) cards += card::lua_text(ply.card);
+    add_part(parts, "card" + model::of_region(m, region), region.card.name, cards);
   }
-  add_part(parts, "card", m.card().name, cards);
   for (auto& part : model::fingerprint(m, run.duration())) parts.push_back(std::move(part));
   return parts;
 }

@@ -76,7 +76,8 @@ std::string Dynamic::method() const {
   text << std::boolalpha << (o.scheme == Scheme::explicit_steps ? "explicit" : "implicit") << " with gamma "
        << number(o.gamma) << ", beta " << number(o.beta.value_or(-1)) << ", hht " << number(o.hht)
        << ", damping " << number(o.mass_damping) << " and " << number(o.stiffness_damping)
-       << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force;
+       << ", scaled inertia " << scaled_ << ", line search " << o.line_search << ", force " << o.force
+       << solver_text(o.solver);
   return text.str();
 }
 
@@ -142,7 +143,7 @@ std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
   std::vector<bool> dropped(assembly_->reference().size(), false);
   for (std::size_t n = 0; n < dropped.size(); ++n) {
     const auto& freedoms = assembly_->freedoms().nodes[n];
-    const Vec3 v = freedoms.frame * Eigen::Map<const Vec3>(rates.x.data() + 3 * n);
+    const Vec3 v = freedoms.frame * at(rates.x, static_cast<std::ptrdiff_t>(n));
     for (std::size_t i = 0; i < 3; ++i) {
       const auto equation = freedoms.equation[i];
       if (v[static_cast<int>(i)] == 0 || equation >= 0 || equation == mechanics::tied) continue;
@@ -355,7 +356,7 @@ double Dynamic::scaled_kinetic() const {
   double sum = 0;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (!nodes[n].turn_axis)
-      sum += (scaled[n] - own[n]) * Eigen::Map<const Vec3>(w.data() + 3 * n).squaredNorm() / 2;
+      sum += (scaled[n] - own[n]) * at(w, static_cast<std::ptrdiff_t>(n)).squaredNorm() / 2;
   return sum;
 }
 

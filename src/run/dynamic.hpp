@@ -7,6 +7,7 @@
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/inertia.hpp"
 #include "run/run.hpp"
+#include "run/solver_choice.hpp"
 
 namespace fabricsh::run {
 
@@ -27,6 +28,7 @@ struct DynamicOptions {
   double tolerance = 1e-8;          // implicit; this and the following as in StaticOptions
   int max_iterations = 30, max_cuts = 12;
   bool line_search = true;
+  std::optional<SolverChoice> solver = {};  // implicit
 };
 
 // Shared by both schemes: velocities for readings, and the checks of the ledger.

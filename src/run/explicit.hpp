@@ -18,6 +18,7 @@ class Explicit final : public Dynamic {
   const mechanics::NodalRates& rates() const override;
 
  private:
+  bool takes_unsymmetric() const override { return true; }
   void begin() override;
   void take_options(const DynamicOptions& options) override;
   void set_motion(const mechanics::NodalRates& rates) override;

@@ -33,10 +33,10 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
     : Dynamic(std::move(model), options, std::move(notices)),
       newmark_(*assembly_, *inertia_, scheme_of(options_)),
       problem_(*assembly_, newmark_, poll_),
-      newton_(assembly_->symmetric() ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver()),
+      newton_(make_solver(options_.solver, !takes_unsymmetric())),
       control_(control_of(options, *assembly_)) {
-  // Damping by stiffness multiplies its matrix.
-  if (assembly_->symmetric() && !(options_.stiffness_damping > 0)) assembly_->keep_upper();
+  // Damping by stiffness multiplies its matrix, and a solver of one's own may read all of it.
+  if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
   if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit();
   tell_contacts();
   now_.step = control_.current();

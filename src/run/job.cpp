@@ -106,10 +106,11 @@ void Job::record(const std::string& path, const std::vector<Column>& columns, do
 }
 
 void Job::vtk(const std::string& stem, double every, const VtkContents& contents) {
+  const auto checked = [&]() -> const VtkContents& { return check_fields(*run_, contents, "vtk"), contents; };
   add(
       {"vtk", stem, "", {}}, every, stem + ".pvd",
-      [&] { return std::make_shared<VtkSeries>(stem, contents); },
-      [&](Archive& from) { return std::make_shared<VtkSeries>(stem, contents, from); });
+      [&] { return std::make_shared<VtkSeries>(stem, checked()); },
+      [&](Archive& from) { return std::make_shared<VtkSeries>(stem, checked(), from); });
 }
 
 std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<double> every,

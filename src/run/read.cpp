@@ -1,6 +1,7 @@
 // Reading a run: nodes, elements, reactions, energies, snapshots.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/error.hpp"
 #include "geometry/node_view.hpp"
@@ -105,11 +106,12 @@ ElementValues Run::element(mesh::Index i) const {
 }
 
 double Run::mean(const std::string& name, const std::string& set) const {
-  const FieldPart part = find_field(name);
-  if (part.component < 0 || part.field->place != Place::element)
-    throw Error("mean: expected a field with one number per element, got '" + name + "'");
-  const auto inside = model_->mesh().elements_in(model_->mesh().set(set));
-  if (inside.empty()) throw Error("mean: set '" + set + "' holds no whole element");
+  const FieldPart part = find_field(*this, name);
+  if (part.component < 0) throw Error("mean: expected a field of one number, got '" + name + "'");
+  const auto& nodes = model_->mesh().set(set);
+  const bool nodal = part.field->place == Place::node;
+  const std::vector<mesh::Index> inside = nodal ? nodes : model_->mesh().elements_in(nodes);
+  if (inside.empty()) throw Error("mean: set '" + set + "' holds no " + (nodal ? "node" : "whole element"));
   double sum = 0, values[5];
   for (const auto e : inside) {
     part.field->values(*this, e, values);
@@ -118,10 +120,14 @@ double Run::mean(const std::string& name, const std::string& set) const {
   return sum / static_cast<double>(inside.size());
 }
 
-std::vector<double> Run::field(const std::string& name) const { return values_of(*this, find_field(name)); }
+std::vector<double> Run::field(const std::string& name) const {
+  return values_of(*this, find_field(*this, name));
+}
 
 Energy Run::energy() const {
+  static const std::set<std::string> named = {"friction", "warp", "weft", "shear", "bending"};
   Energy sum;
+  double others = 0;  // J, dissipated by terms that a program has added
   for (const auto& energy : assembly_->energies()) {
     if (energy.account == mechanics::Account::stored) sum.stored += energy.value;
     if (energy.account == mechanics::Account::created) sum.created += energy.value;
@@ -136,9 +142,10 @@ Energy Run::energy() const {
     if (energy.name == "weft") sum.dissipated_weft += energy.value;
     if (energy.name == "shear") sum.dissipated_shear += energy.value;
     if (energy.name == "bending") sum.dissipated_bending += energy.value;
+    if (!named.contains(energy.name)) others += energy.value;
   }
   sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending +
-                   sum.friction;
+                   sum.friction + others;
   sum.kinetic = sum.kinetic + driven_kinetic() + sum.rigid;
   sum.scaled = scaled_kinetic();
   sum.damping += scheme_loss();

@@ -24,10 +24,12 @@ struct Table {
   std::vector<ResultField> rows;
   Members members;
 
-  void nodal(std::string name, std::string unit, std::string sentence, Names components,
-             Vec3 NodeValues::*what, std::string letter = "") {
-    const auto values = [what](const Run& run, mesh::Index i, double* out) {
-      const Vec3 v = run.node(i).*what;
+  // read(run, node) gives the vector.
+  template <class Read>
+  void vectors(std::string name, std::string unit, std::string sentence, Names components, std::string letter,
+               const Read& read) {
+    const auto values = [read](const Run& run, mesh::Index i, double* out) {
+      const Vec3 v = read(run, i);
       std::copy_n(v.data(), 3, out);
     };
     rows.push_back({std::move(name),
@@ -40,21 +42,15 @@ struct Table {
                     {},
                     std::move(letter)});
   }
-  void supports(std::string name, std::string unit, std::string sentence) {
-    const auto values = [](const Run& run, mesh::Index i, double* out) {
-      const Vec3 v = run.reaction_at(i);
-      std::copy_n(v.data(), 3, out);
-    };
-    Names components = {name + "_x", name + "_y", name + "_z"};
-    rows.push_back({std::move(name),
-                    std::move(unit),
-                    Shape::vector,
-                    Place::node,
-                    std::move(sentence),
-                    std::move(components),
-                    values,
-                    {},
-                    "R"});
+  void nodal(std::string name, std::string unit, std::string sentence, Names components,
+             Vec3 NodeValues::*what, std::string letter = "") {
+    const auto read = [what](const Run& run, mesh::Index i) -> Vec3 { return run.node(i).*what; };
+    vectors(std::move(name), std::move(unit), std::move(sentence), std::move(components), std::move(letter),
+            read);
+  }
+  void supports(const std::string& name, std::string unit, std::string sentence) {
+    const auto read = [](const Run& run, mesh::Index i) { return run.reaction_at(i); };
+    vectors(name, std::move(unit), std::move(sentence), {name + "_x", name + "_y", name + "_z"}, "R", read);
   }
   void touched(const std::string& name, std::string unit, std::string sentence,
                double (mechanics::Contacts::*what)(mechanics::Index) const) {
@@ -224,12 +220,51 @@ const std::vector<ResultField>& result_fields() { return table().rows; }
 
 const std::vector<double V::*>& element_members() { return table().members; }
 
+std::vector<const ResultField*> fields_of(const Run& run) {
+  std::vector<const ResultField*> all;
+  for (const ResultField& field : result_fields()) all.push_back(&field);
+  for (const auto& field : run.shown()) all.push_back(field.get());
+  return all;
+}
+
+ResultField field_of(const mechanics::Shown& shown) {
+  const auto value = [value = shown.value](const Run&, mesh::Index i, double* out) { *out = value(i); };
+  return {shown.name,     shown.unit,   Shape::scalar, shown.of_elements ? Place::element : Place::node,
+          shown.sentence, {shown.name}, value};
+}
+
+namespace {
+
+// The field is null if the name is not among those of this one.
+FieldPart look_up(const ResultField& field, const std::string& name) {
+  const auto found = std::find(field.components.begin(), field.components.end(), name);
+  if (found != field.components.end()) return {&field, static_cast<int>(found - field.components.begin())};
+  return {field.name == name ? &field : nullptr, -1};
+}
+
+FieldPart look_up(const std::string& name) {
+  for (const ResultField& field : result_fields())
+    if (const FieldPart part = look_up(field, name); part.field != nullptr) return part;
+  return {nullptr, -1};
+}
+
+FieldPart look_up(const Run& run, const std::string& name) {
+  for (const auto& field : run.shown())
+    if (field->name == name) return {field.get(), 0};
+  return look_up(name);
+}
+
+}  // namespace
+
+bool is_field(const Run& run, const std::string& name) { return look_up(run, name).field != nullptr; }
+
+FieldPart find_field(const Run& run, const std::string& name) {
+  const FieldPart part = look_up(run, name);
+  return part.field != nullptr ? part : find_field(name);
+}
+
 FieldPart find_field(const std::string& name) {
-  for (const ResultField& field : result_fields()) {
-    const auto found = std::find(field.components.begin(), field.components.end(), name);
-    if (found != field.components.end()) return {&field, static_cast<int>(found - field.components.begin())};
-    if (field.name == name) return {&field, -1};
-  }
+  if (const FieldPart part = look_up(name); part.field != nullptr) return part;
   const std::string guess = did_you_mean(name, field_names());
   if (!guess.empty()) throw Error("unknown field '" + name + "'" + guess);
   std::string known;

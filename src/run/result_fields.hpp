@@ -1,10 +1,12 @@
 // The fields of a run, one row each. VTK files, tables, a:field, a:mean, a:node, a:element, pictures, help
-// and the reference all take names, units and values from here.
+// and the reference all take names, units and values from here. A term that a C++ program adds to a run shows
+// further ones (mechanics::Term::shows).
 #pragma once
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "mechanics/term.hpp"
 #include "mesh/mesh.hpp"
 
 namespace fabricsh::run {
@@ -42,6 +44,9 @@ struct ResultField {
 
 const std::vector<ResultField>& result_fields();
 bool has(const Run& run, const ResultField& field);
+// Those of result_fields(), whether the run has them or not, and those that its added terms show.
+std::vector<const ResultField*> fields_of(const Run& run);
+ResultField field_of(const mechanics::Shown& shown);
 
 // A field, or one of its values.
 struct FieldPart {
@@ -50,6 +55,8 @@ struct FieldPart {
 };
 // Error: unknown name; the message has the nearest one.
 FieldPart find_field(const std::string& name);
+FieldPart find_field(const Run& run, const std::string& name);  // also of its added terms
+bool is_field(const Run& run, const std::string& name);
 
 // Names of single values, then those of whole fields.
 std::vector<std::string> scalar_names();

@@ -10,6 +10,7 @@
 #include "run/failure.hpp"
 #include "run/foresight.hpp"
 #include "run/place_text.hpp"
+#include "run/result_fields.hpp"
 
 namespace fabricsh::run {
 
@@ -37,8 +38,16 @@ void Run::tell_contacts() {
 
 void Run::add(std::unique_ptr<mechanics::Term> term) {
   if (started_) throw Error(std::string("a term '") + term->name() + "': expected before the run begins");
-  if (!term->symmetric())
-    throw Error(std::string("a term '") + term->name() + "': expected one with a symmetric tangent");
+  if (!term->symmetric() && !takes_unsymmetric())
+    throw Error(std::string("a term '") + term->name() + "': expected one with a symmetric tangent" +
+                (std::string(kind()) == "static" ? ", or the option linear = unsymmetric" : ""));
+  const auto shows = term->shows();
+  for (const mechanics::Shown& shown : shows)
+    if (is_field(*this, shown.name))
+      throw Error(std::string("a term '") + term->name() + "': its field '" + shown.name +
+                  "' has the name of another field");
+  for (const mechanics::Shown& shown : shows)
+    shown_.push_back(std::make_shared<const ResultField>(field_of(shown)));
   assembly_->add(std::move(term));
 }
 

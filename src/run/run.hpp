@@ -18,6 +18,8 @@
 
 namespace fabricsh::run {
 
+struct ResultField;
+
 inline constexpr double same_time = 1e-12;  // relative to the duration: times closer than this are equal
 inline constexpr double most_steps = 1e10;  // a run with more steps is refused, because it would not end
 
@@ -58,8 +60,10 @@ class Run {
 
   // Adds a term to the compiled model, before the run begins. Its state is stored with that of the run, so a
   // run that restores the state must have the same term. Errors: the run has begun; the tangent is not
-  // symmetric.
+  // symmetric, and the run's linear solver needs that; it shows a field whose name is taken.
   void add(std::unique_ptr<mechanics::Term> term);
+  // The fields that added terms show, besides those of result_fields().
+  const std::vector<std::shared_ptr<const ResultField>>& shown() const { return shown_; }
 
   double time() const { return trial_time_; }
   double duration() const { return duration_; }
@@ -127,6 +131,9 @@ class Run {
 
   // What each contact was taken for; once the kind of run is known.
   void tell_contacts();
+
+  // Whether tangents need not be symmetric: no matrix is solved with, or by a solver for unsymmetric ones.
+  virtual bool takes_unsymmetric() const = 0;
 
   // --- to be defined by a kind of run. A step's size is the time at its end; along an arc, its length.
   virtual void begin() = 0;  // the state at time 0, before its hooks; calls work_.start
@@ -232,6 +239,7 @@ class Run {
   void take_up(Event& event, std::size_t i);
   void run_pending();
 
+  std::vector<std::shared_ptr<const ResultField>> shown_;
   std::vector<Timed> timed_;
   std::vector<Event> events_;
   std::vector<TimedState> kept_timed_;  // as last restored, for hooks that are added later

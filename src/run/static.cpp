@@ -71,10 +71,9 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.stabilise > 0)
     stabilisation_ =
         &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
-  const bool symmetric = takes_symmetric(options_, *assembly_);
-  auto linear = symmetric ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver();
-  // Relaxation and descent sum whole columns.
-  if (symmetric && options_.method == Method::newton) assembly_->keep_upper();
+  auto linear = make_solver(options_.solver, !takes_unsymmetric());
+  // Relaxation and descent sum whole columns, and a solver of one's own may read them.
+  if (!takes_unsymmetric() && options_.method == Method::newton && !options_.solver) assembly_->keep_upper();
   if (options_.control == Control::arc && assembly_->hangs_on_time())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
@@ -87,14 +86,14 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.method != Method::newton) {
     relaxation_ = std::make_unique<solver::Relaxation>();
     if (bends_by_itself(*model_))
-      descent_ = std::make_unique<solver::Descent>(takes_symmetric(options_, *assembly_)
-                                                       ? linear::make_symmetric_solver()
-                                                       : linear::make_unsymmetric_solver());
+      descent_ = std::make_unique<solver::Descent>(make_solver(options_.solver, !takes_unsymmetric()));
   }
   tell_contacts();
 }
 
 Static::~Static() = default;
+
+bool Static::takes_unsymmetric() const { return !takes_symmetric(options_, *assembly_); }
 
 void Static::check_bodies() const {
   const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
@@ -112,7 +111,7 @@ std::string Static::method() const {
   text << std::boolalpha << "static with control " << (arc_ ? "arc" : "load") << ", method "
        << static_cast<int>(options_.method) << ", linear " << static_cast<int>(options_.linear)
        << ", line search " << options_.line_search << ", stabilise " << number(options_.stabilise)
-       << ", min_step " << number(options_.min_step);
+       << ", min_step " << number(options_.min_step) << solver_text(options_.solver);
   return text.str();
 }
 

@@ -7,6 +7,7 @@
 #include "run/failure.hpp"
 #include "run/problem.hpp"
 #include "run/run.hpp"
+#include "run/solver_choice.hpp"
 #include "run/step_control.hpp"
 #include "solver/arc_length.hpp"
 #include "solver/descent.hpp"
@@ -39,6 +40,7 @@ struct StaticOptions {
   // Viscous forces c m dx/dt on the nodes; c is chosen so that a step dissipates this fraction of its work.
   // 0: none.
   double stabilise = 0;
+  std::optional<SolverChoice> solver = {};  // empty: the one that `linear` names
 };
 inline constexpr double usual_stabilisation = 2e-4;
 
@@ -58,6 +60,7 @@ class Static final : public Run {
 
  private:
   class Trace;
+  bool takes_unsymmetric() const override;
   void begin() override;
   double try_step(double limit, StepReport& report) override;
   bool attempt(double size, StepReport& report) override;

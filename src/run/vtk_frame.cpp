@@ -35,13 +35,13 @@ bool has_array(const std::vector<format::Array>& arrays, const std::string& name
   return std::any_of(arrays.begin(), arrays.end(), [&name](const auto& a) { return a.name == name; });
 }
 
-// The field with those of its numbers that are wanted; none: no components.
+// The array of a field with the wanted numbers alone; without components if none is wanted.
 format::Array chosen(const Run& run, const std::vector<std::string>& fields, const ResultField& field) {
   std::vector<int> numbers;
   bool whole = fields.empty() && field.usual;
   whole = whole || field.name == "displacement" || field.name == "reference";
   for (const std::string& name : fields) {
-    const FieldPart part = find_field(name);
+    const FieldPart part = find_field(run, name);
     if (part.field != &field) continue;
     whole = whole || part.component < 0 || field.size() == 1 || field.shape == Shape::vector;
     if (std::find(numbers.begin(), numbers.end(), part.component) == numbers.end())
@@ -66,10 +66,10 @@ format::Array array_of(const Run& run, const ResultField& field) {
   return field.shape == Shape::tensor ? six(std::move(array)) : array;
 }
 
-void check_fields(const VtkContents& contents, const std::string& call) {
+void check_fields(const Run& run, const VtkContents& contents, const std::string& call) {
   for (const auto& field : contents.fields) {
     try {
-      find_field(field);
+      find_field(run, field);
     } catch (const Error& unknown) {
       throw Error(call + ": field 'fields': " + unknown.what());
     }
@@ -79,7 +79,7 @@ void check_fields(const VtkContents& contents, const std::string& call) {
 VtkFrame::VtkFrame(const Run& run, const VtkContents& contents)
     : points_(points_of(run, contents.reference)), grid_{points_, run.model().mesh().elements} {
   grid_.time = run.time();
-  for (const ResultField& field : result_fields()) add_field(run, contents, field);
+  for (const ResultField* field : fields_of(run)) add_field(run, contents, *field);
   add_sets(run);
 }
 
@@ -119,7 +119,7 @@ void VtkFrame::add_average(const Run& run, format::Array array, bool directions)
   grid_.point_data.push_back(std::move(array));
 }
 
-// A set that is called as an array is gets a word more.
+// A set with the name of another array is written as "set NAME".
 void VtkFrame::add_sets(const Run& run) {
   for (const std::string& name : run.model().mesh().set_names()) {
     const mesh::NodeSet& ids = run.model().mesh().set(name);

@@ -34,7 +34,7 @@ class VtkFrame {
 };
 
 // Error, of the call's name: a name that is no field's.
-void check_fields(const VtkContents& contents, const std::string& call);
+void check_fields(const Run& run, const VtkContents& contents, const std::string& call);
 
 // A field of a run as an array of a file.
 format::Array array_of(const Run& run, const ResultField& field);

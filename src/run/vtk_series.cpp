@@ -18,14 +18,10 @@ format::PvdSeries continued(const std::string& stem, std::size_t frames, Archive
 }  // namespace
 
 VtkSeries::VtkSeries(const std::string& stem, VtkContents contents)
-    : series_(stem), contents_(std::move(contents)) {
-  check_fields(contents_, "vtk");
-}
+    : series_(stem), contents_(std::move(contents)) {}
 
 VtkSeries::VtkSeries(const std::string& stem, VtkContents contents, Archive& from)
-    : Series(from), series_(continued(stem, frames(), from)), contents_(std::move(contents)) {
-  check_fields(contents_, "vtk");
-}
+    : Series(from), series_(continued(stem, frames(), from)), contents_(std::move(contents)) {}
 
 void VtkSeries::keep_place(Archive& archive) {
   format::PvdPlace place = series_.place();

@@ -11,7 +11,7 @@ namespace fabricsh::run {
 
 class VtkSeries final : public Series {
  public:
-  // Errors: unknown field (with the list); a folder that cannot be written.
+  // Error: a folder that cannot be written.
   VtkSeries(const std::string& stem, VtkContents contents);
   // Continues the series of an earlier program from its stored state.
   VtkSeries(const std::string& stem, VtkContents contents, Archive& from);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "law/compression.hpp"
 #include "law/data.hpp"
 
@@ -46,7 +47,7 @@ namespace {
 
 void check(double thickness, double offset) {
   if (!(thickness > 0) || !std::isfinite(thickness))
-    throw Error("thickness: expected a positive length in m, got " + std::to_string(thickness));
+    throw Error("thickness: expected a positive length in m, got " + number(thickness));
   if (!(std::abs(offset) <= 1))
     throw Error("offset: expected a number from -1 to 1, got " + std::to_string(offset));
 }
@@ -116,8 +117,7 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset) {
   for (std::size_t i = 0; i < plies.size(); ++i) {
     const std::string name = "layers: layer " + std::to_string(i + 1) + ": ";
     if (!(plies[i].thickness > 0) || !std::isfinite(plies[i].thickness))
-      throw Error(name + "thickness: expected a positive length in m, got " +
-                  std::to_string(plies[i].thickness));
+      throw Error(name + "thickness: expected a positive length in m, got " + number(plies[i].thickness));
     if (plies[i].card.bending)
       throw Error(name + "a card with its own bending rigidity can't be one of several layers");
     s.thickness += plies[i].thickness;

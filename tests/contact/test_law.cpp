@@ -137,13 +137,13 @@ TEST_CASE("law: scaled lengths keep the stiffness", "[contact]") {
 TEST_CASE("law: what cannot be is refused with what was expected", "[contact]") {
   const auto refusal = [](LawData data) { return message_of([&] { Law law(data); }); };
   CHECK(refusal({0.1e-3, 0.15e-3, 1, {}}) ==
-        "contact: gap: expected more than the floor of 0.000150 m, got 0.000100 m");
+        "contact: gap: expected more than the floor of 0.00015 m, got 0.0001 m");
   CHECK(refusal({0.3e-3, 0.15e-3, -1, {}}) ==
-        "contact: stiffness: expected a positive number in Pa/m, got -1.000000");
-  CHECK(refusal({0.3e-3, 0, 1, {}}) == "contact: floor: expected a positive length in m, got 0.000000");
+        "contact: stiffness: expected a positive number in Pa/m, got -1");
+  CHECK(refusal({0.3e-3, 0, 1, {}}) == "contact: floor: expected a positive length in m, got 0");
   CHECK(refusal({0, 0.15e-3, 0, {{0.3e-3, 100}}}) ==
         "contact: compression: expected at least two points, got 1");
   CHECK(refusal({0, 0.15e-3, 0, {{0.1e-3, 100}, {0.2e-3, 50}}}) ==
-        "contact: compression: expected gaps above the floor of 0.000150 m, got 0.000100 m");
+        "contact: compression: expected gaps above the floor of 0.00015 m, got 0.0001 m");
   CHECK(refusal({0, 0.15e-3, 0, {{0.3e-3, 100}, {0.4e-3, 150}}}).find("as point 2") != std::string::npos);
 }

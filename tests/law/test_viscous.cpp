@@ -3,8 +3,8 @@
 
 #include "catch.hpp"
 #include "law/law_point.hpp"
+#include "law/potential.hpp"
 #include "law/thesis_cards.hpp"
-#include "law/viscous.hpp"
 #include "message_of.hpp"
 
 using namespace fabricsh;
@@ -59,9 +59,9 @@ TEST_CASE("a ramp of strain follows its closed form, in any number of steps", "[
 
 TEST_CASE("one step of relaxation is as good as two, however short or long", "[law][viscous]") {
   for (double x = 1e-14; x < 1e3; x *= 3) {
-    const auto whole = law::viscous_step(2 * x), half = law::viscous_step(x);
+    const auto whole = rheology::viscous::effect_of_step(2 * x), half = rheology::viscous::effect_of_step(x);
     const double q0 = 0.3, g = 0.7;  // of the whole step; G = 1
-    const auto loss = [](const law::ViscousStep& w, double q, double pulled) {
+    const auto loss = [](const rheology::viscous::StepEffect& w, double q, double pulled) {
       return w.own * q * q + 2 * w.mixed * q * pulled + w.pulled * pulled * pulled;
     };
     const double middle = half.decay * q0 + half.share * g / 2;
@@ -129,13 +129,13 @@ TEST_CASE("a law cuts a strain that is not finite, and is broken where its state
   };
   CHECK(outcome(fine) == law::Outcome::ok);
   CHECK(outcome(bad) == law::Outcome::cut);
-  point.s[law::viscous_slot(point.law->woven) + law::viscous_state::q] = std::nan("");
+  point.s[law::beside_slot(point.law->woven) + rheology::viscous::state::q] = std::nan("");
   CHECK(outcome(fine) == law::Outcome::broken);
 }
 
 TEST_CASE("a card without viscous shear has the state and the stiffness it had", "[law][viscous]") {
   const auto plain = law::compile(thesis_card(0)), viscous = law::compile(viscous_card());
-  CHECK(law::state_size(*viscous) == law::state_size(*plain) + law::viscous_state::count);
+  CHECK(law::state_size(*viscous) == law::state_size(*plain) + rheology::viscous::Element::numbers);
   CHECK(plain->is_plain);
   CHECK(!law::hangs_on_time(*plain));
   CHECK(law::hangs_on_time(*viscous));

@@ -66,6 +66,30 @@ a:advance(4e-5)
 local whole = a:node(3).z
 assert(half ~= whole)
 
+-- A checkpoint is refused by what differs, with the name of its region.
+local function layered(t)
+  local sheet = strip()
+  sheet:set("pocket", function(_, y) return y > (t.edge or 0.0381) - 1e-9 end)
+  local mm = fabric.model { mesh = sheet, card = blend, warp = 90, regions = {
+    pocket = { layers = { { card = denim, warp = t.angle or 30, thickness = t.ply or 4e-4 }, { card = t.card or blend, thickness = 3e-4 } } } } }
+  if t.plane then mm:contact { between = { fabric.rigid.plane { point = { 0, 0, -1 }, normal = { 0, 0, 1 } }, "all" } } end
+  return fabric.static { model = pulled(mm, nil, 1e-4), duration = 1, step = 0.5 }
+end
+local function refuses(path, t, words)
+  local good, message = pcall(function() layered(t):restart(path) end)
+  message = tostring(message)
+  assert(not good and message:find("of another problem: it differs in " .. words, 1, true), message)
+end
+layered {}:checkpoint("layered.ckpt"):solve()
+layered {}:restart "layered.ckpt"
+refuses("layered.ckpt", { angle = 31 }, "the warp direction, thickness or plies of 'pocket'")
+refuses("layered.ckpt", { ply = 3.9e-4 }, "the warp direction, thickness or plies of 'pocket'")
+refuses("layered.ckpt", { card = fabric.card "duck" }, "the card of 'pocket'")
+refuses("layered.ckpt", { edge = 0.0254 }, "the regions")
+refuses("layered.ckpt", { plane = true }, "the contacts and rigid bodies (none there)")
+layered { plane = true }:checkpoint("plane.ckpt"):solve()
+refuses("plane.ckpt", {}, "the contacts and rigid bodies (none here)")
+
 -- Taking back.
 local n = #m:list()
 local fresh = fabric.model { mesh = strip(), card = blend }

@@ -14,7 +14,7 @@ end
 
 -- Every name gives a number or a list per node or element, and all ways to it give the same.
 local a, mesh = strip({ y = fabric.ramp(0.01, 1) }, 2, 3)
-a:record("table.csv", { columns = { mean = "S11", part = { "E11", "all" }, angle = "shear_angle", called = function(run) return run:mean "S11" end } })
+a:record("table.csv", { columns = { mean = "S11", part = { "E11", "all" }, edge = { "uy", "top" }, angle = "shear_angle", called = function(run) return run:mean "S11" end } })
 a:vtk("all")
 a:vtk("some", { fields = { "E12", "S11", "S22", "slack2", "shear_angle", "ux", "tension_warp" } })
 a:solve()
@@ -36,7 +36,7 @@ for _, field in ipairs(registry.fields()) do
       assert(a[field.place == "node" and "node" or "element"](a, i)[name] == value)
       sum = sum + value
     end
-    if field.place == "element" then assert(a:mean(name) == sum / items) end
+    assert(a:mean(name) == sum / items)
   end
   ::next::
 end
@@ -47,6 +47,7 @@ local _, force = a:reaction "top"
 fabric.expect {
   { "tension along the pull, N/m", a:mean "tension_warp", force / width, relative = 1e-9 },
   { "shear angle of a straight pull", a:mean "shear_angle", 0, absolute = 1e-9 },
+  { "displacement of the moved edge, m", a:mean("uy", "top"), 0.01, relative = 1e-12 },
 }
 
 -- Simple shear by x = X + g Y. The warp lies along y, the weft along -x: the angle between them opens by atan(g).
@@ -60,6 +61,7 @@ local column = {}
 for _, one in ipairs(fabric.table { file = "table.csv" }) do column[one.name] = one.values end
 assert(#column.mean == steps + 1 and #column.part == steps + 1)
 for i, value in ipairs(column.mean) do assert(value == column.called[i]) end
+assert(math.abs(column.edge[steps + 1] - 0.01) < 1e-15)
 assert(column.part[steps + 1] == a:mean "E11" and column.angle[steps + 1] == a:mean "shear_angle")
 
 -- Files: whole fields as ever, chosen numbers in the array of their field.

@@ -396,7 +396,7 @@ TEST_CASE("plies: one card cut in three layers is that card; a crossed ply turns
   CHECK(std::abs(crossed / whole / (37.0 / 8) - 1) < 1e-12);  // E2 / E1: both lateral strains are held
   CHECK(std::abs(both / ((whole + crossed) / 2) - 1) < 1e-12);
   CHECK_THROWS_WITH(section::stacked({{card, t, 0}, {card, 0, 0}}, 3, 0),
-                    "layers: layer 2: thickness: expected a positive length in m, got 0.000000");
+                    "layers: layer 2: thickness: expected a positive length in m, got 0");
 }
 
 TEST_CASE("forces and tangent have the same bits for one, two and four threads") {

@@ -1,10 +1,17 @@
 // What a run makes of its terms: of couplings that come on the way, of the step that a term is told, and of
 // its answers.
+#include <algorithm>
+#include <cmath>
+
 #include "catch.hpp"
+#include "geometry/node_view.hpp"
 #include "mechanics/springs_of_pairs.hpp"
 #include "message_of.hpp"
 #include "run/dynamic.hpp"
+#include "run/job.hpp"
 #include "run/problems.hpp"
+#include "run/result_fields.hpp"
+#include "scratch.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::test;
@@ -197,4 +204,132 @@ TEST_CASE("a term is added before the run begins, and with a symmetric tangent")
   a->step();
   CHECK(message_of([&] { a->add(springs(false)); }) ==
         "a term 'springs of pairs': expected before the run begins");
+}
+
+namespace {
+
+// Springs from some nodes to the ground along x that slip at a largest force: a term with a state, two
+// energies, a section of a checkpoint and a field.
+class Brake final : public mechanics::Term {
+ public:
+  Brake(std::size_t all, std::vector<mechanics::Index> nodes, double k, double largest)
+      : nodes_(std::move(nodes)),
+        k_(k),
+        largest_(largest),
+        slip_(all),
+        trial_(all),
+        lost_(all),
+        spent_(all) {}
+  const char* name() const override { return "brake"; }
+  mechanics::Outcome add_forces(const law::Step&, const mechanics::Trial& trial,
+                                mechanics::Forces& forces) override {
+    for (const auto n : nodes_) {
+      const double u = moved(trial, n), over = std::abs(k_ * (u - slip_[n])) - largest_;
+      trial_[n] = over > 0 ? slip_[n] + std::copysign(over / k_, u - slip_[n]) : slip_[n];
+      spent_[n] = lost_[n] + largest_ * std::abs(trial_[n] - slip_[n]);
+      forces.on_x[3 * n] += k_ * (u - trial_[n]);
+    }
+    return {};
+  }
+  void add_tangent(const mechanics::Trial&, mechanics::TangentSink& sink) const override {
+    for (const auto n : nodes_)
+      if (trial_[n] == slip_[n]) sink.on_positions(n, n, Vec3(k_, 0, 0).asDiagonal());
+  }
+  void add_energies(const mechanics::Trial& trial, std::vector<mechanics::Energy>& out) const override {
+    double stored = 0, spent = 0;
+    for (const auto n : nodes_) {
+      stored += k_ / 2 * std::pow(moved(trial, n) - trial_[n], 2);
+      spent += spent_[n];
+    }
+    out.push_back({"brake", mechanics::Account::stored, stored});
+    out.push_back({"brake", mechanics::Account::dissipated, spent});
+  }
+  std::vector<mechanics::Shown> shows() const override {
+    return {{"slip", "m", "how far the brake has slipped at a node", false,
+             [this](mechanics::Index n) { return slip_[n]; }}};
+  }
+  void commit() override { slip_ = trial_, lost_ = spent_; }
+  void rollback() override { trial_ = slip_, spent_ = lost_; }
+  void keep(Archive& archive) override {
+    archive(slip_, lost_);
+    if (archive.reading()) rollback();
+  }
+
+ private:
+  static double moved(const mechanics::Trial& trial, mechanics::Index n) {
+    return at(trial.configuration.x(), n).x() - trial.X[n].x();
+  }
+  std::vector<mechanics::Index> nodes_;
+  double k_, largest_;  // N/m, N
+  std::vector<double> slip_, trial_, lost_, spent_;
+};
+
+constexpr double brake_force = 0.05;  // N
+
+std::shared_ptr<run::Static> braked() {
+  run::StaticOptions options;
+  options.duration = 1;
+  options.step = 0.02;
+  auto a = std::make_shared<run::Static>(make_sheet({{0, 0}, {0.5, 0.004}, {1, 0.0005}}), options, quiet());
+  a->add(std::make_unique<Brake>(25, std::vector<mechanics::Index>{7, 12, 17}, 1e3, brake_force));
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("a term of one's own is in the ledger, with what it stores and what it loses") {
+  const auto a = braked();
+  a->solve();
+  const auto slip = a->field("slip");
+  REQUIRE(slip.size() == 25);
+  CHECK(slip[0] == 0);
+  CHECK(std::abs(slip[12]) > 1e-4);
+  // Isotropic cloth loses nothing. There and back: the way of the slip is longer than what is left of it.
+  const auto energy = a->energy();
+  CHECK(energy.dissipated > brake_force * (std::abs(slip[7]) + std::abs(slip[12]) + std::abs(slip[17])));
+  CHECK(energy.error < 2e-3);  // the trapezoidal rule, over steps in which a brake starts to slip
+}
+
+TEST_CASE("a field that a term shows is read like every other one, and goes to files") {
+  const ScratchFolder scratch;
+  const auto a = braked();
+  run::Job job(a);
+  const std::string stem = scratch / "pull";
+  job.vtk(stem, 0.5, std::vector<std::string>{"slip", "S11"});
+  CHECK(message_of([&] {
+          job.vtk(stem + "2", 0.5, std::vector<std::string>{"slide"});
+        }).starts_with("vtk: field 'fields': unknown field 'slide'"));
+  job.solve();
+  const run::VtkFrame frame(*a, {{"slip", "S11"}});
+  const auto found = std::find_if(frame.grid().point_data.begin(), frame.grid().point_data.end(),
+                                  [](const auto& array) { return array.name == "slip"; });
+  REQUIRE(found != frame.grid().point_data.end());
+  CHECK(found->unit == "m");
+  CHECK(found->values == a->field("slip"));
+  CHECK(content_of(stem + "_00002.vtu").find("Name=\"slip\"") != std::string::npos);
+  const auto usual = run::VtkFrame(*a, {}).grid().point_data;
+  CHECK(std::any_of(usual.begin(), usual.end(), [](const auto& array) { return array.name == "slip"; }));
+  const auto slip = a->field("slip");
+  double sum = 0;
+  for (const double x : slip) sum += x;
+  CHECK(a->mean("slip") == sum / 25);
+  CHECK(message_of([&] { (void)a->mean("displacement"); }) ==
+        "mean: expected a field of one number, got 'displacement'");
+  CHECK(message_of([] {
+          const auto b = braked();
+          b->add(std::make_unique<Brake>(25, std::vector<mechanics::Index>{1}, 1.0, 1.0));
+        }) == "a term 'brake': its field 'slip' has the name of another field");
+}
+
+TEST_CASE(
+    "a term's state is kept: a run goes on from half way with the same bits, slip and losses included") {
+  const auto whole = braked(), first = braked(), second = braked();
+  whole->solve();
+  first->advance(0.5);
+  second->resume(first->kept());
+  CHECK(second->field("slip") == first->field("slip"));
+  second->solve();
+  CHECK(positions(*second) == positions(*whole));
+  CHECK(second->field("slip") == whole->field("slip"));
+  CHECK(second->energy().dissipated == whole->energy().dissipated);
 }

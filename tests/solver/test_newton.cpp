@@ -9,70 +9,13 @@
 #include "solver/arc_length.hpp"
 #include "solver/descent.hpp"
 #include "solver/relaxation.hpp"
+#include "solver/scalar.hpp"
 
 using namespace fabricsh::solver;
 using fabricsh::Answer;
+using fabricsh::test::Scalar;
 
 namespace {
-
-std::shared_ptr<const fabricsh::linear::Pattern> one_by_one() {
-  static const auto pattern =
-      std::make_shared<const fabricsh::linear::Pattern>(std::vector<Index>{0, 1}, std::vector<Index>{0});
-  return pattern;
-}
-
-// r(u, t) = 0 for one unknown u; the solvers get the stiffness that they are told. Without a time, t is 0.
-class Scalar final : public PathProblem {
- public:
-  std::function<double(double u, double t)> force;        // r; not a number: not with this step
-  std::function<bool(double u)> broken;                   // are the forces beyond repair there
-  std::function<double(double from, double delta)> safe;  // the share of a step that is
-  std::function<double(double u)> stiffness;
-  double committed = 0;
-  double rate = 1;             // dr/dt
-  std::vector<double> shares;  // of its increments that were tried
-
-  double trial() const { return trial_; }
-  void set_trial(double u) { trial_ = u; }
-
-  Index size() const override { return 1; }
-  void aim(double time) override { time_ = time; }
-  Answer predict(Matrix& K, std::span<double> r) override {
-    trial_ = iterate_ = committed;
-    return fabricsh::worse(tangent(K), residual(r));
-  }
-  Answer start(Matrix& K, std::span<double> r, std::span<double> q) override {
-    q[0] = rate;
-    return predict(K, r);
-  }
-  Answer tangent_and_rate(Matrix& K, std::span<double> q) override {
-    q[0] = rate;
-    return tangent(K);
-  }
-  void retract(std::span<const double> delta, double scale) override {
-    shares.push_back(scale);
-    trial_ = iterate_ + scale * delta[0];
-  }
-  double limit(std::span<const double> delta) override { return safe ? safe(iterate_, delta[0]) : 1; }
-  void accept() override { iterate_ = trial_; }
-  Answer residual(std::span<double> r) override {
-    if (broken && broken(trial_)) return Answer::broken;
-    r[0] = force(trial_, time_);
-    return std::isnan(r[0]) ? Answer::cut : Answer::ok;
-  }
-  Answer tangent(Matrix& K) override {
-    K.follow(one_by_one());
-    K.value[0] = stiffness(trial_);
-    return Answer::ok;
-  }
-  double product(std::span<const double> a, std::span<const double> b) const override { return a[0] * b[0]; }
-  std::pair<double, Index> largest(std::span<const double> r) const override { return {std::abs(r[0]), 0}; }
-  double force_scale() const override { return 1; }
-  double rounding_floor(const Matrix&) const override { return 0; }
-
- private:
-  double trial_ = 0, iterate_ = 0, time_ = 0;
-};
 
 NewtonResult correct(Scalar& problem, NewtonOptions options) {
   problem.shares.clear();

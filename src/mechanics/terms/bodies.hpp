@@ -49,15 +49,15 @@ class Bodies {
   // The forces at the step's end are sought from here on.
   void go_implicit() { implicit_ = true; }
   // --- of free bodies in implicit steps: force (N) and torque (N m) on each at the step's end, six numbers a
-  // body: those that are, less those that its flight was worked out with.
+  // body: those that act, less those with which its flight was computed.
   std::size_t unknowns() const { return implicit_ ? 6 * free_.size() : 0; }
   Eigen::VectorXd residual() const;
   double largest_residual() const;           // N, torques over the body's size
   void direct(std::span<const double> way);  // the change that move() takes shares of
   void begin_iterate();
   void move(double scale);
-  // Of a free body, by its number: what a change of the force at the end does to its place and its turn, 6
-  // x 6.
+  // Of a free body, by its number: the derivative of its position and rotation by the force and torque at
+  // the step's end, 6 x 6.
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   Matrix6 compliance(std::size_t free) const;
   // The number of vertex row v's body among the free ones, -1: none; and its lever from the centre, m.
@@ -88,7 +88,7 @@ class Bodies {
     contact::Wrench wrench, trial;  // on it, without gravity; N, N m about its centre
     double bound = 0;               // 1/kg
     double size = 0;                // m, of what is farthest from its centre
-    // Implicit steps: the force at the end that it flies with; where the iterate is, and the way from there.
+    // Implicit steps: the force at the end with which it flies, that of the iterate, and the change from it.
     contact::Wrench end = {}, iterate = {}, way = {};
   };
   struct Body {

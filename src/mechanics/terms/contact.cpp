@@ -35,13 +35,13 @@ contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfac
   return scene;
 }
 
-// Do two sections press alike.
+// Whether two sections resist being pressed alike.
 bool alike(const section::Section& a, const section::Section& b) {
   return a.thickness == b.thickness && a.areal_mass == b.areal_mass && a.fibre == b.fibre &&
          a.compression == b.compression;
 }
 
-// For each of the elements the first of those that nodes join with it.
+// For each element the first element of its sheet, that is, of those connected to it by common nodes.
 std::vector<std::size_t> joined(const mesh::Mesh& mesh, const std::vector<Index>& elements) {
   std::vector<std::size_t> root(elements.size());
   std::iota(root.begin(), root.end(), std::size_t{0});

@@ -292,9 +292,9 @@ std::string state_words(const run::Run& a) {
 
 int run_text(lua_State* L) {
   const run::Run& a = *to_object<Run>(L, 1)->analysis;
-  char words[120];
-  std::snprintf(words, sizeof words, "<%s run, t = %.6g of %.6g s, %zu step%s, ", a.kind(), a.time(),
-                a.duration(), a.steps().size(), a.steps().size() == 1 ? "" : "s");
+  const std::string words = std::string("<") + a.kind() + " run, t = " + fabricsh::number(a.time()) + " of " +
+                            fabricsh::number(a.duration()) + " s, " + counted(a.steps().size(), "step") +
+                            ", ";
   lua_pushstring(L, (words + state_words(a) + ">").c_str());
   return 1;
 }
@@ -422,9 +422,11 @@ std::vector<Entry> reading() {
        element},
       {"analysis:mean",
        Style::positional,
-       {name_row(run::scalar_names(run::Place::element), "of a number that elements have, see a:element"),
-        value_("set", text, "elements all of whose nodes are in it").or_else("all")},
-       "The mean of a value over elements, each with the same weight. Stresses in Pa, energies in J/m^3.",
+       {name_row(run::scalar_names(), "of a number that elements or nodes have, see a:element and a:node"),
+        value_("set", text, "elements all of whose nodes are in it; or its nodes").or_else("all")},
+       "The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, "
+       "energies in "
+       "J/m^3.",
        run + "assert(a:solve():mean('E11') > 0.2)",
        mean},
       {"analysis:field",

@@ -109,10 +109,8 @@ law::Provenance origins_after(const Card& before, const Card& after) {
   };
   loop("warp.loop", a->warp.loop, b->warp.loop);
   loop("weft.loop", a->weft.loop, b->weft.loop);
-  const auto& x = a->viscous;
-  const auto& y = b->viscous;
-  changed("viscous", x.has_value() == y.has_value() &&
-                         (!x || (x->shear.modulus == y->shear.modulus && x->shear.time == y->shear.time)));
+  rheology::for_each(
+      [&](auto element, auto given, auto) { changed(element.name, a->beside.*given == b->beside.*given); });
   changed("warp.poisson", a->warp.poisson == b->warp.poisson);
   changed("weft.poisson", a->weft.poisson == b->weft.poisson);
   return out;

@@ -87,7 +87,7 @@ std::function<double(const run::Run&)> mean_of_field(const Fields& columns, cons
     words[i] = lua_tostring(L, -1);
     lua_pop(L, 1);
   }
-  const std::vector<std::string> known = run::scalar_names(run::Place::element);
+  const std::vector<std::string> known = run::scalar_names();
   if (std::find(known.begin(), known.end(), words[0]) == known.end())
     columns.refuse(name, unknown("field", words[0], known));
   run.model().mesh().set(words[1]);  // an error if it is unknown
@@ -216,7 +216,7 @@ int write(Call& call) {
   if (!is_vtu(path) && (!contents.fields.empty() || contents.averaged))
     options.refuse(contents.averaged ? "averaged" : "fields",
                    "expected a file that ends in .vtu, which holds fields, got '" + path + "'");
-  run::check_fields(contents, "write");
+  run::check_fields(*run->analysis, contents, "write");
   lua_pushvalue(call.L(), 1);
   if (call.session().options().check) return 1;
   system::make_folder_for(path);
@@ -273,8 +273,8 @@ std::vector<Entry> rows() {
             "options",
             {every_row(),
              value_("columns", table,
-                    "name = function(a) that returns a number; or a field's name, for its mean over the "
-                    "elements, or {field, set}"),
+                    "name = function(a) that returns a number; or a field's name, for its mean over all "
+                    "elements or nodes, or {field, set}"),
              value_("order", table, "names in the order of the columns").optional(),
              value_("units", table,
                     "name = unit of what the function returns, '' for none; put behind the name in the "

@@ -155,19 +155,6 @@ int enter(lua_State* L) {
   return lua_error(L);
 }
 
-// In alphabetical order: Lua's own order differs from one start of the program to the next.
-std::vector<std::string> keys_of(lua_State* L, int index) {
-  std::vector<std::string> names;
-  index = lua_absindex(L, index);
-  lua_pushnil(L);
-  while (lua_next(L, index) != 0) {
-    lua_pop(L, 1);
-    if (lua_type(L, -1) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -1));
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 // object.name: a property (its function is called with the object), or a method, or an error with the nearest
 // name. Upvalues: methods, properties, class name.
 int index_object(lua_State* L) {

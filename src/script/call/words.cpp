@@ -38,6 +38,18 @@ std::string describe(lua_State* L, int index) {
   return with_article(name);
 }
 
+std::vector<std::string> keys_of(lua_State* L, int index) {
+  std::vector<std::string> names;
+  index = lua_absindex(L, index);
+  lua_pushnil(L);
+  while (lua_next(L, index) != 0) {
+    lua_pop(L, 1);
+    if (lua_type(L, -1) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -1));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string with_article(const std::string& noun) {
   const bool vowel = !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
   return (vowel ? "an " : "a ") + noun;

@@ -13,6 +13,10 @@ std::string unknown(const std::string& kind, std::string_view word, const std::v
 // The value at index in words: -1, nil, "left", a table, a mesh.
 std::string describe(lua_State* L, int index);
 
+// The keys of a table that are strings, in alphabetical order: Lua's own order differs from one start of the
+// program to the next.
+std::vector<std::string> keys_of(lua_State* L, int index);
+
 // "a mesh", "an analysis".
 std::string with_article(const std::string& noun);
 

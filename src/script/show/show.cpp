@@ -83,23 +83,12 @@ std::string matrix_text(lua_State* L, int index, lua_Integer n) {
   return "<" + std::to_string(n) + " x " + std::to_string(width) + " numbers" + spread.text() + ">";
 }
 
-std::vector<std::string> names_in(lua_State* L, int index) {
-  std::vector<std::string> names;
-  lua_pushnil(L);
-  while (lua_next(L, index) != 0) {
-    lua_pop(L, 1);
-    if (lua_type(L, -1) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -1));
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 // "<80 rows of E, S, time>"; empty unless every entry is a table with the names of the first.
 std::string records_text(lua_State* L, int index, lua_Integer n) {
   std::vector<std::string> names;
   for (lua_Integer i = 1; i <= n; ++i) {
     const bool record = lua_rawgeti(L, index, i) == LUA_TTABLE && lua_rawlen(L, -1) == 0 && !has_text(L, -1);
-    const auto own = record ? names_in(L, lua_gettop(L)) : std::vector<std::string>{};
+    const auto own = record ? keys_of(L, lua_gettop(L)) : std::vector<std::string>{};
     lua_pop(L, 1);
     if (own.empty() || (i > 1 && own != names)) return "";
     names = own;
@@ -128,7 +117,7 @@ std::string value_text(lua_State* L, int index, int depth);
 std::string record_table(lua_State* L, int index) {
   const auto n = static_cast<lua_Integer>(lua_rawlen(L, index));
   lua_rawgeti(L, index, 1);
-  std::vector<std::vector<std::string>> rows{names_in(L, lua_gettop(L))};
+  std::vector<std::vector<std::string>> rows{keys_of(L, lua_gettop(L))};
   lua_pop(L, 1);
   for (lua_Integer i = 1; i <= n && i <= most_records; ++i) {
     lua_rawgeti(L, index, i);

@@ -1,0 +1,29 @@
+// A linear solver of one's own for a run's steps, in place of those of the room linear.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "linear/linear_solver.hpp"
+
+namespace fabricsh::run {
+
+struct SolverChoice {
+  std::string name;  // for the checkpoint, which another solver refuses: its bits would be others
+  // symmetric: the matrices are, and hold their entries on both sides of the diagonal all the same.
+  std::function<std::unique_ptr<linear::LinearSolver>(bool symmetric)> make;
+};
+
+inline std::unique_ptr<linear::LinearSolver> make_solver(const std::optional<SolverChoice>& choice,
+                                                         bool symmetric) {
+  if (choice) return choice->make(symmetric);
+  return symmetric ? linear::make_symmetric_solver() : linear::make_unsymmetric_solver();
+}
+
+// Ends the text of a run's method.
+inline std::string solver_text(const std::optional<SolverChoice>& choice) {
+  return choice ? ", solver " + choice->name : "";
+}
+
+}  // namespace fabricsh::run
