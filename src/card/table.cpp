@@ -79,8 +79,9 @@ std::optional<Clash> clash(const Card& card) {
   if (woven == nullptr || woven->law == LawKind::potential) return {};
   const char* kind = woven->law == LawKind::thesis ? "thesis" : "incremental";
   const auto of = [&](const char* field) {
-    return Clash{field, std::string("expected law = \"potential\", the only one that takes it, got law = \"") +
-                            kind + "\""};
+    return Clash{
+        field,
+        std::string("expected law = \"potential\", the only one that takes it, got law = \"") + kind + "\""};
   };
   if (woven->warp.loop) return of("warp.loop");
   if (woven->weft.loop) return of("weft.loop");

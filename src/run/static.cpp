@@ -181,7 +181,10 @@ double Static::try_step(double limit, StepReport& report) {
   const StepControl control = now_.step;
   Trace trace(*this);
   tries_.clear();
+  bool settled = false;  // whether the jump has had its try
   while (!attempt(size, report)) {
+    if (!settled && settle_jump(size, report)) break;
+    settled = true;
     if (last_.status == solver::NewtonStatus::broken) give_up(report);
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
@@ -234,6 +237,22 @@ bool Static::attempt(double size, StepReport& report) {
   problem_->aim(size);
   return finish(options_.method == Method::relaxation ? relax() : newton_->solve(*problem_, options), size,
                 report);
+}
+
+// A shorter step has no less of the loads that are there at time 0, so cutting does not help. An overdamped
+// motion goes to where they leave the cloth, with any card.
+bool Static::settle_jump(double size, StepReport& report) {
+  const bool first = now_.jumps && reports_.empty() && report.cuts == 0;
+  if (!first || arc_ || descent_ || stabilisation_ != nullptr || last_.status == solver::NewtonStatus::broken)
+    return false;
+  solver::Descent descent(takes_symmetric(options_, *assembly_) ? linear::make_symmetric_solver()
+                                                                : linear::make_unsymmetric_solver());
+  problem_->aim(size);
+  if (!finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report)) return false;
+  notices_->say(
+      "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as by "
+      "method=\"relaxation\": from the cloth as it was, Newton's method found no equilibrium");
+  return true;
 }
 
 bool Static::rescue(double size, StepReport& report) {
@@ -366,8 +385,9 @@ void Static::give_up(const StepReport& report) {
   failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
   failure.arc = arc_ != nullptr;
   failure.jumps = now_.jumps && reports_.empty();
+  if (failure.jumps) failure.jump = jump_words(*model_, options_.duration);
   failure.bends = bends_by_itself(*model_);
-  failure.relaxed = relaxation_ != nullptr;
+  failure.relaxed = relaxation_ != nullptr || (failure.jumps && !arc_ && stabilisation_ == nullptr);
   failure.stabilised = stabilisation_ != nullptr;
   const std::string text =
       "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);

@@ -72,10 +72,11 @@ class Static final : public Run {
   void check_bodies() const;  // Error: a body that this kind of run cannot move
   double plan(double limit);  // size of the next step
   double damping_factor() const { return stabilisation_ == nullptr ? 0 : stabilisation_->factor(); }
-  void calibrate(double size, StepReport& report);  // adapts the damping of the first step
-  bool rescue(double size, StepReport& report);     // by relaxation, if it is permitted
-  bool cut(double size);                            // halves the size; false: too small
-  void grow(const StepReport& report);              // sets the size of the next step
+  void calibrate(double size, StepReport& report);    // adapts the damping of the first step
+  bool rescue(double size, StepReport& report);       // by relaxation, if it is permitted
+  bool settle_jump(double size, StepReport& report);  // the first step of loads that are there at time 0
+  bool cut(double size);                              // halves the size; false: too small
+  void grow(const StepReport& report);                // sets the size of the next step
   void grow_arc(const StepReport& report);
   solver::NewtonResult relax();
   bool finish(const solver::NewtonResult& result, double end, StepReport& report);

@@ -301,9 +301,10 @@ std::vector<Entry> rows() {
        cards},
       {"card:with",
        Style::positional,
-       {value_("changes", table,
-               "fields of the constructor that differ; tables merge deeply, and false drops what a card can do "
-               "without, as friction_warp=false, whether it has it or not")},
+       {value_(
+           "changes", table,
+           "fields of the constructor that differ; tables merge deeply, and false drops what a card can do "
+           "without, as friction_warp=false, whether it has it or not")},
        "A copy of the card with some fields changed.",
        "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
        with},
