@@ -181,10 +181,12 @@ double Static::try_step(double limit, StepReport& report) {
   const StepControl control = now_.step;
   Trace trace(*this);
   tries_.clear();
-  bool settled = false;  // whether the jump has had its try
-  while (!attempt(size, report)) {
-    if (!settled && settle_jump(size, report)) break;
-    settled = true;
+  bool solved = attempt(size, report);
+  // A jump may land in a shape that no cloth has.
+  if (solved && now_.jumps && reports_.empty() && assembly_->inverted_element() >= 0)
+    solved = settle_jump(size, report) || attempt(size, report);
+  for (; !solved; solved = attempt(size, report)) {
+    if (settle_jump(size, report)) break;
     if (last_.status == solver::NewtonStatus::broken) give_up(report);
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
@@ -240,18 +242,23 @@ bool Static::attempt(double size, StepReport& report) {
 }
 
 // A shorter step has no less of the loads that are there at time 0, so cutting does not help. An overdamped
-// motion goes to where they leave the cloth, with any card.
+// motion goes to where they leave the cloth, with any card; and it sees at once that cloth at rest stays so
+// under loads that do not change, where Newton's method may swing between branches.
 bool Static::settle_jump(double size, StepReport& report) {
-  const bool first = now_.jumps && reports_.empty() && report.cuts == 0;
-  if (!first || arc_ || descent_ || stabilisation_ != nullptr || last_.status == solver::NewtonStatus::broken)
+  const bool first = now_.jumps && reports_.empty();
+  if (!(first || now_.settled) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
+      last_.status == solver::NewtonStatus::broken)
     return false;
   solver::Descent descent(takes_symmetric(options_, *assembly_) ? linear::make_symmetric_solver()
                                                                 : linear::make_unsymmetric_solver());
   problem_->aim(size);
   if (!finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report)) return false;
-  notices_->say(
-      "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as by "
-      "method=\"relaxation\": from the cloth as it was, Newton's method found no equilibrium");
+  if (!now_.settled)
+    notices_->say(
+        "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as "
+        "by "
+        "method=\"relaxation\": Newton's method does not get there in one step");
+  now_.settled = true;
   return true;
 }
 
