@@ -207,6 +207,19 @@ fabric.dynamic { model = m, duration = 1e-6 }:solve()]])
 times(talk, "dropped", 1)
 has(talk, "dynamic: the velocities of sets 'all' and 'bottom' are dropped along x z at 5 of their nodes, which are fixed or moved there")
 
+-- --- a rigidity of a card's own is new, the friction beside it is not ---
+talk = talk_of("friction", [[
+local broad = fabric.card "broad"
+broad:with { bending = { warp = 1e-5 } }
+broad:with { bending = { warp = 1e-5 } }
+broad:with { bending = { weft = 1e-5, friction_weft = false } }
+broad:with { bending = { weft = 1e-5, friction_weft = { moment = 1e-4 } } }
+broad:with { bending = { twist = 1e-6 } }
+broad:with { density = 300 }]])
+times(talk, "warning: card:with: bending.warp is new and friction_warp as before (moment ", 1)
+times(talk, "is new and friction_weft", 0)
+times(talk, "give it too, or friction_warp = false", 1)
+
 -- --- a motion of 20 m on a strip of 76 mm ---
 talk = talk_of("far", [[
 strip(nil, 20)
