@@ -257,7 +257,9 @@ bool Static::settle_jump(double size, StepReport& report) {
     notices_->say(
         "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as "
         "by "
-        "method=\"relaxation\": Newton's method does not get there in one step");
+        "method=\"relaxation\": Newton's method does not get there in one step; nor is it waited for in "
+        "later "
+        "steps where it fails");
   now_.settled = true;
   return true;
 }
@@ -379,11 +381,12 @@ void Static::check() {
   const double made = std::abs(e.surplus() - now_.jumped), scale = work_.largest();
   if (!end || !(scale > 0) || made <= kLedger * scale) return;
   now_.told_error = true;
-  notices_->say("static: the ledger's error is " + number(100 * made / scale) +
-                " % of the external work at time " + number(time()) + " s, after " +
-                std::to_string(reports_.size()) +
-                " steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether "
-                "they are the cause");
+  notices_->say(
+      "static: the ledger's error is " + number(100 * made / scale) + " % of the external work at time " +
+      number(time()) + " s, after " + std::to_string(reports_.size()) +
+      " steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether "
+      "they are the cause" +
+      (descent_ || now_.settled ? " (where cloth fell or snapped, relaxation has taken that work)" : ""));
 }
 
 void Static::give_up(const StepReport& report) {

@@ -95,8 +95,9 @@ std::string switch_text(const Failure& f) {
 void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
   const auto& m = f.mechanism;
   if (m.ways > 1) {  // no single support can prevent them all
-    all.push_back("supports that leave no part free (they leave the sheet free to " + m.words +
-                  "), or fabric.dynamic with damping");
+    all.push_back("supports that leave no part free (they leave the sheet free to " + m.words + "), " +
+                  (f.bends && !f.relaxed ? "method=\"relaxation\", " : "") +
+                  "or fabric.dynamic with damping");
     return;
   }
   std::string support = "a support that prevents it";
@@ -107,7 +108,8 @@ void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
     support += " (a small one is m:spring(\"all\", { " + std::string(1, "xyz"[m.axis]) + "=" +
                stiffness.str() + " }))";
   }
-  all.push_back("motion, fabric.dynamic with damping, or " + support +
+  all.push_back((f.bends && !f.relaxed ? "method=\"relaxation\", " : "") +
+                std::string("motion, fabric.dynamic with damping, or ") + support +
                 ": the supports leave the sheet free to " + m.words +
                 (m.driven ? ", and the loads drive it" : ""));
 }
@@ -119,20 +121,20 @@ bool ends_singular(const Failure& f) {
 void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
   const bool named = f.mechanism.ways == 1 && !f.mechanism.driven;  // otherwise it has advice of its own
   const std::string pivots = std::to_string(f.negative_pivots) + " negative pivots";
-  if (f.blame.inverted >= 0)
-    all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
-                  ", or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
-                  " is turned inside out)");
   if (ends_singular(f))
-    all.push_back(
-        "supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or stabilise=true "
-        "(the tangent is singular" +
-        (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
+    all.push_back("supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or " +
+                  std::string(f.bends && !f.relaxed ? "method=\"relaxation\"" : "stabilise=true") +
+                  " (the tangent is singular" +
+                  (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
   if (f.negative_pivots > 0 && !f.arc && !f.dynamic)
     all.push_back(std::string(f.bends && !f.relaxed
                                   ? "method=\"relaxation\" for folds, wrinkles and snaps"
                                   : "stabilise=true or fabric.dynamic for wrinkles and snaps") +
                   ", control=\"arc\" for a limit point (the last tangent has " + pivots + ")");
+  if (f.blame.inverted >= 0)
+    all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
+                  ", or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
+                  " is turned inside out)");
 }
 
 void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {

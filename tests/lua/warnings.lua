@@ -207,6 +207,43 @@ fabric.dynamic { model = m, duration = 1e-6 }:solve()]])
 times(talk, "dropped", 1)
 has(talk, "dynamic: the velocities of sets 'all' and 'bottom' are dropped along x z at 5 of their nodes, which are fixed or moved there")
 
+-- --- a block of explicit steps that is repeated with half the step says nothing twice ---
+talk = talk_of("again", [[
+local sheet = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 10, ny = 10 }
+local m = fabric.model { mesh = sheet, card = fabric.card "worsted", warp = 0 }
+local ball = fabric.rigid.sphere { radius = 0.02, centre = { 0.05, 0.05, 0.0212 } }
+m:contact { between = { ball, "all" } }
+m:fix("boundary", "x y z"):move(ball, { z = fabric.ramp(-0.03, 3e-3) })
+fabric.dynamic { model = m, duration = 3e-3, ledger_limit = 1e9 }:solve()]])
+times(talk, "the ledger's error is ", 1)
+has(talk, "pressed together to the smallest distance") -- the blocks were halved as often as they may be
+
+-- --- implicit motion: a moved body may touch for the first time late in the run ---
+do
+  local net = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 6, ny = 6 }
+  local function pressed(gap)
+    local step, speed = 1e-3, 0.2
+    local m = fabric.model { mesh = net, card = fabric.card "worsted", warp = 0 }
+    local ball = fabric.rigid.sphere { radius = 0.02, centre = { 0.05, 0.05, 0.0208 + gap * step * speed } }
+    m:contact { between = { ball, "all" } }
+    m:fix("boundary", "x y z"):move(ball, { z = fabric.ramp(-(gap + 20) * step * speed, (gap + 20) * step) })
+    return fabric.dynamic { model = m, duration = (gap + 20) * step, scheme = "implicit", step = step }:solve()
+  end
+  local early, late = pressed(5), pressed(60)
+  near(late.energy.stored, early.energy.stored, 1e-3)
+  near(late.time, 0.08)
+end
+
+-- --- what moves can be read before the first step ---
+for _, scheme in ipairs { "explicit", "implicit" } do
+  local m = sheet(fabric.card "worsted"):fix("bottom", "x y z rotation"):velocity("top", { z = 1 })
+  local run = fabric.dynamic { model = m, duration = 1e-3, scheme = scheme }
+  local before = run.energy
+  assert(before.kinetic > 0 and before.initial == before.kinetic and before.error == 0 and run:node(mesh:set("top")[1]).vz == 1)
+  run:step()
+  near(run.energy.initial, before.initial)
+end
+
 -- --- a rigidity of a card's own is new, the friction beside it is not ---
 talk = talk_of("friction", [[
 local broad = fabric.card "broad"
