@@ -224,18 +224,18 @@ has(talk, "a barrier keeps them apart") -- the step was halved, and its block re
 
 -- --- implicit motion: a moved body may touch for the first time late in the run ---
 do
-  local net = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 6, ny = 6 }
+  local net = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 10, ny = 10 }
   local function pressed(gap)
-    local step, speed = 1e-3, 0.2
+    local step, speed = 4e-3, 0.05
     local m = fabric.model { mesh = net, card = fabric.card "worsted", warp = 0 }
     local ball = fabric.rigid.sphere { radius = 0.02, centre = { 0.05, 0.05, 0.0208 + gap * step * speed } }
     m:contact { between = { ball, "all" } }
-    m:fix("boundary", "x y z"):move(ball, { z = fabric.ramp(-(gap + 20) * step * speed, (gap + 20) * step) })
-    return fabric.dynamic { model = m, duration = (gap + 20) * step, scheme = "implicit", step = step }:solve()
+    m:fix("boundary", "x y z"):move(ball, { z = fabric.ramp(-(gap + 25) * step * speed, (gap + 25) * step) })
+    return fabric.dynamic { model = m, duration = (gap + 25) * step, scheme = "implicit", step = step }:solve()
   end
   local early, late = pressed(5), pressed(60)
   near(late.energy.stored, early.energy.stored, 1e-3)
-  near(late.time, 0.08)
+  near(late.time, 85 * 4e-3)
 end
 
 -- --- what moves can be read before the first step ---
