@@ -51,6 +51,10 @@ constexpr int kPatience = 3;
 
 constexpr int many_descents = 4000;  // linear solves of a step's overdamped motion
 
+bool some(const std::vector<double>& v) {
+  return std::any_of(v.begin(), v.end(), [](double t) { return t != 0; });
+}
+
 bool bends_by_itself(const model::Model& model) {
   const auto& regions = model.regions();
   return std::any_of(regions.begin(), regions.end(),
@@ -134,9 +138,6 @@ void Static::begin() {
   dead_ = problem_->external();
   work_.start(*assembly_, dead_);
   const auto targets = assembly_->targets(0);
-  const auto some = [](const std::vector<double>& v) {
-    return std::any_of(v.begin(), v.end(), [](double t) { return t != 0; });
-  };
   mechanics::WorkingForces loads;
   assembly_->working_forces(dead_, loads);
   now_.jumps = some(targets) || some(loads.on_x) || some(loads.on_d);
@@ -245,14 +246,26 @@ bool Static::attempt(double size, StepReport& report) {
 // motion goes to where they leave the cloth, with any card; and it sees at once that cloth at rest stays so
 // under loads that do not change, where Newton's method may swing between branches.
 bool Static::settle_jump(double size, StepReport& report) {
-  const bool first = now_.jumps && reports_.empty();
+  const bool first = now_.jumps && reports_.empty() && !some(assembly_->targets(0));
   if (!(first || now_.settled) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
       last_.status == solver::NewtonStatus::broken)
     return false;
+  const solver::NewtonResult last = last_;
+  const Blame blame = blame_;
+  const std::size_t tried = tries_.size();
   solver::Descent descent(takes_symmetric(options_, *assembly_) ? linear::make_symmetric_solver()
                                                                 : linear::make_unsymmetric_solver());
   problem_->aim(size);
-  if (!finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report)) return false;
+  const bool solved = finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report);
+  if (!solved || assembly_->inverted_element() >= 0) {  // as if it had not been tried
+    rollback();
+    last_ = last;
+    blame_ = blame;
+    tries_.resize(tried);
+    report.residuals = last_.residuals;
+    report.negative_pivots = last_.negative_pivots;
+    return false;
+  }
   if (!now_.settled)
     notices_->say(
         "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as "
@@ -397,7 +410,8 @@ void Static::give_up(const StepReport& report) {
   failure.jumps = now_.jumps && reports_.empty();
   if (failure.jumps) failure.jump = jump_words(*model_, options_.duration);
   failure.bends = bends_by_itself(*model_);
-  failure.relaxed = relaxation_ != nullptr || (failure.jumps && !arc_ && stabilisation_ == nullptr);
+  failure.relaxed = relaxation_ != nullptr ||
+                    (failure.jumps && !failure.jump.empty() && !arc_ && stabilisation_ == nullptr);
   failure.stabilised = stabilisation_ != nullptr;
   const std::string text =
       "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);

@@ -197,11 +197,12 @@ std::vector<std::string> advice(const Failure& f) {
   if (f.mechanism.driven) advise_on_mechanism(f, all);
   if (free) advise_on_tangent(f, all);
   if (f.jumps) {
-    const bool relaxes = !f.relaxed && !f.arc;
-    all.push_back(
-        std::string(relaxes ? "method=\"relaxation\", or " : "") +
-        "loads that grow from 0, fabric.ramp(load, duration) (all of them are there at time 0, and a "
-        "shorter step has no less of them)");
+    const bool moves = f.jump.empty();
+    const std::string relaxes = !moves && !f.relaxed && !f.arc ? "method=\"relaxation\", or " : "";
+    all.push_back(relaxes +
+                  (moves ? "motions that grow from 0, fabric.ramp(way, duration)"
+                         : "loads that grow from 0, fabric.ramp(load, duration)") +
+                  " (all of them are there at time 0, and a shorter step has no less of them)");
     if (!free) return all;  // what else was seen is of the jump
   }
   if (f.turned_back)
