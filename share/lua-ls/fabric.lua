@@ -249,7 +249,7 @@ function card:check(element_size) end
 function card:sample(n, seed) end
 
 ---A copy of the card with some fields changed.
----@param changes table fields of the constructor that differ; tables merge deeply, and false drops one, as friction_warp=false
+---@param changes table fields of the constructor that differ; tables merge deeply, and false drops what a card can do without, as friction_warp=false, whether it has it or not
 ---@return card
 function card:with(changes) end
 
@@ -298,7 +298,7 @@ function fabric.columns(rows) end
 ---@field tolerance? number implicit: residual over the largest nodal force (default 1e-08)
 ---@field max_iterations? integer implicit: of one step, before it is cut (default 30)
 ---@field max_cuts? integer implicit: halvings of one step (default 12)
----@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends the run there (default "tell")
+---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let pass); stop: ends the run there, on the strain, however long the steps (default "tell")
 
 ---A dynamic run by Newmark's method, explicit or implicit, with a balance (ledger) of its energies.
 ---@param fields fabric_dynamic_fields
@@ -911,7 +911,7 @@ function fabric.lab.kes_bending(fields) end
 ---@field weft fabric_lab_kes_card_fields.weft pull along the weft
 ---@field shear fabric_lab_kes_card_fields.shear with 2HG5 elastic shear with friction that grows with the angle
 ---@field bending? fabric_lab_kes_card_fields.bending without it as of the thickness
----@field compression? fabric_lab_kes_card_fields.compression kept in the card's source: no law of a sheet carries it
+---@field compression? fabric_lab_kes_card_fields.compression what contact presses with; RC is kept in the card's source, since contact gives back all
 ---@field poisson fabric_lab_kes_card_fields.poisson KES does not measure them
 
 ---A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back.
@@ -932,7 +932,7 @@ function fabric.lab.kes_shear(fields) end
 ---@class fabric_lab_kes_sheet_fields
 ---@field card card the fabric
 
----The KES sheet of a card by virtual tests, as fabric.lab.kes_card takes it: warp and weft (EMT LT WT RT), shear (G 2HG 2HG5), bending (warp and weft, B 2HB; where the card has its own), T (mm), W (mg/cm^2).
+---The KES sheet of a card by virtual tests, as fabric.lab.kes_card takes it: warp and weft (EMT LT WT RT), shear (G 2HG 2HG5), bending (warp and weft, B 2HB; where the card has its own), compression (LC WC RC; where the card's goes from 0.5 to 50 gf/cm^2), T (mm), W (mg/cm^2).
 ---@param fields fabric_lab_kes_sheet_fields
 ---@return table<string, any>
 function fabric.lab.kes_sheet(fields) end
@@ -1704,7 +1704,7 @@ function fabric.show(rows, options) end
 ---@field linear? "auto"|"symmetric"|"unsymmetric" direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
 ---@field method? "newton"|"relaxation"|"either" newton; relaxation: every step by dynamic relaxation, of cloth with bending of its own by an overdamped motion; either: relaxation for steps in which Newton fails (default "newton")
----@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends the run there (default "tell")
+---@field limit? "tell"|"stop" tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let pass); stop: ends the run there, on the strain, however long the steps (default "tell")
 ---@field stabilise? number|boolean viscous forces on the nodes that lose this fraction of a step's work; true: 2e-4
 
 ---A quasi-static run: Newton's method through the histories' time.

@@ -1,5 +1,6 @@
 // The fields of each kind of card, and operations on all of them at once.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,13 @@ const Field* find_field(const FieldTable& table, const std::string& path);
 std::vector<double> parameters(const Field& group, const Card& card);
 void set_parameters(const Field& group, Card& card, const std::vector<double>& values);
 
-// Checks every number against the range in its row. Error:
+// A part that the card's law cannot have beside another one: the path of its field, and what was expected.
+struct Clash {
+  std::string field, words;
+};
+std::optional<Clash> clash(const Card& card);
+
+// Checks every number against the range in its row, and that no parts clash. Error:
 // "card 'x': field 'bending.weft': expected ..., got ...".
 void require(const Card& card);
 // The beginning of an error message: "card 'blend': field 'warp': ".

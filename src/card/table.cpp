@@ -74,7 +74,27 @@ std::string at_field(const Card& card, const std::string& path) {
   return (card.name.empty() ? "the card" : "card '" + card.name + "'") + ": field '" + path + "': ";
 }
 
+std::optional<Clash> clash(const Card& card) {
+  const auto* woven = std::get_if<Woven>(&card.law);
+  if (woven == nullptr || woven->law == LawKind::potential) return {};
+  const char* kind = woven->law == LawKind::thesis ? "thesis" : "incremental";
+  const auto of = [&](const char* field) {
+    return Clash{
+        field,
+        std::string("expected law = \"potential\", the only one that takes it, got law = \"") + kind + "\""};
+  };
+  if (woven->warp.loop) return of("warp.loop");
+  if (woven->weft.loop) return of("weft.loop");
+  if (woven->shear.friction) return of("shear.friction");
+  std::optional<Clash> found;
+  rheology::for_each([&](auto element, auto given, auto) {
+    if (!found && woven->beside.*given) found = of(element.name);
+  });
+  return found;
+}
+
 void require(const Card& card) {
+  if (const auto found = clash(card)) throw Error(at_field(card, found->field) + found->words);
   visit_fields(fields(card), card, "", [&](const std::string& path, const Field& field, const Value& value) {
     const auto refuse = [&](double x) {
       throw Error(at_field(card, path) + "expected " + number_words(field.range, field.unit) + ", got " +

@@ -71,6 +71,19 @@ void check_provenance(const card::Card& card, CheckReport& report) {
       report.items.push_back({"assumed." + field, Severity::note, field + " is " + words, {}});
 }
 
+// Parts of the card that its law does not use.
+void check_unused(const card::Woven& woven, CheckReport& report) {
+  if (woven.law == card::LawKind::potential) return;
+  const auto unused = [&](const char* field) {
+    report.items.push_back({std::string("unused.") + field,
+                            Severity::warning,
+                            std::string(field) + " is not used: only law = \"potential\" has it",
+                            {}});
+  };
+  if (woven.biaxial) unused("biaxial");
+  if (woven.shear.memory == card::ShearMemory::fading) unused("shear.memory");
+}
+
 }  // namespace
 
 CheckReport check(const card::Card& card, double element_size) {
@@ -88,6 +101,7 @@ CheckReport check(const card::Card& card, double element_size) {
   }
   const auto* woven = std::get_if<card::Woven>(&card.law);
   if (woven != nullptr) {
+    check_unused(*woven, report);
     check_curves(*woven, *law, report);
     check_continuity(*law, report);
   }

@@ -71,8 +71,6 @@ void compile_friction(const card::Card& card, const card::Woven& woven, WovenDat
   const auto refuse = [&](const std::string& words) {
     throw Error(card::at_field(card, "shear.friction") + words);
   };
-  if (woven.law != card::LawKind::potential)
-    refuse("expected law = \"potential\", the only one that takes it, got another law");
   if (woven.shear.memory == card::ShearMemory::fading)
     refuse("expected shear.memory = \"printed\": friction has a memory of its own");
   const double scale = woven.shear.measure == card::Measure::tensor ? 2 : 1;
@@ -96,15 +94,10 @@ void compile_friction(const card::Card& card, const card::Woven& woven, WovenDat
   }
 }
 
-void compile_elements(const card::Card& card, const card::Woven& woven, rheology::Compiled& out) {
+void compile_elements(const card::Woven& woven, rheology::Compiled& out) {
   const double measure = woven.shear.measure == card::Measure::tensor ? 0.5 : 1;
   rheology::for_each([&](auto element, auto given, auto compiled) {
-    const auto& parameters = woven.beside.*given;
-    if (!parameters) return;
-    if (woven.law != card::LawKind::potential)
-      throw Error(card::at_field(card, element.name) +
-                  "expected law = \"potential\", the only one that takes it, got another law");
-    out.*compiled = element.compile(*parameters, measure);
+    if (const auto& parameters = woven.beside.*given) out.*compiled = element.compile(*parameters, measure);
   });
 }
 
@@ -134,9 +127,6 @@ void compile_loop(const card::Card& card, const card::Woven& woven, int i, Woven
   const auto& yarn = i == 0 ? woven.warp : woven.weft;
   if (!yarn.loop) return;
   const std::string side = i == 0 ? "warp" : "weft";
-  if (woven.law != card::LawKind::potential)
-    throw Error(card::at_field(card, side + ".loop") +
-                "expected law = \"potential\", the only one that takes it, got another law");
   w.loop[i] = loop_of(*yarn.loop);
   const AxisData& axis = w.axis[i];
   const double least = axis.slack - w.coupling * axis.poisson, tail = axis.unloading * w.loop[i].flattest;
@@ -208,7 +198,7 @@ void compile_woven(const card::Card& card, const card::Woven& woven, Law& law) {
   if (law.kind == Kind::potential && woven.biaxial)
     compile_biaxial(*woven.biaxial, w.biaxial, law.biaxial_pieces);
   if (woven.shear.friction) compile_friction(card, woven, w);
-  compile_elements(card, woven, w.beside);
+  compile_elements(woven, w.beside);
   for (int i = 0; i < 2; ++i) compile_loop(card, woven, i, w);
   w.axis[0].softness = 1 / w.axis[0].unloading;
   w.axis[1].softness = 1 / w.axis[1].unloading;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <stdexcept>
@@ -106,6 +107,20 @@ Pattern both_triangles(const Pattern& upper) {
 }
 
 }  // namespace
+
+// Either way the entries of a column are added in the order of its rows.
+void absolute_sums(const Matrix& A, std::vector<double>& sums) {
+  const Pattern& pattern = *A.pattern;
+  sums.assign(static_cast<std::size_t>(A.size()), 0.0);
+  for (Index c = 0; c < A.size(); ++c)
+    for (Index k = pattern.column[c]; k < pattern.column[c + 1]; ++k) {
+      const Index r = pattern.row[k];
+      if (pattern.upper && r > c) break;
+      const double a = std::abs(A.value[static_cast<std::size_t>(k)]);
+      sums[static_cast<std::size_t>(c)] += a;
+      if (pattern.upper && r < c) sums[static_cast<std::size_t>(r)] += a;
+    }
+}
 
 void mirror(const Matrix& A, std::uint64_t& of, Matrix& K) {
   const Pattern& upper = *A.pattern;

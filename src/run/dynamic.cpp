@@ -313,9 +313,11 @@ void Dynamic::check() {
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
   // first; so it does where a moved body comes to touch.
   const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
-  const bool driven =
-      !assembly_->freedoms().motions.empty() || (contact != nullptr && contact->bodies().any_driven());
-  const bool is_young = now_.steps < kYoung && (!is_implicit || driven);
+  const bool moved = contact != nullptr && contact->bodies().any_driven();
+  const bool driven = !assembly_->freedoms().motions.empty() || moved;
+  if (moved && now_.touched < 0 && contact->touching() > 0) now_.touched = now_.steps;
+  const std::int64_t since = std::max<std::int64_t>(0, now_.touched);
+  const bool is_young = now_.steps < since + kYoung && (!is_implicit || driven);
   // A run of a few explicit steps is over before it is of age: what it ends with counts all the same.
   const bool is_short = is_young && !is_implicit && end && !driven;
   const double unsaid = !is_young     ? kWarning

@@ -90,9 +90,15 @@ class Dynamic : public Run {
     bool told_error = false, told_split = false, told_jump = false, told_scaled = false, was_over = false;
     double kinetic = 0, scaled = 0;  // J, the largest so far; its part in scaled rotary inertia
     mesh::Index began = -1;          // element in which energy was created at the first warning
+    std::int64_t touched = -1;       // committed steps when a moved body first touched; -1: not yet
+    void keep_told(const Now& then) {
+      told_error |= then.told_error, told_split |= then.told_split;
+      told_jump |= then.told_jump, told_scaled |= then.told_scaled;
+      if (then.told_error) began = then.began;
+    }
     void keep(Archive& archive) {
       archive(step, loss, driven_kinetic_at_0, next_check, steps, looked, told_error, told_split, told_jump,
-              told_scaled, was_over, kinetic, scaled, began);
+              told_scaled, was_over, kinetic, scaled, began, touched);
     }
   } now_;
 

@@ -41,6 +41,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   farthest_ = {smallest_, std::numbers::pi / 2};
   turns_.reserve(residual_.size());
   for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i) turns_.push_back(assembly_->turns(i) ? 1 : 0);
+  set_motion(initial_rates());  // to be read before the first step
 }
 
 void Explicit::check_stable_step(double undamped) const {
@@ -157,7 +158,9 @@ void Explicit::redo(const StepReport& report) {
   if (block_.halved >= kHalvings) give_up(report);
   Block block;
   std::swap(block, block_);
+  const Now told = now_;
   go_back(block.start);
+  now_.keep_told(told);  // what was said is not said again
   block_ = std::move(block);
   ++block_.halved;
   block_.calm = 0;

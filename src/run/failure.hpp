@@ -59,9 +59,10 @@ struct Failure {
   Mechanism mechanism;  // of a static run
   bool broken = false;  // no step is possible, however short
   bool dynamic = false, arc = false, stabilised = false, turned_back = false;
-  bool jumps = false;    // a static run whose loads are there in full at time 0, in its first step
-  bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
-  bool relaxed = false;  // relaxation has been tried
+  bool jumps = false;     // a static run whose loads are there in full at time 0, in its first step
+  std::string jump = {};  // those loads, in words; empty: motions
+  bool bends = false;     // cloth with bending of its own, which relaxation takes along the overdamped path
+  bool relaxed = false;   // relaxation has been tried
 };
 
 // What every run that iterates knows of a failed step. time: s, the last committed one.

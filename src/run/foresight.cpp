@@ -47,15 +47,19 @@ class Jumps {
     all_.push_back(what + " (" + component + number(jump) + " " + unit + ")");
     if (largest_ == 0) largest_ = jump;
   }
-  std::string words() const {
+  std::string list() const {
     constexpr std::size_t most = 3;
     if (all_.empty()) return {};
     std::string text;
     for (std::size_t i = 0; i < std::min(most, all_.size()); ++i)
       text += (i == 0 ? "" : i + 1 == all_.size() ? " and " : ", ") + all_[i];
     if (all_.size() > most) text += " and " + std::to_string(all_.size() - most) + " more";
+    return text;
+  }
+  std::string words() const {
+    if (all_.empty()) return {};
     const std::string value = number(largest_);
-    return text + (all_.size() > 1 ? " are" : " is") +
+    return list() + (all_.size() > 1 ? " are" : " is") +
            " at full value at time 0 and applied in the first step; fabric.ramp(" + value + ", " +
            number(duration_) + ") in place of " + value + " brings it up step by step";
   }
@@ -67,7 +71,9 @@ class Jumps {
 
 }  // namespace
 
-std::string jump_warning(const model::Model& model, double duration) {
+namespace {
+
+Jumps jumps_of(const model::Model& model, double duration) {
   Jumps jumps(duration);
   const auto of = [](const char* what, const std::string& set) { return what + (" '" + set + "'"); };
   jumps.look("gravity", model.gravity(), "m/s^2");
@@ -76,7 +82,17 @@ std::string jump_warning(const model::Model& model, double duration) {
     jumps.look(of("the traction on", t.set), t.intensity, "N/m^2 or N/m");
   for (const auto& m : model.moments()) jumps.look(of("the moment on", m.set), m.total, "N m");
   for (const auto& p : model.pressures()) jumps.look(of("the pressure on", p.set), "", p.value, "Pa");
-  return jumps.words();
+  return jumps;
+}
+
+}  // namespace
+
+std::string jump_warning(const model::Model& model, double duration) {
+  return jumps_of(model, duration).words();
+}
+
+std::string jump_words(const model::Model& model, double duration) {
+  return jumps_of(model, duration).list();
 }
 
 // --- bending

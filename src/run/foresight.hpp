@@ -15,6 +15,8 @@ std::string beyond_text(const Beyond& beyond);
 
 // The loads that begin with a jump at time 0, and how to ramp each over the run; or empty.
 std::string jump_warning(const model::Model& model, double duration);
+// The same loads, "gravity (z = -9.81 m/s^2)"; or empty.
+std::string jump_words(const model::Model& model, double duration);
 
 // How far the bending rigidity of the model's cards is from that of cloth; or empty. Given only if some node
 // can leave the surface, because a flat sheet held in its plane does not bend.

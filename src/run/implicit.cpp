@@ -40,6 +40,11 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit();
   tell_contacts();
   now_.step = control_.current();
+  // So that velocities and kinetic energy can be read before the first step.
+  mechanics::NodalRates free;
+  assembly_->spread_rates(assembly_->collect_rates(initial_rates()),
+                          std::vector<double>(assembly_->freedoms().motions.size(), 0), free);
+  newmark_.start(free);
 }
 
 void Implicit::take_options(const DynamicOptions& options) {

@@ -149,9 +149,9 @@ Energy Run::energy() const {
   sum.kinetic = sum.kinetic + driven_kinetic() + sum.rigid;
   sum.scaled = scaled_kinetic();
   sum.damping += scheme_loss();
-  sum.external = work_.total() + driven_work();
-  sum.initial = initial_energy_;
-  const double scale = std::max(work_.largest(), initial_energy_);
+  sum.external = work_.total() + (started_ ? driven_work() : 0);
+  sum.initial = started_ ? initial_energy_ : sum.kinetic + sum.internal();
+  const double scale = std::max(work_.largest(), sum.initial);
   if (scale > 0) sum.error = std::abs(sum.surplus()) / scale;
   return sum;
 }

@@ -231,6 +231,7 @@ class Run {
   void measure(Event& event);
   double land(double size, StepReport& report);  // shortens the step to the first event in it
   double search(Event& event, double size, StepReport& report);
+  double land_at_limit(double size, StepReport& report);  // of the tested range, with stop_beyond
   void mark_due();
   void keep(Archive& archive);
   void keep_motion(Archive& archive);

@@ -51,6 +51,10 @@ constexpr int kPatience = 3;
 
 constexpr int many_descents = 4000;  // linear solves of a step's overdamped motion
 
+bool some(const std::vector<double>& v) {
+  return std::any_of(v.begin(), v.end(), [](double t) { return t != 0; });
+}
+
 bool bends_by_itself(const model::Model& model) {
   const auto& regions = model.regions();
   return std::any_of(regions.begin(), regions.end(),
@@ -72,8 +76,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     stabilisation_ =
         &assembly_->add(std::make_unique<mechanics::Stabilisation>(*assembly_, options_.stabilise));
   auto linear = make_solver(options_.solver, !takes_unsymmetric());
-  // Relaxation and descent sum whole columns, and a solver of one's own may read them.
-  if (!takes_unsymmetric() && options_.method == Method::newton && !options_.solver) assembly_->keep_upper();
+  if (!takes_unsymmetric() && !options_.solver) assembly_->keep_upper();  // one of the user's may read both
   if (options_.control == Control::arc && assembly_->hangs_on_time())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
@@ -135,9 +138,6 @@ void Static::begin() {
   dead_ = problem_->external();
   work_.start(*assembly_, dead_);
   const auto targets = assembly_->targets(0);
-  const auto some = [](const std::vector<double>& v) {
-    return std::any_of(v.begin(), v.end(), [](double t) { return t != 0; });
-  };
   mechanics::WorkingForces loads;
   assembly_->working_forces(dead_, loads);
   now_.jumps = some(targets) || some(loads.on_x) || some(loads.on_d);
@@ -182,7 +182,12 @@ double Static::try_step(double limit, StepReport& report) {
   const StepControl control = now_.step;
   Trace trace(*this);
   tries_.clear();
-  while (!attempt(size, report)) {
+  bool solved = attempt(size, report);
+  // A jump may land in a shape that no cloth has.
+  if (solved && now_.jumps && reports_.empty() && assembly_->inverted_element() >= 0)
+    solved = settle_jump(size, report) || attempt(size, report);
+  for (; !solved; solved = attempt(size, report)) {
+    if (settle_jump(size, report)) break;
     if (last_.status == solver::NewtonStatus::broken) give_up(report);
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
     if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
@@ -235,6 +240,40 @@ bool Static::attempt(double size, StepReport& report) {
   problem_->aim(size);
   return finish(options_.method == Method::relaxation ? relax() : newton_->solve(*problem_, options), size,
                 report);
+}
+
+// A shorter step has no less of the loads that are there at time 0, so cutting does not help. An overdamped
+// motion goes to where they leave the cloth, with any card; and it sees at once that cloth at rest stays so
+// under loads that do not change, where Newton's method may swing between branches.
+bool Static::settle_jump(double size, StepReport& report) {
+  const bool first = now_.jumps && reports_.empty() && !some(assembly_->targets(0));
+  if (!(first || now_.settled) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
+      last_.status == solver::NewtonStatus::broken)
+    return false;
+  const solver::NewtonResult last = last_;
+  const Blame blame = blame_;
+  const std::size_t tried = tries_.size();
+  solver::Descent descent(make_solver(options_.solver, !takes_unsymmetric()));
+  problem_->aim(size);
+  const bool solved = finish(descent.solve(*problem_, {options_.tolerance, many_descents}), size, report);
+  if (!solved || assembly_->inverted_element() >= 0) {  // as if it had not been tried
+    rollback();
+    last_ = last;
+    blame_ = blame;
+    tries_.resize(tried);
+    report.residuals = last_.residuals;
+    report.negative_pivots = last_.negative_pivots;
+    return false;
+  }
+  if (!now_.settled)
+    notices_->say(
+        "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as "
+        "by "
+        "method=\"relaxation\": Newton's method does not get there in one step; nor is it waited for in "
+        "later "
+        "steps where it fails");
+  now_.settled = true;
+  return true;
 }
 
 bool Static::rescue(double size, StepReport& report) {
@@ -354,11 +393,12 @@ void Static::check() {
   const double made = std::abs(e.surplus() - now_.jumped), scale = work_.largest();
   if (!end || !(scale > 0) || made <= kLedger * scale) return;
   now_.told_error = true;
-  notices_->say("static: the ledger's error is " + number(100 * made / scale) +
-                " % of the external work at time " + number(time()) + " s, after " +
-                std::to_string(reports_.size()) +
-                " steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether "
-                "they are the cause");
+  notices_->say(
+      "static: the ledger's error is " + number(100 * made / scale) + " % of the external work at time " +
+      number(time()) + " s, after " + std::to_string(reports_.size()) +
+      " steps: work is summed by the trapezoidal rule; repeat with smaller steps to see whether "
+      "they are the cause" +
+      (descent_ || now_.settled ? " (where cloth fell or snapped, relaxation has taken that work)" : ""));
 }
 
 void Static::give_up(const StepReport& report) {
@@ -367,8 +407,10 @@ void Static::give_up(const StepReport& report) {
   failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
   failure.arc = arc_ != nullptr;
   failure.jumps = now_.jumps && reports_.empty();
+  if (failure.jumps) failure.jump = jump_words(*model_, options_.duration);
   failure.bends = bends_by_itself(*model_);
-  failure.relaxed = relaxation_ != nullptr;
+  failure.relaxed = relaxation_ != nullptr ||
+                    (failure.jumps && !failure.jump.empty() && !arc_ && stabilisation_ == nullptr);
   failure.stabilised = stabilisation_ != nullptr;
   const std::string text =
       "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);

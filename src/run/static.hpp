@@ -75,10 +75,11 @@ class Static final : public Run {
   void check_bodies() const;  // Error: a body that this kind of run cannot move
   double plan(double limit);  // size of the next step
   double damping_factor() const { return stabilisation_ == nullptr ? 0 : stabilisation_->factor(); }
-  void calibrate(double size, StepReport& report);  // adapts the damping of the first step
-  bool rescue(double size, StepReport& report);     // by relaxation, if it is permitted
-  bool cut(double size);                            // halves the size; false: too small
-  void grow(const StepReport& report);              // sets the size of the next step
+  void calibrate(double size, StepReport& report);    // adapts the damping of the first step
+  bool rescue(double size, StepReport& report);       // by relaxation, if it is permitted
+  bool settle_jump(double size, StepReport& report);  // the first step of loads that are there at time 0
+  bool cut(double size);                              // halves the size; false: too small
+  void grow(const StepReport& report);                // sets the size of the next step
   void grow_arc(const StepReport& report);
   solver::NewtonResult relax();
   bool finish(const solver::NewtonResult& result, double end, StepReport& report);
@@ -99,11 +100,12 @@ class Static final : public Run {
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     bool told_pivots = false, told_damping = false, told_inverted = false, told_error = false;
-    bool jumps = false;  // whether loads or motions begin with a jump at time 0
-    double jumped = 0;   // J, surplus work in the first step of loads that begin with a jump; no state has it
+    bool jumps = false;    // whether loads or motions begin with a jump at time 0
+    bool settled = false;  // whether that first step was relaxed
+    double jumped = 0;  // J, surplus work in the first step of loads that begin with a jump; no state has it
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, told_pivots, told_damping,
-              told_inverted, told_error, jumps, jumped);
+              told_inverted, told_error, jumps, settled, jumped);
     }
   } now_;
 };

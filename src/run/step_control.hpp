@@ -20,10 +20,7 @@ class StepControl {
  public:
   // s: the largest step, and the smallest size for cuts (at most max_cuts halvings of the largest).
   StepControl(double largest, double smallest, int max_cuts)
-      : largest_(largest),
-        smallest_(std::max(smallest, std::ldexp(largest, -max_cuts))),
-        least_(smallest),
-        current_(largest) {}
+      : largest_(largest), smallest_(std::max(smallest, std::ldexp(largest, -max_cuts))), current_(largest) {}
 
   void keep(Archive& archive) { archive(current_); }
   double current() const { return current_; }
@@ -38,18 +35,19 @@ class StepControl {
   // Sliding friction takes many iterations whatever the step: from here on, steps that have not failed do not
   // shrink below this part of the largest.
   void expect_friction() { held_ = largest_ / 16; }
-  // After a step with many iterations the next one is smaller; after few it grows back to the largest.
+  // After a step with many iterations the next one is smaller, but none that a cut could not make; after few
+  // it grows back to the largest.
   void grow(int iterations, bool was_cut) {
     const double n = std::max(1, iterations);
     if (iterations > many_iterations)
-      current_ = std::max(
-          {0.5 * current_, least_, current_ * std::sqrt(wanted_iterations / n), std::min(current_, held_)});
+      current_ = std::max({0.5 * current_, std::min(current_, smallest_),
+                           current_ * std::sqrt(wanted_iterations / n), std::min(current_, held_)});
     else if (!was_cut)
       current_ = std::min(largest_, current_ * std::clamp(2 * wanted_iterations / n, 1.0, 2.0));
   }
 
  private:
-  double largest_, smallest_, least_, current_, held_ = 0;
+  double largest_, smallest_, current_, held_ = 0;
 };
 
 }  // namespace fabricsh::run

@@ -95,8 +95,9 @@ std::string switch_text(const Failure& f) {
 void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
   const auto& m = f.mechanism;
   if (m.ways > 1) {  // no single support can prevent them all
-    all.push_back("supports that leave no part free (they leave the sheet free to " + m.words +
-                  "), or fabric.dynamic with damping");
+    all.push_back("supports that leave no part free (they leave the sheet free to " + m.words + "), " +
+                  (f.bends && !f.relaxed ? "method=\"relaxation\", " : "") +
+                  "or fabric.dynamic with damping");
     return;
   }
   std::string support = "a support that prevents it";
@@ -107,7 +108,8 @@ void advise_on_mechanism(const Failure& f, std::vector<std::string>& all) {
     support += " (a small one is m:spring(\"all\", { " + std::string(1, "xyz"[m.axis]) + "=" +
                stiffness.str() + " }))";
   }
-  all.push_back("motion, fabric.dynamic with damping, or " + support +
+  all.push_back((f.bends && !f.relaxed ? "method=\"relaxation\", " : "") +
+                std::string("motion, fabric.dynamic with damping, or ") + support +
                 ": the supports leave the sheet free to " + m.words +
                 (m.driven ? ", and the loads drive it" : ""));
 }
@@ -119,19 +121,20 @@ bool ends_singular(const Failure& f) {
 void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
   const bool named = f.mechanism.ways == 1 && !f.mechanism.driven;  // otherwise it has advice of its own
   const std::string pivots = std::to_string(f.negative_pivots) + " negative pivots";
+  if (ends_singular(f))
+    all.push_back("supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or " +
+                  std::string(f.bends && !f.relaxed ? "method=\"relaxation\"" : "stabilise=true") +
+                  " (the tangent is singular" +
+                  (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
+  if (f.negative_pivots > 0 && !f.arc && !f.dynamic)
+    all.push_back(std::string(f.bends && !f.relaxed
+                                  ? "method=\"relaxation\" for folds, wrinkles and snaps"
+                                  : "stabilise=true or fabric.dynamic for wrinkles and snaps") +
+                  ", control=\"arc\" for a limit point (the last tangent has " + pivots + ")");
   if (f.blame.inverted >= 0)
     all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
                   ", or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
                   " is turned inside out)");
-  if (ends_singular(f))
-    all.push_back(
-        "supports that leave no part free to move, fix(\"all\", \"z\") for a flat sheet; or stabilise=true "
-        "(the tangent is singular" +
-        (named ? ": the supports leave the sheet free to " + f.mechanism.words : "") + ")");
-  if (f.negative_pivots > 0 && !f.arc && !f.dynamic)
-    all.push_back(std::string("control=\"arc\" for a limit point, stabilise=true") +
-                  (f.bends && !f.relaxed ? ", method=\"relaxation\"" : "") +
-                  " or fabric.dynamic for wrinkles and snaps (the last tangent has " + pivots + ")");
 }
 
 void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
@@ -152,7 +155,7 @@ void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {
   if (f.blame.switching > 0 && course == Course::swings)
     all.push_back(std::string(f.stabilised || f.dynamic ? "a smaller step"
                               : f.relaxed               ? "stabilise=true"
-                              : f.bends                 ? "stabilise=true, or method=\"relaxation\""
+                              : f.bends                 ? "method=\"relaxation\""
                                                         : "stabilise=true, or method=\"either\"") +
                   " (" + std::to_string(f.blame.switching) + " of " + std::to_string(f.blame.elements) +
                   " elements switch branches, the residual swings)");
@@ -170,7 +173,8 @@ void advise_on_cloth(const Failure& f, std::vector<std::string>& all) {
                   std::to_string(f.blame.element + 1) + " is " + number(f.blame.stiffness_ratio) +
                   " times as stiff as another)");
   if (2 * f.blame.slack > f.blame.elements && !f.dynamic)
-    all.push_back("fabric.dynamic, or stabilise=true (" + std::to_string(f.blame.slack) + " of " +
+    all.push_back(std::string(f.bends && !f.relaxed ? "method=\"relaxation\"" : "stabilise=true") +
+                  ", or fabric.dynamic (" + std::to_string(f.blame.slack) + " of " +
                   std::to_string(f.blame.elements) + " elements are slack both ways)");
 }
 
@@ -192,10 +196,15 @@ std::vector<std::string> advice(const Failure& f) {
   const bool free = f.mechanism.driven || ends_singular(f);
   if (f.mechanism.driven) advise_on_mechanism(f, all);
   if (free) advise_on_tangent(f, all);
-  if (f.jumps)
-    all.push_back(std::string("loads that grow from 0, fabric.ramp(load, duration)") +
-                  (f.bends && !f.relaxed ? ", or method=\"relaxation\"" : "") +
+  if (f.jumps) {
+    const bool moves = f.jump.empty();
+    const std::string relaxes = !moves && !f.relaxed && !f.arc ? "method=\"relaxation\", or " : "";
+    all.push_back(relaxes +
+                  (moves ? "motions that grow from 0, fabric.ramp(way, duration)"
+                         : "loads that grow from 0, fabric.ramp(load, duration)") +
                   " (all of them are there at time 0, and a shorter step has no less of them)");
+    if (!free) return all;  // what else was seen is of the jump
+  }
   if (f.turned_back)
     all.push_back(
         "a history that begins below the lowest load of the path (table{ {0, -1}, {2, 1} }), or a smaller "
@@ -207,7 +216,7 @@ std::vector<std::string> advice(const Failure& f) {
   if (all.empty())
     all.push_back(f.dynamic   ? "a smaller step, or scheme=\"explicit\""
                   : f.relaxed ? "a smaller step, or fabric.dynamic with damping"
-                  : f.bends   ? "a smaller step, more max_cuts, stabilise=true, or method=\"relaxation\""
+                  : f.bends   ? "method=\"relaxation\", a smaller step, or more max_cuts"
                               : "a smaller step, more max_cuts, stabilise=true, or method=\"either\"");
   return all;
 }
@@ -218,6 +227,11 @@ std::string report(const Failure& f) {
   if (from > 0) text += "tried      " + std::to_string(from) + " larger steps\n";
   for (std::size_t i = from; i < f.tries.size(); ++i) text += "tried      " + try_text(f.tries[i]) + "\n";
   const Blame& b = f.blame;
+  if (f.jumps)
+    text += "jump       " + (f.jump.empty() ? "a motion" : f.jump) +
+            (f.jump.find(" and ") == std::string::npos ? " is" : " are") +
+            " there in full at time 0: the first step goes from cloth without load to all of it, and what is "
+            "said below is of that attempt\n";
   if (b.node >= 0)
     text += "node       " + std::to_string(b.node + 1) + " at " + place_text(b.x) +
             " carries the residual, " + (b.rotation ? "as a moment on its director" : "as a force") + "\n";

@@ -16,13 +16,9 @@ constexpr double kGone = 1e3;  // growth of what rounding makes, with the coordi
 
 // The sums of the columns' absolute values: in the units of each unknown, and never zero.
 void Descent::viscosity() {
-  const auto& column = K_.pattern->column;
-  D_.assign(static_cast<std::size_t>(K_.size()), 0.0);
+  linear::absolute_sums(K_, D_);
   double largest = 0;
-  for (Index c = 0; c < K_.size(); ++c) {
-    for (Index k = column[c]; k < column[c + 1]; ++k) D_[c] += std::abs(K_.value[k]);
-    largest = std::max(largest, D_[c]);
-  }
+  for (const double d : D_) largest = std::max(largest, d);
   for (double& d : D_) d = std::max(d, 1e-12 * largest);
 }
 

@@ -20,12 +20,10 @@ void Relaxation::resize(Index size) {
 Answer Relaxation::masses(Problem& problem) {
   if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return answer;
   double largest = 0;
-  const auto& column = K_.pattern->column;
-  for (Index c = 0; c < K_.size(); ++c) {
-    double sum = 0;
-    for (Index k = column[c]; k < column[c + 1]; ++k) sum += std::abs(K_.value[k]);
-    mass_[c] = 1.1 * sum / 4;
-    largest = std::max(largest, mass_[c]);
+  linear::absolute_sums(K_, mass_);
+  for (double& m : mass_) {
+    m = 1.1 * m / 4;
+    largest = std::max(largest, m);
   }
   for (double& m : mass_) m = std::max(m, 1e-12 * largest);
   return largest > 0 ? Answer::ok : Answer::cut;

@@ -36,7 +36,7 @@ TEST_CASE("every row has a sentence, a name of its own, and keeps what is put in
       if (field.holds == Holds::group || !field.get) return;
       const Value value = field.get(full);
       CHECK_FALSE(std::holds_alternative<std::monostate>(value));
-      CHECK_FALSE(value == field.fallback);
+      if (path != "law") CHECK_FALSE(value == field.fallback);  // no other law takes all the parts
       Card copy = full;
       field.set(copy, value);
       CHECK(lua_text(copy) == lua_text(full));

@@ -174,8 +174,9 @@ TEST_CASE("a loop that no yarn can have is refused by its field", "[law][loop][c
     change(woven(c));
     says(message_of([&] { law::compile(c); }), words);
   };
-  refused([](auto& w) { w.law = card::LawKind::thesis; },
-          "field 'warp.loop': expected law = \"potential\", the only one that takes it, got another law");
+  refused(
+      [](auto& w) { w.law = card::LawKind::thesis; },
+      "field 'warp.loop': expected law = \"potential\", the only one that takes it, got law = \"thesis\"");
   refused([](auto& w) { w.weft.loop->curve = 0.99; },
           "field 'weft.loop': expected a tail (1 - friction) (1 - curve) unloading of at least ");
   refused([](auto& w) { w.warp.loop->friction = 1; },

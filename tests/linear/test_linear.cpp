@@ -205,3 +205,12 @@ TEST_CASE("a matrix that keeps its upper triangle takes no entry below the diago
   CHECK(A.value == std::vector<double>{0, 3, 0});
   CHECK(A.pattern->with({{0, 1}, {0, 1}}).upper);
 }
+
+TEST_CASE("the sums of columns are those of the whole matrix where the upper triangle is kept") {
+  const auto A = laplacian(9, 0.3);
+  std::vector<double> whole, upper;
+  absolute_sums(A, whole);
+  absolute_sums(upper_of(A), upper);
+  CHECK(whole == upper);
+  CHECK(whole[10] == 4 - 0.3 + 4);
+}

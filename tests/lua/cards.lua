@@ -120,6 +120,39 @@ do
   assert(free.bending.warp == 1e-5 and free.bending.friction_warp == nil and free.bending.friction_weft.moment == broad.bending.friction_weft.moment)
   assert(broad:with({ bending = false }).bending == nil and broad.bending ~= nil)
   assert(broad:with({ bending = { twist = 1e-6 } }).bending.friction_warp.moment == broad.bending.friction_warp.moment)
+  -- ... and nothing where there is none
+  local blend = fabric.card "blend"
+  for _, none in ipairs { { warp = { loop = false } }, { bending = { friction_warp = false } }, { bending = { friction_warp = false, friction_weft = false } },
+    { bending = false }, { compression = false }, { biaxial = false, viscous = false, fibre_density = false }, { shear = { friction = false } } } do
+    assert(blend:with(none) == blend)
+  end
+  local own = { warp = 1e-5, weft = 1e-5, twist = 5e-6 }
+  local bent = blend:with { bending = own }
+  assert(bent:with { bending = { friction_warp = false } } == bent)
+  own.friction_weft = false
+  assert(blend:with { bending = own } == bent)
+  assert(blend:with { fibre_density = 1500 }:with { fibre_density = false } == blend)
+  assert(blend:with { warp = { loop = { friction = 0.3, reach = 0.2 } } }:with({ warp = { loop = { reach = false } } }).warp.loop.reach == 0.5)
+  assert(blend:with { tested = false }.tested.warp == 0 and bent.tested.warp > 0)
+  for field, words in pairs { warp = "expected a table {loading, unloading, poisson, loop}, got false", density = "expected a positive number in kg/m^3, got false" } do
+    local ok, message = pcall(blend.with, blend, { [field] = false })
+    assert(not ok and tostring(message):find(("field '%s': %s"):format(field, words), 1, true), tostring(message))
+  end
+end
+
+-- what only the default law takes is refused at once beside another law; what another law does not use is said by check()
+do
+  local blend = fabric.card "blend"
+  for field, part in pairs { ["warp.loop"] = { warp = { loop = { friction = 0.3 } } }, ["weft.loop"] = { weft = { loop = { friction = 0.3 } } },
+    ["shear.friction"] = { shear = { friction = { stress = 1e3 } } }, viscous = { viscous = { shear = { modulus = 1e5, time = 1 } } } } do
+    for _, law in ipairs { "thesis", "incremental" } do
+      local ok, message = pcall(blend.with, blend:with(part), { law = law })
+      assert(not ok and tostring(message):find(("with: field '%s': expected law = \"potential\", the only one that takes it, got law = \"%s\""):format(field, law), 1, true),
+        tostring(message))
+    end
+  end
+  local fourth = blend:with { law = "thesis", biaxial = { alpha = 1.5, offset = 0.1, loading = 3e8, unloading = 1e8 } }
+  assert(tostring(fourth:check()):find("biaxial is not used", 1, true) and not tostring(blend:check()):find("not used", 1, true))
 end
 
 -- the page is that of the cards

@@ -92,6 +92,8 @@ says(function() lab.heart_loop { card = plain, direction = 45 } end, "heart_loop
 local t = lab.twist { warp = 15e-6, weft = 9e-6, bias = 10e-6 }
 assert(t.reached)
 check("twist of a cylinder", t.bending.twist, 4e-6, 1e-12)
+t = lab.twist { warp = 20e-6, weft = 5e-6, bias = 6.3e-6 } -- any positive twist is one
+assert(t.reached and math.abs(t.bending.twist - 0.05e-6) < 1e-15 and math.abs(t.bias - 6.3e-6) < 1e-15)
 t = lab.twist { warp = 20e-6, weft = 5e-6, bias = 5e-6 }
 assert(not t.reached and t.words:find("a positive twist cannot", 1, true) and t.bending.twist > 0 and t.bias > 5e-6)
 t = lab.twist { warp = 15e-6, weft = 9e-6, bias = 10e-6, simulate = true, width = 0.01 }

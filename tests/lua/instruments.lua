@@ -75,7 +75,7 @@ for _, case in ipairs { { 0.8, 1.5, 3 }, { 0.8, 1.5, 0.7 }, { 0.5, 0.4, 1.2 }, {
   check(name .. "G", k.G, case[1], 1e-6) -- read between rows
   check(name .. "2HG", k["2HG"], case[2], 1e-4)
   check(name .. "2HG5", k["2HG5"], case[3], 1e-4)
-  assert(it.source:find("compression LC 0.3, WC 0.1, RC 50 is not carried", 1, true))
+  assert(it.source:find("compression LC 0.3, WC 0.1 as given, RC 50 not: contact gives back all of it", 1, true))
   check(name .. "T and W", it.thickness * it.density, 0.16, 1e-12)
 end
 for _, case in ipairs { { 0.2, 0.5, 2, "expected less than 2HG + 4.5 G" }, { 0.8, 1.5, 0.5, "expected a loop that is open" } } do
@@ -93,6 +93,7 @@ for _, case in ipairs { { 0.3, 45 }, { 0.4, 60 }, { 0.5, 50 }, { 0.5, 70 }, { 0.
   local it = lab.kes_card(sheet)
   assert(it:check().ok)
   local back = lab.kes_sheet { card = it }
+  assert(back.compression == nil)
   sheet.weft.LT = LT
   for _, part in ipairs { "warp", "weft", "shear" } do
     for field, value in pairs(sheet[part]) do check(("LT %g, RT %g: %s %s"):format(LT, RT, part, field), back[part][field], value, 3e-2) end
@@ -102,6 +103,26 @@ for _, case in ipairs { { 0.3, 45 }, { 0.4, 60 }, { 0.5, 50 }, { 0.5, 70 }, { 0.
   end
   check("T", back.T, 0.5, 1e-12)
   check("W", back.W, 18, 1e-12)
+end
+
+-- ... and with what it was pressed with: contact gives all back, so RC is not the sheet's
+for _, case in ipairs { { 0.25, 0.15, 0.6 }, { 0.4, 0.05, 0.3 }, { 0.6, 0.3, 1.2 }, { 0.95, 0.1, 1 } } do
+  local LC, WC, T = table.unpack(case)
+  local it = lab.kes_card { name = "pressed", T = T, W = 18, poisson = given.poisson, warp = given.warp, weft = given.weft, shear = { G = 0.7, ["2HG"] = 1.1 },
+    compression = { LC = LC, WC = WC, RC = 50 } }
+  local c, back = it.compression, lab.kes_sheet({ card = it }).compression
+  check("LC", back.LC, LC, 3e-3)
+  check("WC", back.WC, WC, 3e-3)
+  check("RC", back.RC, 100, 1e-12)
+  check("thickness at 0.5 gf/cm^2", c[#c][1], T * 1e-3, 1e-12)
+  check("pressure there", c[#c][2], 0.5 * gf / cm ^ 2, 1e-12)
+  check("way to 50 gf/cm^2", c[#c][1] - c[1][1], 2 * WC * gf / cm / (LC * 50 * gf / cm ^ 2), 1e-9)
+  check("50 gf/cm^2", c[1][2], 50 * gf / cm ^ 2, 1e-12)
+  assert(it.source:find("RC 50 not", 1, true) and it:check().ok)
+end
+for words, c in pairs { ["field 'compression.WC': expected less than 1,"] = { LC = 0.4, WC = 1.2, RC = 50 }, ["field 'compression.LC'"] = { LC = 0.015, WC = 0.01, RC = 50 } } do
+  local ok, message = pcall(lab.kes_card, { name = "x", T = 1, W = 18, poisson = given.poisson, warp = given.warp, weft = given.weft, shear = { G = 0.7, ["2HG"] = 1.1 }, compression = c })
+  assert(not ok and tostring(message):find(words, 1, true), tostring(message))
 end
 
 -- bending: the loop of a straight line with friction m: at height 2m once the friction has built up

@@ -130,6 +130,11 @@ assert(three.band == nil or #three.band.value == three.degree + 1)
 local made = lab.card { name = "mine", density = 590, thickness = 4e-4, warp = three, poisson = { warp = 0.25 }, assume = true }
 assert(made.warp.loop.friction == three.loop.friction and made.provenance["warp.loop"]:find "^fitted to 3 specimens: friction")
 assert(made.provenance["weft.loop"]:find "^assumed")
+-- ... of one specimen the card has no band, and says so where it is printed
+local alone = lab.card { name = "one", warp = lab.loops { tests = tests_of(card, 1, 0.005) }, weft = lab.loops { tests = tests_of(card, 1, 0.005) },
+  shear = { loading = { 1e6 }, unloading = 3e6, tested = 0.2 }, poisson = { warp = 0.2, weft = 0.2 }, density = 500, thickness = 4e-4 }
+local says_so = "the card has no band of it: one specimen tells nothing of others"
+assert(tostring(alone):find(says_so, 1, true) and not tostring(made):find(says_so, 1, true), tostring(alone))
 assert(made:with({ warp = { loop = { reach = 0.9 } } }).provenance["warp.loop"] == "typed: changed by card:with")
 
 -- --- a folder: the misfit is told; the card goes along curves where it is asked for ---

@@ -57,11 +57,20 @@ near(math.max(table.unpack(c:field "beyond")), c.beyond.share, 1e-12)
 local d = fabric.static { model = strip(fabric.card "denim", far), duration = 1, step = 0.05, limit = "stop" }:solve()
 assert(d.time < c.time and d.beyond.share > 1.02 and d.beyond.share < c.beyond.share and d.stopped)
 local at = d.time
+near(d.beyond.share, 1.0202, 1.5e-4) -- 2 % are let pass, and the step ends right behind them
+for _, step in ipairs { 1, 0.31 } do -- however long the steps
+  local long = fabric.static { model = strip(fabric.card "denim", far), duration = 1, step = step, limit = "stop" }:solve()
+  near(long.beyond.share, 1.0202, 1.5e-4)
+  near(long.time, at, 1e-3)
+end
 d:solve() -- asked for again, it goes on
 assert(d.time == 1 and at < 1)
 local moving = fabric.dynamic { model = strip(fabric.card "denim", fabric.ramp(0.03, 0.01)), duration = 0.01, limit = "stop" }
 moving:solve()
-assert(moving.time < 0.01 and moving.beyond.share > 1.02)
+assert(moving.time < 0.01 and moving.beyond.share > 1.02 and moving.beyond.share < 1.021)
+local slow = fabric.dynamic { model = strip(fabric.card "denim", fabric.ramp(0.03, 0.01)), duration = 0.01, scheme = "implicit", step = 2e-3, limit = "stop" }:solve()
+near(slow.beyond.share, 1.0202, 1.5e-4)
+near(slow.time, moving.time, 2e-2)
 
 -- Until a force is reached, on the way up and again on the way down.
 local up_and_down = fabric.history { { 0, 0 }, { 1, 0.008 }, { 2, 0.001 } }

@@ -207,6 +207,60 @@ fabric.dynamic { model = m, duration = 1e-6 }:solve()]])
 times(talk, "dropped", 1)
 has(talk, "dynamic: the velocities of sets 'all' and 'bottom' are dropped along x z at 5 of their nodes, which are fixed or moved there")
 
+-- --- a block of explicit steps that is repeated with half the step says nothing twice ---
+talk = talk_of("again", [[
+local sheet = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 10, ny = 10 }
+sheet:set("corner", { 1 })
+sheet:set("held", function(x, y) return (x < 1e-6 or x > 0.0999 or y < 1e-6 or y > 0.0999) and x + y > 1e-6 end)
+local m = fabric.model { mesh = sheet, card = fabric.card "worsted", warp = 0 }
+local ball = fabric.rigid.sphere { radius = 0.02, centre = { 0.05, 0.05, 0.0212 } }
+m:contact { between = { ball, "all" } }
+m:fix("held", "x y z"):fix("corner", "x z"):move("corner", { y = function(t) return t > 1.1e-4 and 0.003 or 0 end })
+m:move(ball, { z = fabric.ramp(-0.03, 3e-3) })
+local a = fabric.dynamic { model = m, duration = 3e-3, ledger_limit = 1e9 }
+print(pcall(a.solve, a))]])
+times(talk, "the motion of node 1 jumps by 0.003 m within the step", 1)
+has(talk, "a barrier keeps them apart") -- the step was halved, and its block repeated
+
+-- --- implicit motion: a moved body may touch for the first time late in the run ---
+do
+  local net = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 10, ny = 10 }
+  local function pressed(gap)
+    local step, speed = 4e-3, 0.05
+    local m = fabric.model { mesh = net, card = fabric.card "worsted", warp = 0 }
+    local ball = fabric.rigid.sphere { radius = 0.02, centre = { 0.05, 0.05, 0.0208 + gap * step * speed } }
+    m:contact { between = { ball, "all" } }
+    m:fix("boundary", "x y z"):move(ball, { z = fabric.ramp(-(gap + 25) * step * speed, (gap + 25) * step) })
+    return fabric.dynamic { model = m, duration = (gap + 25) * step, scheme = "implicit", step = step }:solve()
+  end
+  local early, late = pressed(5), pressed(60)
+  near(late.energy.stored, early.energy.stored, 1e-3)
+  near(late.time, 85 * 4e-3)
+end
+
+-- --- what moves can be read before the first step ---
+for _, scheme in ipairs { "explicit", "implicit" } do
+  local m = sheet(fabric.card "worsted"):fix("bottom", "x y z rotation"):velocity("top", { z = 1 })
+  local run = fabric.dynamic { model = m, duration = 1e-3, scheme = scheme }
+  local before = run.energy
+  assert(before.kinetic > 0 and before.initial == before.kinetic and before.error == 0 and run:node(mesh:set("top")[1]).vz == 1)
+  run:step()
+  near(run.energy.initial, before.initial)
+end
+
+-- --- a rigidity of a card's own is new, the friction beside it is not ---
+talk = talk_of("friction", [[
+local broad = fabric.card "broad"
+broad:with { bending = { warp = 1e-5 } }
+broad:with { bending = { warp = 1e-5 } }
+broad:with { bending = { weft = 1e-5, friction_weft = false } }
+broad:with { bending = { weft = 1e-5, friction_weft = { moment = 1e-4 } } }
+broad:with { bending = { twist = 1e-6 } }
+broad:with { density = 300 }]])
+times(talk, "warning: card:with: bending.warp is new and friction_warp as before (moment ", 1)
+times(talk, "is new and friction_weft", 0)
+times(talk, "give it too, or friction_warp = false", 1)
+
 -- --- a motion of 20 m on a strip of 76 mm ---
 talk = talk_of("far", [[
 strip(nil, 20)

@@ -193,7 +193,7 @@ define {
     local least = 0.02 * math.sqrt(t.warp * t.weft) -- for a sheet with hardly any twisting stiffness
     local without = (t.warp + t.weft) / 4
     local twist, reached = t.bias - without, true
-    if twist <= least and not t.simulate then twist, reached = least, false end
+    if twist <= 0 and not t.simulate then twist, reached = least, false end
     local bias = without + twist
     if t.simulate then
       twist = math.max(twist, least)

@@ -285,8 +285,48 @@ local function bending_of(b)
   return out
 end
 
+-- KES presses from 0.5 to 50 gf/cm^2; T is the thickness at the former.
+local light, heavy = 0.5 * gf / cm ^ 2, 50 * gf / cm ^ 2
+
+-- Points {gap, pressure} with the work WC and the linearity LC: from T on a toe and a straight line.
+local function compression_of(c, thickness)
+  if not c then return end
+  local way = 2 * c.WC * gf / cm / (c.LC * heavy)
+  if way >= thickness then
+    define.fail(("kes_card: field 'compression.WC': expected less than %.3g, at which LC %.3g and T %.4g mm leave nothing between the plates, got %.3g"):format(
+      c.LC * heavy * thickness / 2 * cm / gf, c.LC, thickness * 1e3, c.WC))
+  end
+  local start = light / heavy
+  local mean = (c.LC / 2 - start) / (1 - start)
+  for _, b in ipairs { 0.4, 0.2, 0.1, 0.05, 0.02 } do
+    local points = mean > 0 and toe(2 * mean, b)
+    if points then
+      for _, p in ipairs(points) do p[1], p[2] = thickness - way * p[1], light + (heavy - light) * p[2] end
+      return points
+    end
+  end
+  define.fail(("kes_card: field 'compression.LC': expected a linearity that a toe and a straight line from 0.5 to 50 gf/cm^2 can have, got %.3g"):format(c.LC))
+end
+
+-- WC and LC of a card whose measured points span the instrument's pressures; nil otherwise. Contact gives back all of it.
+local function compressed(card)
+  local c = card.compression
+  if not c then return end
+  local gaps, pressures = {}, {}
+  for i = #c, 1, -1 do gaps[#gaps + 1], pressures[#pressures + 1] = -c[i][1], c[i][2] end
+  if pressures[1] > light * 1.001 or pressures[#pressures] < heavy * 0.999 then return end
+  local from, to = crossing(pressures, gaps, math.max(light, pressures[1]), 1, #gaps), crossing(pressures, gaps, math.min(heavy, pressures[#gaps]), 1, #gaps)
+  local xs, ys = { from }, { light }
+  for i, x in ipairs(gaps) do
+    if x > from and x < to then xs[#xs + 1], ys[#ys + 1] = x, pressures[i] end
+  end
+  xs[#xs + 1], ys[#ys + 1] = to, heavy
+  local work = area(xs, ys, 1, #xs)
+  return { WC = work * cm / gf, LC = work / (heavy * (to - from) / 2), RC = 100.0 }
+end
+
 local function compression_words(c)
-  return c and ("; compression LC %.3g, WC %.3g, RC %.3g is not carried"):format(c.LC, c.WC, c.RC) or ""
+  return c and ("; compression LC %.3g, WC %.3g as given, RC %.3g not: contact gives back all of it"):format(c.LC, c.WC, c.RC) or ""
 end
 
 local function row(name, unit, sentence, more)
@@ -313,7 +353,7 @@ define {
     { name = "bending", kind = "fields", optional = true, sentence = "without it as of the thickness",
       rows = { { name = "warp", kind = "fields", rows = bend_rows, sentence = "along the warp" }, { name = "weft", kind = "fields", rows = bend_rows, sentence = "along the weft" },
         row("twist", "N.m", "rigidity; default: half of the mean", { optional = true }), row("build_up", "1/m", "curvature over which friction builds up", { default = 10 }) } },
-    { name = "compression", kind = "fields", optional = true, sentence = "kept in the card's source: no law of a sheet carries it",
+    { name = "compression", kind = "fields", optional = true, sentence = "what contact presses with; RC is kept in the card's source, since contact gives back all",
       rows = { row("LC", "", "linearity"), row("WC", "gf cm/cm^2", "work"), row("RC", "per cent", "of the work that is recovered", { high = 100 }) } },
     { name = "poisson", kind = "fields", sentence = "KES does not measure them",
       rows = { { name = "warp", kind = "number", sentence = "as in fabric.woven" }, { name = "weft", kind = "number", sentence = "as in fabric.woven" } } },
@@ -334,7 +374,8 @@ define {
     local weft, weft_reach = yarn_of(t.weft, t.thickness, t.poisson.weft, "weft")
     local shear, shear_reach, loop_words = shear_of(t.shear, t.thickness)
     return fabric.woven { name = t.name, source = "from KES numbers; Poisson ratios given; " .. loop_words .. compression_words(t.compression), density = t.density, thickness = t.thickness, warp = warp,
-      weft = weft, shear = shear, tested = { warp = warp_reach, weft = weft_reach, shear = shear_reach }, bending = t.bending and bending_of(t.bending) }
+      weft = weft, shear = shear, tested = { warp = warp_reach, weft = weft_reach, shear = shear_reach }, bending = t.bending and bending_of(t.bending),
+      compression = compression_of(t.compression, t.thickness) }
   end,
 }
 
@@ -342,7 +383,7 @@ define {
   name = "fabric.lab.kes_sheet",
   arguments = { { name = "card", of = "card", sentence = "the fabric" } },
   sentence = "The KES sheet of a card by virtual tests, as fabric.lab.kes_card takes it: warp and weft (EMT LT WT RT), shear (G 2HG 2HG5), bending "
-    .. "(warp and weft, B 2HB; where the card has its own), T (mm), W (mg/cm^2).",
+    .. "(warp and weft, B 2HB; where the card has its own), compression (LC WC RC; where the card's goes from 0.5 to 50 gf/cm^2), T (mm), W (mg/cm^2).",
   example = "local lab = require 'fabric'.lab\nlocal card = lab.kes_card{ name='shirt', T=0.4, W=16, warp={EMT=4, LT=0.5, RT=55}, weft={EMT=6, WT=10, RT=50},\n"
     .. "  shear={G=0.8, ['2HG']=1.5, ['2HG5']=3}, poisson={warp=0.2, weft=0.2} }\nlocal k = lab.kes_sheet{ card=card }\n"
     .. "assert(math.abs(k.warp.LT / 0.5 - 1) < 0.03 and math.abs(k.shear['2HG5'] / 3 - 1) < 0.03)",
@@ -361,6 +402,7 @@ define {
       end
     end
     out.shear = numbers(fabric.lab.kes_shear { card = card }, { "G", "2HG", "2HG5" })
+    out.compression = compressed(card)
     out.T, out.W = card.thickness * 1e3, card.density * card.thickness * 1e2
     return out
   end,

@@ -550,6 +550,7 @@ local function loops(t)
     words.unloading = ("fitted to %s, secant of curved loops"):format(counted)
     words.loop = ("fitted to %s: friction %.3g (%.3g to %.3g), reach %.3g (%.3g to %.3g), curve %.3g (%.3g to %.3g)"):format(counted, values.friction, out.low.friction,
       out.high.friction, values.reach, out.low.reach, out.high.reach, values.curve, out.low.curve, out.high.curve)
+    if #found == 1 then words.loop = words.loop .. "; that is the noise of its record, and the card has no band of it: one specimen tells nothing of others" end
   end
   origin.remember(out, words)
   return out

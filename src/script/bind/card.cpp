@@ -46,32 +46,51 @@ int other_name(lua_State* L) {
 
 int card_index(lua_State* L) { return push_card_field(L, card_at) ? 1 : other_name(L); }
 
-// Copies the fields of the table at `from` to the one at `to`; nested tables of named fields are merged, and
-// false in place of one drops it.
-void merge(lua_State* L, int to, int from) {
-  to = lua_absindex(L, to);
-  from = lua_absindex(L, from);
-  luaL_checkstack(L, 6, "tables nested too deeply");
+bool is_group(lua_State* L, int index) { return lua_istable(L, index) && lua_rawlen(L, index) == 0; }
+
+bool is_empty(lua_State* L, int table) {
   lua_pushnil(L);
-  while (lua_next(L, from) != 0) {
+  if (lua_next(L, table) == 0) return true;
+  lua_pop(L, 2);
+  return false;
+}
+
+const Argument* row_of(lua_State* L, int key, const std::vector<Argument>& rows) {
+  if (lua_type(L, key) != LUA_TSTRING) return nullptr;
+  const std::string name = lua_tostring(L, key);
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Argument& r) { return r.name == name; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+// Copies the fields of the table at `from` to the one at `to`; tables of named fields are merged. False drops
+// a part that a card can do without, and does nothing where the card has none.
+void merge(lua_State* L, int to, int from, const std::vector<Argument>& rows) {
+  static const std::vector<Argument> no_rows;
+  luaL_checkstack(L, 8, "tables nested too deeply");
+  for (lua_pushnil(L); lua_next(L, from) != 0; lua_pop(L, 1)) {
     make_plain(L);
-    lua_pushvalue(L, -2);
-    const bool both = lua_rawget(L, to) == LUA_TTABLE && lua_istable(L, -2) && lua_rawlen(L, -1) == 0 &&
-                      lua_rawlen(L, -2) == 0;
-    if (both) {
-      merge(L, -1, -2);
-      lua_pop(L, 2);
-      continue;
-    }
-    const bool drops = lua_istable(L, -1) && lua_isboolean(L, -2) && lua_toboolean(L, -2) == 0;
-    lua_pop(L, 1);
-    if (drops) {
-      lua_pop(L, 1);
+    const int key = lua_gettop(L) - 1, value = key + 1;
+    const Argument* row = row_of(L, key, rows);
+    const bool is_false = lua_isboolean(L, value) && lua_toboolean(L, value) == 0;
+    lua_pushvalue(L, key);
+    const bool merges = lua_rawget(L, to) == LUA_TTABLE && is_group(L, -1) && is_group(L, value);
+    if (is_false && row != nullptr && !row->required && (row->kinds & boolean) == 0) {
       lua_pushnil(L);
+    } else if (merges) {
+      merge(L, lua_gettop(L), value, row == nullptr ? no_rows : row->rows);
+      lua_pushvalue(L, -1);
+    } else if (row != nullptr && !row->rows.empty() && is_group(L, value)) {
+      lua_newtable(L);
+      merge(L, lua_gettop(L), value, row->rows);
+      // Nothing but parts that were not there.
+      if (is_empty(L, lua_gettop(L)) && !is_empty(L, value)) lua_pushnil(L);
+    } else {
+      lua_pushvalue(L, value);
     }
-    lua_pushvalue(L, -2);
+    lua_pushvalue(L, key);
     lua_insert(L, -2);
     lua_rawset(L, to);
+    lua_settop(L, value);
   }
 }
 
@@ -146,7 +165,7 @@ int with(Call& call) {
   call.push("changes");
   const bool told = lua_getfield(L, -1, "provenance") != LUA_TNIL;
   lua_pop(L, 1);
-  merge(L, merged, -1);
+  merge(L, merged, lua_gettop(L), card_rows(card::kind(*card)));
   lua_pop(L, 1);
   Card changed = read_card(L, merged, card::kind(*card));
   if (!told) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
@@ -280,9 +299,10 @@ std::vector<Entry> rows() {
        cards},
       {"card:with",
        Style::positional,
-       {value_("changes", table,
-               "fields of the constructor that differ; tables merge deeply, and false drops one, as "
-               "friction_warp=false")},
+       {value_(
+           "changes", table,
+           "fields of the constructor that differ; tables merge deeply, and false drops what a card can do "
+           "without, as friction_warp=false, whether it has it or not")},
        "A copy of the card with some fields changed.",
        "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
        with},

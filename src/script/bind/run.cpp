@@ -38,8 +38,8 @@ void want_alive(lua_State* L) {
 
 Argument limit_row() {
   return value_("limit", text,
-                "tell: warns once when the cloth is strained beyond what the card was tested to; stop: ends "
-                "the run there")
+                "tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let "
+                "pass); stop: ends the run there, on the strain, however long the steps")
       .or_else("tell")
       .one_of({"tell", "stop"});
 }

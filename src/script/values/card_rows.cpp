@@ -253,6 +253,7 @@ Card card_from(const Fields& fields, const std::string& kind) {
   luaL_checkstack(fields.L(), 20, "card");
   Card card = card::blank(kind);
   read_fields(fields, card::fields(kind), "", card);
+  if (const auto found = card::clash(card)) fields.refuse(found->field, found->words);
   if (fields.has("provenance")) card.source = law::with_provenance(card.source, read_provenance(fields));
   if (kind == "woven" && fields.has("bands")) check_bands(fields, card);
   if (const auto* svk = std::get_if<card::Svk>(&card.law)) check_svk(fields, *svk);

@@ -154,6 +154,9 @@ wrong("card:with", "card:with{ provenance={ ['warp.loading']='guessed' } }",
   "deck.lua:1: with: field 'provenance': expected words that begin with fitted, measured, copied, typed or assumed for 'warp.loading', got 'guessed'")
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, through_thickness='yes' }",
   "deck.lua:1: woven: field 'through_thickness': expected true or false, got 'yes'")
+wrong("fabric.woven", "fabric.woven{ density=500, thickness=4e-4, law='thesis', warp={ loading={1e6}, unloading=2e6, poisson=0, loop={ friction=0.3 } },"
+  .. " weft={ loading={1e6}, unloading=2e6, poisson=0 }, shear={ loading={1e5}, unloading=3e5 } }",
+  "deck.lua:1: woven: field 'warp.loop': expected law = \"potential\", the only one that takes it, got law = \"thesis\"")
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, bending={ warp='1' } }",
   "deck.lua:1: woven: field 'bending.warp': expected a number of at least 0 in N.m or a table, got '1'")
 wrong("fabric.woven", "fabric.woven{ density=500, thickness=0.01, bending={ warp=1e-5, weft=1e-5, twist=1e-5, friction_warp={ moment=1e-4, curvature=5, memory='fade' } } }",
