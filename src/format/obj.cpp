@@ -3,6 +3,7 @@
 
 #include "format/mesh_builder.hpp"
 #include "format/mesh_file.hpp"
+#include "format/table_line.hpp"
 
 namespace fabricsh::format {
 

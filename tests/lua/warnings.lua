@@ -252,10 +252,10 @@ a = fabric.static { model = held, duration = 1, step = 1, max_cuts = 0, max_iter
 assert(not pcall(a.solve, a) and not a:why():find "free to")
 
 -- --- meshes that were cut short: told once, wherever they are read; whole ones are not ---
-local square = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 4, ny = 4 }
+local sheet_of_squares = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 4, ny = 4 }
 for ending, said in pairs { k = ": the file ends without *END; ", inp = ": the last line has no end; ", obj = ": the last line has no end; " } do
   local whole, cut = "whole." .. ending, "cut." .. ending
-  square:write(whole)
+  sheet_of_squares:write(whole)
   local text = text_of(whole)
   -- at 90 %, and from there to the next place at which what is left is still a mesh
   local n, ok = math.floor(0.9 * #text) - 1, false
