@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("the tangent is the derivative of the force: error falls with
       const auto difference = [&](double h) -> Eigen::MatrixXd {
         return (shells.moved(h * direction).force() - shells.moved(-h * direction).force()) / (2 * h);
       };
-      // Rounding is some 4e-16 / h of the tangent, truncation from 9 h^2 (svk) to 2000 h^2 (duck). A law with
+      // Rounding is some 1e-15 / h of the tangent, truncation from 6 h^2 (svk) to 2000 h^2 (duck). A law with
       // kinks is smooth only where no point switches between the two differences: by 1e-5 none does. St.
       // Venant and Kirchhoff's has none, and larger steps keep its truncation far above rounding.
       const double h = card.name == "svk" ? 1e-4 : 1e-5;
