@@ -1,12 +1,15 @@
 #include "app/wall.hpp"
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
@@ -148,3 +151,23 @@ void limit_process(const script::SafeOptions& limits) {
 }
 
 }  // namespace fabricsh::app
+
+#if defined(__clang__)
+// LLVM's OpenMP, which clang links, notes itself in shared memory named after the process, to notice a second
+// copy of itself, and ends the program where it cannot: behind the wall, which gives no right to /dev/shm.
+// The loader finds this function before the C library's. It gives the note memory of the process' own, so
+// that nothing stays behind in /dev/shm either. GNU's OpenMP keeps no such note.
+extern "C" int shm_open(const char* name, int flags, mode_t mode) {
+  constexpr char note[] = "/__KMP_REGISTERED_LIB_";
+  if (std::strncmp(name, note, sizeof note - 1) == 0) {
+    if ((flags & O_CREAT) != 0) return memfd_create(name + 1, MFD_CLOEXEC);
+    errno = ENOENT;  // at the end of the process, which looks for its note to remove it
+    return -1;
+  }
+  using Function = int (*)(const char*, int, mode_t);
+  const auto library = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "shm_open"));
+  if (library != nullptr) return library(name, flags, mode);
+  errno = ENOSYS;
+  return -1;
+}
+#endif

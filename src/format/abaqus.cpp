@@ -1,5 +1,7 @@
 // Abaqus' and CalculiX's .inp: *NODE, *ELEMENT, *NSET, *ELSET. What belongs to the problem and not to the
 // mesh (materials, steps, ...) is passed over; what would make nodes or elements in another way is refused.
+#include <algorithm>
+
 #include "format/deck_mesh.hpp"
 #include "format/mesh_file.hpp"
 
@@ -38,19 +40,31 @@ class AbaqusReader {
   AbaqusReader(const std::string& name, std::string_view bytes)
       : source_(name, bytes), mesh_(source_, bytes.size()) {}
 
-  mesh::Mesh read() {
+  mesh::Mesh read(Remarks* remarks) {
     std::string_view line;
     while (next(line)) {
+      last_ = place_;
+      closed_ = false;
       if (line.starts_with('*'))
         open(keyword(line));
       else if (data_ != nullptr)
         (this->*data_)(line);
     }
     if (!waiting_.empty()) source_.fail("the file ends within an element");
+    if (remarks != nullptr) tell(*remarks);
     return mesh_.finish();
   }
 
  private:
+  // No keyword closes a file: only a part, an assembly, an instance and a step have one of their own.
+  void tell(Remarks& remarks) {
+    if (!within_.empty())
+      remarks.push_back(source_.at_place("the file ends without *END " + within_.back() +
+                                         "; if it was cut short, part of the mesh is missing"));
+    else if (!closed_ && source_.endless(last_))
+      remarks.push_back(source_.at_place(no_line_end));
+  }
+
   // The next line that is not empty and no comment.
   bool next(std::string_view& line) {
     while (true) {
@@ -97,6 +111,7 @@ class AbaqusReader {
     if (!waiting_.empty())
       source_.fail("expected the rest of the element above, got *" + in_quotes(word.name));
     data_ = nullptr;
+    nest(word.name);
     if (word.name == "NODE") return open_nodes(word);
     if (word.name == "ELEMENT") return open_elements(word);
     if (word.name == "NSET") return open_set(word, Of::nodes, "NSET");
@@ -117,6 +132,16 @@ class AbaqusReader {
         source_.fail("*" + word.name +
                      " makes or moves nodes or elements, which is not read: expected *NODE and *ELEMENT with "
                      "all of them");
+  }
+
+  void nest(const std::string& word) {
+    for (const char* block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"})
+      if (word == block) within_.emplace_back(block);
+    if (!word.starts_with("END ")) return;
+    closed_ = true;
+    if (const auto found = std::find(within_.rbegin(), within_.rend(), word.substr(4));
+        found != within_.rend())
+      within_.erase(found.base() - 1, within_.end());
   }
 
   static std::string value(const Keyword& word, const char* name) {
@@ -240,7 +265,9 @@ class AbaqusReader {
   Source source_;
   DeckMesh mesh_;
   void (AbaqusReader::*data_)(std::string_view) = nullptr;  // what reads the lines below the keyword
-  std::size_t place_ = 0;                                   // of the line
+  std::size_t place_ = 0, last_ = 0;                        // of the line; of the last one that was read
+  bool closed_ = false;                                     // by the last line, *END ...
+  std::vector<std::string> within_;                         // blocks that are open, innermost last
   std::string set_;                                         // key of the set that is read
   Of of_ = Of::nodes;
   bool instance_ = false;
@@ -250,8 +277,8 @@ class AbaqusReader {
 
 }  // namespace
 
-mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes) {
-  return AbaqusReader(name, bytes).read();
+mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks) {
+  return AbaqusReader(name, bytes).read(remarks);
 }
 
 }  // namespace fabricsh::format

@@ -15,17 +15,21 @@ class DynaReader {
   DynaReader(const std::string& name, std::string_view bytes)
       : source_(name, bytes), mesh_(source_, bytes.size()) {}
 
-  mesh::Mesh read() {
+  mesh::Mesh read(Remarks* remarks) {
     std::string_view line;
-    while (next(line)) {
+    bool complete = false;
+    while (!complete && next(line)) {
       if (line.starts_with('*')) {
         const std::string word = upper(trimmed(line.substr(1)));
-        if (word == "END") break;
+        complete = word == "END";
         open(word);
       } else if (card_ != nullptr) {
         (this->*card_)(line);
       }
     }
+    if (remarks != nullptr && !complete)
+      remarks->push_back(
+          source_.at_place("the file ends without *END; if it was cut short, part of the mesh is missing"));
     if (parts_.size() > 1)
       for (const auto& [part, members] : parts_) add_part(part, members);
     return mesh_.finish();
@@ -245,8 +249,8 @@ class DynaReader {
 
 }  // namespace
 
-mesh::Mesh read_dyna(const std::string& name, std::string_view bytes) {
-  return DynaReader(name, bytes).read();
+mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks) {
+  return DynaReader(name, bytes).read(remarks);
 }
 
 }  // namespace fabricsh::format

@@ -19,17 +19,23 @@ std::string ending(const std::string& path) {
   return text;
 }
 
-using Reader = mesh::Mesh (*)(const std::string&, std::string_view);
+using Reader = mesh::Mesh (*)(const std::string&, std::string_view, Remarks*);
+
+// A reader of files that are complete or refused.
+template <mesh::Mesh (*read)(const std::string&, std::string_view)>
+mesh::Mesh complete(const std::string& name, std::string_view bytes, Remarks*) {
+  return read(name, bytes);
+}
 
 Reader reader_of(const std::string& path) {
   const std::string text = ending(path);
-  if (text == ".msh") return read_gmsh;
+  if (text == ".msh") return complete<read_gmsh>;
   if (text == ".obj") return read_obj;
-  if (text == ".vtu") return read_vtu;
-  if (text == ".vtk") return read_legacy_vtk;
+  if (text == ".vtu") return complete<read_vtu>;
+  if (text == ".vtk") return complete<read_legacy_vtk>;
   if (text == ".inp") return read_abaqus;
   if (text == ".k" || text == ".key") return read_dyna;
-  if (text == ".stl") return read_stl;
+  if (text == ".stl") return complete<read_stl>;
   throw Error("cannot read '" + path +
               "': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k");
 }
@@ -62,11 +68,11 @@ std::optional<std::string> mesh_text(const std::string& path, const mesh::Mesh& 
   return {};
 }
 
-mesh::Mesh read_mesh(const std::string& path) {
+mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
   const Reader read = reader_of(path);
   const std::string bytes = read_file(path);
   if (bytes.empty()) throw Error(path + ": the file is empty");
-  return read(path, bytes);
+  return read(path, bytes, remarks);
 }
 
 void write_mesh(const std::string& path, const mesh::Mesh& mesh) {

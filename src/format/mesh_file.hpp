@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesh/mesh.hpp"
 #include "system/atomic.hpp"
@@ -15,7 +16,12 @@ namespace fabricsh::format {
 // elements; parts, if there are several), .stl (equal vertices are joined; solids, if there are several).
 // Reads triangles and quadrilaterals; lines and points are used for sets only. Nodes that no element uses are
 // dropped; the sets all and boundary are added if missing.
-mesh::Mesh read_mesh(const std::string& path);
+// What a file can legally lack, but one that was cut short lacks as well, is said in the remarks: the *END of
+// a .k, *END STEP and the like of an .inp, the end of the last line of an .inp or .obj.
+using Remarks = std::vector<std::string>;
+inline constexpr const char* no_line_end =
+    "the last line has no end; if the file was cut short, part of the mesh is missing";
+mesh::Mesh read_mesh(const std::string& path, Remarks* remarks = nullptr);
 // The content of a file with that name, for the formats that are text; empty: another extension. With sets of
 // nodes: .msh (Gmsh 4.1 text: sets as physical points), .inp, .k, .rad; the surface alone: .obj, .ply, .stl.
 std::optional<std::string> mesh_text(const std::string& path, const mesh::Mesh& mesh);
@@ -25,11 +31,11 @@ void write_mesh(const std::string& path, const mesh::Mesh& mesh);
 
 // One reader for each format; `name` is the name of the file in errors.
 mesh::Mesh read_gmsh(const std::string& name, std::string_view bytes);
-mesh::Mesh read_obj(const std::string& name, std::string_view bytes);
+mesh::Mesh read_obj(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_vtu(const std::string& name, std::string_view bytes);
 mesh::Mesh read_legacy_vtk(const std::string& name, std::string_view bytes);
-mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes);
-mesh::Mesh read_dyna(const std::string& name, std::string_view bytes);
+mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
+mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_stl(const std::string& name, std::string_view bytes);
 std::string gmsh_text(const mesh::Mesh& mesh);
 std::string obj_text(const mesh::Mesh& mesh);

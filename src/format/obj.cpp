@@ -3,6 +3,7 @@
 
 #include "format/mesh_builder.hpp"
 #include "format/mesh_file.hpp"
+#include "format/table_line.hpp"
 
 namespace fabricsh::format {
 
@@ -13,9 +14,14 @@ class ObjReader {
   ObjReader(const std::string& name, std::string_view bytes)
       : source_(name, bytes), builder_(source_, 16 * bytes.size()) {}
 
-  mesh::Mesh read() {
+  mesh::Mesh read(Remarks* remarks) {
     std::string_view line;
-    while (source_.next_line(line)) statement(Source("", line.substr(0, line.find('#'))));
+    for (std::size_t place = 0; source_.next_line(line); place = source_.place()) {
+      const std::string_view words = line.substr(0, line.find('#'));
+      statement(Source("", words));
+      if (remarks != nullptr && source_.endless(place) && !trimmed(words).empty())
+        remarks->push_back(source_.at_place(no_line_end));
+    }
     return builder_.finish();
   }
 
@@ -86,6 +92,8 @@ class ObjReader {
 
 }  // namespace
 
-mesh::Mesh read_obj(const std::string& name, std::string_view bytes) { return ObjReader(name, bytes).read(); }
+mesh::Mesh read_obj(const std::string& name, std::string_view bytes, Remarks* remarks) {
+  return ObjReader(name, bytes).read(remarks);
+}
 
 }  // namespace fabricsh::format

@@ -141,10 +141,12 @@ std::string_view Source::take(std::size_t bytes, const char* what) {
   return taken;
 }
 
-void Source::fail(const std::string& why) const {
-  if (binary_) throw Error(name_ + ": byte " + std::to_string(said_ + 1) + ": " + why);
+std::string Source::at_place(const std::string& why) const {
+  if (binary_) return name_ + ": byte " + std::to_string(said_ + 1) + ": " + why;
   const auto lines = std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(said_), '\n');
-  throw Error(name_ + ":" + std::to_string(lines + 1) + ": " + why);
+  return name_ + ":" + std::to_string(lines + 1) + ": " + why;
 }
+
+void Source::fail(const std::string& why) const { throw Error(at_place(why)); }
 
 }  // namespace fabricsh::format

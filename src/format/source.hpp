@@ -50,7 +50,12 @@ class Source {
   void swap_bytes(bool swapped) { swapped_ = swapped; }
   void set_binary(bool binary) { binary_ = binary; }
 
-  // Error: "disc.msh:12: ...", or "disc.msh: byte 120: ..." while binary.
+  // Whether the line that begins there has no end: the last one of many a file, and of one that was cut
+  // short.
+  bool endless(std::size_t line) const { return bytes_.find('\n', line) == bytes_.npos; }
+
+  // "disc.msh:12: ...", or "disc.msh: byte 120: ..." while binary; as an error.
+  std::string at_place(const std::string& why) const;
   [[noreturn]] void fail(const std::string& why) const;
 
  private:

@@ -8,8 +8,9 @@
 namespace fabricsh::run {
 
 // now: the present value; given: that at creation. Reading keeps the present value if `given` differs.
+// Not inlined, since GCC 12 then warns of an empty optional's number as uninitialised.
 template <class T>
-void keep_setting(Archive& archive, const T& given, T& now) {
+[[gnu::noinline]] void keep_setting(Archive& archive, const T& given, T& now) {
   T given_then = given, then = now;
   archive(given_then, then);
   if (archive.reading() && given_then == given) now = then;

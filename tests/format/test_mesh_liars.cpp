@@ -13,11 +13,11 @@ using namespace fabricsh::format;
 
 namespace {
 
-mesh::Mesh read(const std::string& name, const std::string& bytes) {
+mesh::Mesh read(const std::string& name, const std::string& bytes, Remarks* remarks = nullptr) {
   if (name.ends_with(".msh")) return read_gmsh(name, bytes);
-  if (name.ends_with(".obj")) return read_obj(name, bytes);
-  if (name.ends_with(".inp")) return read_abaqus(name, bytes);
-  if (name.ends_with(".k")) return read_dyna(name, bytes);
+  if (name.ends_with(".obj")) return read_obj(name, bytes, remarks);
+  if (name.ends_with(".inp")) return read_abaqus(name, bytes, remarks);
+  if (name.ends_with(".k")) return read_dyna(name, bytes, remarks);
   if (name.ends_with(".stl")) return read_stl(name, bytes);
   return name.ends_with(".vtu") ? read_vtu(name, bytes) : read_legacy_vtk(name, bytes);
 }
@@ -251,6 +251,62 @@ TEST_CASE("a file that ends anywhere is an error or a mesh", "[files]") {
     INFO(name);
     for (std::size_t n = 0; n < content.size(); ++n) survive(name, content.substr(0, n));
   }
+}
+
+// What is said of a file: why it is refused, or the one remark on it; empty: nothing.
+std::string said_of(const std::string& name, const std::string& bytes) {
+  Remarks remarks;
+  try {
+    read(name, bytes, &remarks);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  CHECK(remarks.size() <= 1);
+  return remarks.empty() ? "" : remarks.front();
+}
+
+TEST_CASE("a deck that was cut short is refused or remarked on", "[files]") {
+  for (const char* name : {"x.obj", "x.inp", "x.k"}) CHECK(said_of(name, base(name)).empty());
+  for (std::size_t n = 1; n < base("x.k").find("*END") + 4; ++n) {
+    INFO("x.k: " << n);
+    CHECK(said_of("x.k", base("x.k").substr(0, n)).starts_with("x.k:"));
+  }
+  // These two need no last line: what ends between two lines is a file, outside of what the first has to
+  // close.
+  for (const char* name : {"x.obj", "x.inp"}) {
+    const std::string& text = base(name);
+    const std::size_t step = std::min(text.find("*STEP"), text.size());
+    for (std::size_t n = 1; n + 1 < text.size(); ++n) {
+      const std::size_t line = text.rfind('\n', n - 1) + 1;
+      const bool between = line == n || text[line] == '#' || text.compare(line, 2, "**") == 0;
+      INFO(name << ": " << n);
+      if (!between || n > step + 5) CHECK(said_of(name, text.substr(0, n)).starts_with(name));
+    }
+  }
+}
+
+TEST_CASE("what is said of a deck that ends early, and of one that need not end later", "[files]") {
+  const std::string part = "; if the file was cut short, part of the mesh is missing";
+  const std::string nodes = "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n",
+                    inp = nodes + "*ELEMENT, TYPE=S3, ELSET=e\n1,1,2,3";
+  CHECK(said_of("x.inp", inp) == "x.inp:6: the last line has no end" + part);
+  CHECK(said_of("x.inp", inp + "\n").empty());
+  CHECK(said_of("x.inp", inp + "\n** a comment").empty());
+  CHECK(said_of("x.inp", inp + "\n*NSET, NSET=a\n1, 2").starts_with("x.inp:8: the last line has no end"));
+  CHECK(said_of("x.inp", inp + "\n*ELEM").starts_with("x.inp:7: the last line has no end"));
+  const std::string without = ": the file ends without *END ";
+  CHECK(said_of("x.inp", inp + "\n*STEP\n*STATIC\n").starts_with("x.inp:9" + without + "STEP;"));
+  CHECK(said_of("x.inp", inp + "\n*STEP\n*STATIC\n*END STEP").empty());
+  CHECK(said_of("x.inp", "*PART, NAME=p\n" + inp + "\n").starts_with("x.inp:8" + without + "PART;"));
+  CHECK(said_of("x.inp", "*PART, NAME=p\n" + inp + "\n*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, PART=p\n")
+            .starts_with("x.inp:11" + without + "INSTANCE;"));
+  const std::string k = "*KEYWORD\n" + nodes + "*ELEMENT_SHELL\n1,1,1,2,3";
+  CHECK(said_of("x.k", k + "\n") ==
+        "x.k:8: the file ends without *END; if it was cut short, part of the mesh is missing");
+  CHECK(said_of("x.k", k + "\n*end").empty());
+  CHECK(said_of("x.k", k + "\n*END\nanything").empty());
+  CHECK(said_of("x.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3") ==
+        "x.obj:5: the last line has no end" + part);
 }
 
 TEST_CASE("a file with any one byte changed is an error or a mesh", "[files]") {

@@ -304,3 +304,33 @@ end
 local held = sheet():fix("all", "z rotation"):fix("bottom", "x y"):fix("top", "x"):move("top", { y = fabric.ramp(0.03, 1) })
 a = fabric.static { model = held, duration = 1, step = 1, max_cuts = 0, max_iterations = 1 }
 assert(not pcall(a.solve, a) and not a:why():find "free to")
+
+-- --- meshes that were cut short: told once, wherever they are read; whole ones are not ---
+local sheet_of_squares = fabric.mesh.rectangle { width = 0.1, height = 0.1, nx = 4, ny = 4 }
+for ending, said in pairs { k = ": the file ends without *END; ", inp = ": the last line has no end; ", obj = ": the last line has no end; " } do
+  local whole, cut = "whole." .. ending, "cut." .. ending
+  sheet_of_squares:write(whole)
+  local text = text_of(whole)
+  -- at 90 %, and from there to the next place at which what is left is still a mesh
+  local n, ok = math.floor(0.9 * #text) - 1, false
+  repeat
+    n = n + 1
+    local file = assert(io.open(cut, "wb"))
+    file:write(text:sub(1, n))
+    file:close()
+    ok = text:sub(n, n) ~= "\n" and pcall(fabric.mesh.read, cut)
+  until ok or n == #text
+  assert(ok and n < #text - 1, ending)
+  local talk, code = talk_of("cuts", ([[
+fabric.mesh.read "whole.%s"
+fabric.mesh.read "cut.%s"
+fabric.mesh.read "cut.%s"]]):format(ending, ending, ending))
+  assert(code == 0, talk)
+  times(talk, "warning", 1)
+  has(talk, "warning: " .. cut .. ":")
+  has(talk, said)
+  for _, body in ipairs { "fabric.rigid.surface { file = %q, mass = 1, closed = false }", "fabric.rigid.motion { files = { %q, %q }, times = { 0, 1 } }" } do
+    times(talk_of("cuts", body:format(cut, cut)), "warning: " .. cut, 1)
+    times(talk_of("cuts", body:format(whole, whole)), "warning", 0)
+  end
+end

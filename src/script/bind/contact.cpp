@@ -1,9 +1,9 @@
 // fabric.rigid.*, model:contact, and reading both from a run.
 #include <numbers>
 
-#include "format/mesh_file.hpp"
 #include "model/model.hpp"
 #include "run/bodies.hpp"
+#include "script/bind/mesh.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -49,17 +49,13 @@ int disc(Call& call) {
                                 call.number("edge")});
 }
 
-model::Facets facets(const std::string& file, bool closed) {
-  return model::facets_of(format::read_mesh(file), closed);
-}
-
 int surface(Call& call) {
   if (call.has("mesh") == call.has("file"))
     call.refuse("mesh", std::string("expected either a mesh or file=, got ") +
                             (call.has("mesh") ? "both" : "neither"));
   const bool closed = call.flag("closed");
   return make(call, call.has("mesh") ? model::facets_of(*call.object<mesh::Mesh>("mesh"), closed)
-                                     : facets(call.text("file"), closed));
+                                     : model::facets_of(read_mesh_file(call, call.text("file")), closed));
 }
 
 // Reads the shapes of a moving surface from files or meshes.
@@ -75,7 +71,7 @@ std::vector<model::Facets> read_shapes(const Call& call) {
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(L, -1, i);
     const auto mesh = call.has("files") && lua_type(L, -1) == LUA_TSTRING
-                          ? std::make_shared<mesh::Mesh>(format::read_mesh(lua_tostring(L, -1)))
+                          ? std::make_shared<mesh::Mesh>(read_mesh_file(call, lua_tostring(L, -1)))
                           : to_object<mesh::Mesh>(L, -1);
     if (mesh != nullptr)
       shapes.push_back(shapes.empty() ? model::facets_of(*mesh, false)

@@ -1,10 +1,13 @@
 // The functions of fabric.mesh.*, in several groups.
 #pragma once
+#include "mesh/mesh.hpp"
 #include "script/bind/rooms.hpp"
 
 namespace fabricsh::script {
 
 std::vector<Entry> mesh_generator_rows();
 std::vector<Entry> mesh_file_rows();
+// The mesh in a file; warns where the file may have been cut short.
+mesh::Mesh read_mesh_file(const Call& call, const std::string& path);
 
 }  // namespace fabricsh::script

@@ -22,7 +22,7 @@ std::string file_of(const std::string& path) {
 }
 
 int read(Call& call) {
-  push_object(call.L(), std::make_shared<Mesh>(format::read_mesh(file_of(call.text("file")))));
+  push_object(call.L(), std::make_shared<Mesh>(read_mesh_file(call, file_of(call.text("file")))));
   return 1;
 }
 
@@ -185,6 +185,13 @@ Entry orient_row() {
 }
 
 }  // namespace
+
+Mesh read_mesh_file(const Call& call, const std::string& path) {
+  format::Remarks remarks;
+  Mesh mesh = format::read_mesh(path, &remarks);
+  for (const std::string& remark : remarks) call.session().notices().once(remark, "warning: " + remark);
+  return mesh;
+}
 
 std::vector<Entry> mesh_file_rows() {
   return {read_row(), write_row(), deck_lines_row(), check_row(), orient_row()};
