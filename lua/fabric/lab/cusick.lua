@@ -206,6 +206,24 @@ local function draw_contours(t, result)
   fabric.write(t.file, table.concat(out, "\n") .. "\n")
 end
 
+local usual -- values of fields that are not given
+
+-- Says which of the given fields do nothing in this test, so that nobody compares two discs that are the same.
+local function tell_idle(t)
+  local function tell(condition, names, why)
+    local given = {}
+    for _, name in ipairs(condition and names or {}) do
+      if t[name] ~= usual[name] then given[#given + 1] = name end
+    end
+    if #given > 0 then fabric.warn(("cusick: %s: no effect %s"):format(table.concat(given, ", "), why)) end
+  end
+  tell(t.by == "relaxation", { "lowering", "damping", "still", "window", "duration", "shake", "period", "every" }, 'with by = "relaxation", which knows no time')
+  tell(t.by == "motion", { "steps" }, 'with by = "motion": they are the shares of the weight of relaxation')
+  tell(t.by == "motion" and t.shakes == 0, { "shake", "period" }, "without shakes")
+  tell(t.by == "motion" and not t.out, { "every" }, "without out, the folder of the VTK series")
+  tell(not t.contact, { "side", "friction", "self" }, "with contact = false")
+end
+
 local function check(t)
   local function refuse(field, expected, got) define.fail(("cusick: field '%s': expected %s, got %s"):format(field, expected, got)) end
   if t.support >= t.disc then refuse("support", ("a diameter below that of the disc, %g m"):format(t.disc), ("%g m"):format(t.support)) end
@@ -219,6 +237,7 @@ local function check(t)
     refuse("card", 'a card with bending of its own with by = "relaxation", which creeps for hours without (fabric.card(name, { bending = "estimated" }))',
       "one that bends by its thickness")
   end
+  tell_idle(t)
   t.side = t.side or t.disc / 2
   t.duration = t.duration or t.lowering + t.shakes * t.period + 4
   if t.duration <= t.lowering then refuse("duration", ("more than the lowering, %g s"):format(t.lowering), ("%g s"):format(t.duration)) end
@@ -252,7 +271,7 @@ local function run(t)
   return result
 end
 
-define {
+local definition = {
   name = "fabric.lab.cusick",
   arguments = {
     { name = "card", of = "card", sentence = "the fabric" },
@@ -297,3 +316,7 @@ define {
     .. "local r = fabric.lab.cusick{ card=stiff, disc=0.24, cells=3, around=24, lowering=0.1, still=0.05 }\nassert(r.coefficient > 0.99 and r.nodes == 0)",
   run = run,
 }
+
+usual = {}
+for _, row in ipairs(definition.arguments) do usual[row.name] = row.default end
+define(definition)
