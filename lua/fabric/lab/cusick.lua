@@ -126,10 +126,11 @@ local function moved(t, model, rim, seed)
   return a, rest
 end
 
--- Through equilibria under growing shares of the weight; time is that share.
+-- Through equilibria under growing shares of the weight; time is that share. The tolerance is one of the largest force, which in stiff yarns that lie across the
+-- mesh is far above the weight: at 1e-4 whole shares of it are within.
 local function relaxed(t, model, seed)
   model:gravity { 0, 0, fabric.ramp(-t.gravity, 1) }
-  local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, method = "relaxation", tolerance = 1e-4 }
+  local a = fabric.static { model = model, duration = 1, step = 1 / t.steps, method = "relaxation", tolerance = 1e-5 }
   if t.out then a:vtk(("%s/seed%d"):format(t.out, seed)) end
   a:solve()
   return a, { at_rest = true, moved = 0 }
