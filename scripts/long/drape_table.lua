@@ -2,8 +2,8 @@
 --
 --   fabricsh scripts/long/drape_table.lua                          a disc of every card but wool by relaxation, into out/drape: two minutes
 --   fabricsh scripts/long/drape_table.lua 10 6 "worsted broad"     ten discs, six elements over the overhang, these cards ("all": every card)
---   fabricsh scripts/long/drape_table.lua 10 5 "worsted duck:5"    five discs of duck
---   fabricsh scripts/long/drape_table.lua 10 6 all write           and the table and the figure of share/doc/drape.md
+--   fabricsh scripts/long/drape_table.lua 10 5 "worsted duck:5"    five discs of duck; "worsted nylon:3:8": three of nylon with eight elements
+--   fabricsh scripts/long/drape_table.lua 10 5 "all wool:3" write  every card and three discs of wool, and the table and the figure of share/doc/drape.md
 --   fabricsh scripts/long/drape_table.lua 3 5 worsted motion       in motion, with contact: seconds to minutes a disc
 --
 -- Each disc that is finished is kept in out/drape, so a longer list goes on from a shorter one.
@@ -14,11 +14,20 @@ local by = arg[4] == "motion" and "motion" or "relaxation"
 local root = arg[0]:gsub("[^/]*$", "") .. "../../"
 local disc, support = 0.30, 0.18
 
-local names, discs = {}, {}
-for word in (which == "all" and table.concat(fabric.cards(), " ") or which):gmatch "%S+" do
-  local name, count = word:match "^([^:]+):?(%d*)$"
-  -- Relaxation creeps for an hour through the warp of 'wool', which unloads 165 times as stiffly as it loads.
-  if which ~= "all" or by == "motion" or name ~= "wool" then names[#names + 1], discs[name] = name, tonumber(count) or seeds end
+local names, discs, elements = {}, {}, {}
+local function take(name, count, fine)
+  if not discs[name] then names[#names + 1] = name end
+  discs[name], elements[name] = tonumber(count) or seeds, tonumber(fine) or cells
+end
+for word in which:gmatch "%S+" do
+  if word == "all" then
+    -- The warp of 'wool' unloads 165 times as stiffly as it loads: a disc takes minutes, so it is named or left out.
+    for _, name in ipairs(fabric.cards()) do
+      if name ~= "wool" then take(name) end
+    end
+  else
+    take(word:match "^([^:]+):?(%d*):?(%d*)$")
+  end
 end
 
 -- The thesis' four have no bending of their own but an estimate.
@@ -40,7 +49,7 @@ end
 local cases = {}
 for seed = 1, seeds do
   for _, name in ipairs(names) do
-    if seed <= discs[name] then cases[#cases + 1] = { card = name, seed = seed, cells = cells, by = by } end
+    if seed <= discs[name] then cases[#cases + 1] = { card = name, seed = seed, cells = elements[name], by = by } end
   end
 end
 local study = fabric.study { parameters = cases, run = drape, folder = "out/drape", workers = tonumber(os.getenv "FABRICSH_WORKERS") }
@@ -81,12 +90,12 @@ for _, name in ipairs(names) do
   if by_card[name] then sorted[#sorted + 1] = name end
 end
 table.sort(sorted, function(a, b) return statistics(by_card[a], "coefficient") < statistics(by_card[b], "coefficient") end)
-rows[1] = "| card | W g/m2 | bending length mm | coefficient % | folds | amplitude mm | discs |"
-rows[2] = "|---|---|---|---|---|---|---|"
+rows[1] = "| card | W g/m2 | bending length mm | coefficient % | folds | amplitude mm | discs | elements |"
+rows[2] = "|---|---|---|---|---|---|---|---|"
 for _, name in ipairs(sorted) do
   local card, list = card_of(name), by_card[name]
-  rows[#rows + 1] = ("| %s | %.0f | %.1f | %s | %s | %s | %d |"):format(name, 1e3 * card.density * card.thickness, stiffness(card),
-    told(list, "coefficient", 100, "%.1f"), told(list, "nodes", 1, "%.1f"), told(list, "amplitude", 1e3, "%.1f"), #list)
+  rows[#rows + 1] = ("| %s | %.0f | %.1f | %s | %s | %s | %d | %d |"):format(name, 1e3 * card.density * card.thickness, stiffness(card),
+    told(list, "coefficient", 100, "%.1f"), told(list, "nodes", 1, "%.1f"), told(list, "amplitude", 1e3, "%.1f"), #list, elements[name])
 end
 local text = table.concat(rows, "\n")
 print(text)

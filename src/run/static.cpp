@@ -40,14 +40,16 @@ bool takes_symmetric(const StaticOptions& o, const mechanics::Assembly& assembly
 
 StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assembly) {
   StepControl control{o.step.value_or(o.duration / 20), o.min_step, o.max_cuts};
-  if (assembly.contact() != nullptr) control.expect_friction();
+  // Nor need steps shrink further where relaxation takes over from Newton's method.
+  if (assembly.contact() != nullptr || o.method == Method::either) control.expect_friction();
   return control;
 }
 
 constexpr double kLedger = 0.05;  // share of the external work: a larger error of the ledger is reported
 
-// Number of cuts after which relaxation is tried, if it is permitted.
-constexpr int kPatience = 3;
+// Relaxation is tried, if it is permitted, where a cut would make the step smaller than this part of the
+// largest. Cuts of earlier steps count: in front of a load that jumps every step needs some, and none many.
+constexpr double kPatience = 0.125;
 
 constexpr int many_descents = 4000;  // linear solves of a step's overdamped motion
 
@@ -182,7 +184,7 @@ double Static::try_step(double limit, StepReport& report) {
   const StepControl control = now_.step;
   Trace trace(*this);
   tries_.clear();
-  bool solved = attempt(size, report);
+  bool solved = attempt(size, report), tried = false;
   // A jump may land in a shape that no cloth has.
   if (solved && now_.jumps && reports_.empty() && assembly_->inverted_element() >= 0)
     solved = settle_jump(size, report) || attempt(size, report);
@@ -190,7 +192,10 @@ double Static::try_step(double limit, StepReport& report) {
     if (settle_jump(size, report)) break;
     if (last_.status == solver::NewtonStatus::broken) give_up(report);
     const bool possible = ++report.cuts <= options_.max_cuts && cut(size);
-    if ((report.cuts == kPatience || !possible) && rescue(whole, report)) {
+    const bool short_of_patience =
+        !tried && now_.step.current() <= (1 + same_time) * kPatience * now_.step.largest();
+    tried = tried || short_of_patience;
+    if ((short_of_patience || !possible) && rescue(whole, report)) {
       size = whole;
       if (descent_) now_.step = control;  // the whole step was no trouble for it: the cuts say nothing
       break;

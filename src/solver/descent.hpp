@@ -25,7 +25,8 @@ class Descent {
   std::unique_ptr<LinearSolver> linear_;
   Matrix K_, A_;
   linear::Vector D_, r_, delta_, trial_r_;
-  bool uphill_ = false;  // why the last step was taken back: no less energy, and not what cannot be done
+  bool shortened_ = false;  // the last step, so that the energy falls
+  bool uphill_ = false;     // why the last step was taken back: no less energy, and not what cannot be done
 };
 
 }  // namespace fabricsh::solver

@@ -42,6 +42,10 @@ int make(Call& call) {
   options.line_search = call.flag("line_search");
   read_scheme(call, options);
   Session& session = call.session();
+  if (options.method == run::Method::relaxation && call.has("max_iterations"))
+    session.notices().say(
+        "warning: static: field 'max_iterations': no effect with method \"relaxation\"; it bounds those of "
+        "Newton's method, before a step is cut");
   const auto notices = std::shared_ptr<Notices>(&session.notices(), [](Notices*) {});
   const auto model = call.object<model::Model>("model");
   const Still still_model(session, model.get()), still_mesh(session, &model->mesh());

@@ -10,6 +10,8 @@ wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, disc='1' }",
   "deck.lua:1: cusick: field 'disc': expected a positive number in m, got '1'")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, disc=-1 }",
   "deck.lua:1: cusick: field 'disc': expected a positive number in m, got -1")
+wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, disc=300 }",
+  "deck.lua:1: cusick: field 'disc': expected a diameter in m, 5 m at most (write 300*mm), got 300 m")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, disc=0.18 }",
   "deck.lua:1: cusick: field 'support': expected a diameter below that of the disc, 0.18 m, got 0.18 m")
 wrong("fabric.lab.cusick", "fabric.lab.cusick{ card=card, disc=0.254, support=0.3 }",
