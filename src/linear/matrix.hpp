@@ -56,8 +56,8 @@ struct Matrix {
   void carry(const std::shared_ptr<const Pattern>& p);
 };
 
-// For each column the sum of its entries' absolute values, those below the diagonal included also where A keeps
-// its upper triangle.
+// For each column the sum of its entries' absolute values, those below the diagonal included also where A
+// keeps its upper triangle.
 void absolute_sums(const Matrix& A, std::vector<double>& sums);
 
 // The symmetric matrix whose upper triangle A keeps, with both triangles; K follows its pattern, which is
