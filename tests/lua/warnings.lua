@@ -230,12 +230,14 @@ do
     local m = fabric.model { mesh = net, card = fabric.card "worsted", warp = 0 }
     local ball = fabric.rigid.sphere { radius = 0.02, centre = { 0.05, 0.05, 0.0208 + gap * step * speed } }
     m:contact { between = { ball, "all" } }
-    m:fix("boundary", "x y z"):move(ball, { z = fabric.ramp(-(gap + 25) * step * speed, (gap + 25) * step) })
-    return fabric.dynamic { model = m, duration = (gap + 25) * step, scheme = "implicit", step = step }:solve()
+    m:fix("boundary", "x y z"):move(ball, { z = fabric.ramp(-(gap + 6) * step * speed, (gap + 6) * step) })
+    return fabric.dynamic { model = m, duration = (gap + 6) * step, scheme = "implicit", step = step }:solve()
   end
+  -- Some steps after the touch the ledger's error is far beyond what is borne later, in both runs.
   local early, late = pressed(5), pressed(60)
+  assert(early.energy.error > 0.2, early.energy.error)
   near(late.energy.stored, early.energy.stored, 1e-3)
-  near(late.time, 85 * 4e-3)
+  near(late.time, 66 * 4e-3)
 end
 
 -- --- what moves can be read before the first step ---
