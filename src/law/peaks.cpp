@@ -8,23 +8,23 @@ namespace fabricsh::law {
 
 // The copies compiled by peaks_isa.cpp.
 namespace avx2 {
-void shares(const Law&, const double*, const double*, long, int, double*);
+double largest_share(const Law&, const double*, const double*, long, int);
 }
 namespace avx512 {
-void shares(const Law&, const double*, const double*, long, int, double*);
+double largest_share(const Law&, const double*, const double*, long, int);
 }
 inline namespace baseline {
-void shares(const Law&, const double*, const double*, long, int, double*);
+double largest_share(const Law&, const double*, const double*, long, int);
 }
 
-SharesFunction shares_function(Isa isa) {
+ShareFunction share_function(Isa isa) {
   switch (isa) {
     case Isa::avx512:
-      return avx512::shares;
+      return avx512::largest_share;
     case Isa::avx2:
-      return avx2::shares;
+      return avx2::largest_share;
     default:
-      return baseline::shares;
+      return baseline::largest_share;
   }
 }
 

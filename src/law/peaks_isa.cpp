@@ -1,5 +1,5 @@
 // Relative peak strains for a whole batch: compiled once per
-// instruction set, selected at run time by shares_function().
+// instruction set, selected at run time by share_function().
 #include "law/data.hpp"
 #include "simd/pack.hpp"
 
@@ -23,23 +23,24 @@ Pack rate_share(const Pack inverse[3], const double* s) {
   return max(max(inverse[0] * load(E), inverse[1] * load(E + lanes)), inverse[2] * abs(load(E + 4 * lanes)));
 }
 
+// The result stays in registers: an array of a caller that has just been cleared in small pieces would be
+// waited for until all stores before it are done.
 template <class Share>
-void largest(const double inverse[3], const double* s, long stride, int count, double* share, Share of) {
+double largest(const double inverse[3], const double* s, long stride, int count, Share of) {
   const Pack scale[3] = {Pack(inverse[0]), Pack(inverse[1]), Pack(0.5 * inverse[2])};  // shear is in 2 E12
-  for (int first = 0; first < lanes; first += pack_width) {
-    Pack most = load(share + first);
+  Pack most(0.0);
+  for (int first = 0; first < lanes; first += pack_width)
     for (int i = 0; i < count; ++i) most = max(of(scale, s + i * stride + first), most);
-    store(share + first, most);
-  }
+  double share = most[0];
+  for (int lane = 1; lane < pack_width; ++lane) share = max(share, most[lane]);
+  return share;
 }
 
 }  // namespace
 
-void shares(const Law& law, const double inverse[3], const double* s, long stride, int count, double* share) {
-  if (law.kind == Kind::potential)
-    largest(inverse, s, stride, count, share, potential_share);
-  else if (law.kind != Kind::elastic)
-    largest(inverse, s, stride, count, share, rate_share);
+double largest_share(const Law& law, const double inverse[3], const double* s, long stride, int count) {
+  if (law.kind == Kind::potential) return largest(inverse, s, stride, count, potential_share);
+  return law.kind == Kind::elastic ? 0 : largest(inverse, s, stride, count, rate_share);
 }
 
 }  // namespace FABRICSH_ISA

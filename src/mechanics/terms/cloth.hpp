@@ -169,7 +169,7 @@ class Cloth final : public Term {
   double step_of_membrane_ = 0;    // s
   std::vector<Index> node_element_;
   std::vector<std::vector<TestedPoint>> tested_;  // per region
-  law::SharesFunction shares_ = nullptr;
+  law::ShareFunction share_at_ = nullptr;
   // Energies of the batches, as from batch_energies(), summed together with the forces if they are expected.
   // They belong to the configuration with this version.
   bool sums_expected_ = false;

@@ -24,7 +24,7 @@ void Cloth::find_tested() {
     any = any || !tested_.back().empty();
   }
   if (!any) return;
-  shares_ = law::shares_function(best_isa());
+  share_at_ = law::share_function(best_isa());
   share_.assign(batches_.size(), 0);
 }
 
@@ -33,12 +33,13 @@ const std::vector<Cloth::TestedPoint>& Cloth::tested(const Batch& batch) const {
 }
 
 double Cloth::share_of(const Batch& batch, const double* states) const {
-  alignas(64) double share[lanes] = {};
   const long stride = static_cast<long>(batch.section->state_size) * lanes;
+  double most = 0;
   for (const TestedPoint& point : tested(batch))
-    shares_(*point.law, point.inverse.data(), states + static_cast<long>(point.state) * lanes, stride,
-            batch.kind->in_plane, share);
-  return *std::max_element(share, share + lanes);  // empty lanes repeat an element
+    most = std::max(
+        most, share_at_(*point.law, point.inverse.data(), states + static_cast<long>(point.state) * lanes,
+                        stride, batch.kind->in_plane));
+  return most;  // empty lanes repeat an element
 }
 
 double Cloth::largest_share() const {
