@@ -382,9 +382,9 @@ function fabric.help(topic) end
 function fabric.history(points) end
 
 ---@class fabric_import_card_fields.tested
----@field warp? number largest E11
----@field weft? number largest E22
----@field shear? number largest E12 (tensor)
+---@field warp? number largest E11; 0: not known, as in a card
+---@field weft? number largest E22; 0: not known, as in a card
+---@field shear? number largest E12 (tensor); 0: not known
 
 ---@class fabric_import_card_fields
 ---@field file string a starter deck with LAW58, or an Abaqus deck with *FABRIC test data

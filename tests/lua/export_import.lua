@@ -112,3 +112,13 @@ wrong("card: word.inp:5: expected COMPONENT=1, 2 or SHEAR", with(write("word.inp
 wrong("expected DEFINITION=SHIFTED CURVE, got 'QUADRATIC'", with(write("un.inp", head .. "0., 0.\n1e6, 0.1\n*UNLOADING DATA, DEFINITION=QUADRATIC\n")))
 wrong("*FABRIC has no *LOADING DATA in tension for the weft", with(write("half.inp", head .. "0., 0.\n1e6, 0.1\n")))
 fabric.expect(rows)
+
+-- A card's own `tested` is taken as it stands: 0 says that a part was not tested.
+do
+  local aramid = fabric.card "aramid"
+  assert(aramid.tested.shear == 0)
+  fabric.export.card { card = aramid, to = "openradioss", file = "aramid.rad" }
+  local r = fabric.import.card { file = "aramid.rad", thickness = aramid.thickness, poisson = { 0, 0 }, tested = aramid.tested }
+  local free = fabric.import.card { file = "aramid.rad", thickness = aramid.thickness, poisson = { 0, 0 } }
+  assert(math.abs(r.card.tested.warp / aramid.tested.warp - 1) < 1e-4 and r.card.tested.shear == free.card.tested.shear)
+end

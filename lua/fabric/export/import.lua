@@ -131,7 +131,7 @@ local function run(t)
   local fields = { name = t.name or p.name, density = density, thickness = thickness, tested = {},
     source = ("%s of %s"):format(kind.name, t.file:match "[^/]*$") }
   for _, name in ipairs { "warp", "weft", "shear" } do
-    if t.tested and t.tested[name] then turn_at(p[name], name, t.tested[name], kind) end
+    if t.tested and (t.tested[name] or 0) > 0 then turn_at(p[name], name, t.tested[name], kind) end
     fields[name], fields.tested[name] = part_of(name, p[name], kind, notes)
   end
   fields.warp.poisson, fields.weft.poisson = poisson[1], poisson[2]
@@ -162,9 +162,9 @@ define {
     { name = "density", kind = "number", unit = "kg/m^3", above = 0, optional = true, sentence = "default: the file's" },
     { name = "poisson", kind = "numbers", low = 0, optional = true, sentence = "{nu12, nu21}, which such files do not hold; default {0, 0}" },
     { name = "tested", kind = "fields", optional = true, sentence = "strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else the curves' ends",
-      rows = { { name = "warp", kind = "number", above = 0, high = 10, optional = true, sentence = "largest E11" },
-        { name = "weft", kind = "number", above = 0, high = 10, optional = true, sentence = "largest E22" },
-        { name = "shear", kind = "number", above = 0, below = 0.5, optional = true, sentence = "largest E12 (tensor)" } } },
+      rows = { { name = "warp", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E11; 0: not known, as in a card" },
+        { name = "weft", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E22; 0: not known, as in a card" },
+        { name = "shear", kind = "number", low = 0, below = 0.5, optional = true, sentence = "largest E12 (tensor); 0: not known" } } },
   },
   sentence = "A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and "
     .. "lost (as fabric.export.card, the file's law beside the card's), notes.",
