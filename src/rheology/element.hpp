@@ -5,14 +5,14 @@
 //   struct Parameters    what a card states: numbers, and operator==
 //   struct Data          what the kernels use; its member `on` is false in a card without the element
 //   struct Element       description, as viscous::Element
-//   add_stress(data, dt, E, s0, s1, out)   kernel over a number type T, in the namespace FABRICSH_ISA: dt,
-//   the
-//                        length of the step (s); E, the strain at its end; s0 and s1, the element's own
-//                        numbers of the committed and the trial state. Adds to out.S (5-vector, Pa) and to
-//                        the entries out.C11, C12, C21, C22, C55 of dS/dE; conventions of law/law.hpp.
-//   add_energy(data, s, out)               likewise: adds to out.stored and to out.warp, .weft and .shear,
-//   the
-//                        energies dissipated in warp, weft and shear, J/m^3, functions of the state alone
+//   add_stress(data, dt, E, s0, s1, out)
+//     A kernel over a number type T, in the namespace FABRICSH_ISA. dt: the length of the step, s. E: the
+//     strain at its end. s0, s1: the element's own numbers of the committed and of the trial state. It adds
+//     to out.S (5-vector, Pa) and to the entries out.C11, C12, C21, C22, C55 of dS/dE, with C12 = C21, since
+//     cards with law "potential" go to the solver of symmetric matrices; conventions of law/law.hpp.
+//   add_energy(data, s, out)
+//     Likewise: adds to out.stored and to out.warp, .weft and .shear, the energies dissipated in warp, weft
+//     and shear, J/m^3, functions of the state alone.
 #pragma once
 #include <string>
 #include <utility>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -50,8 +51,9 @@ void Run::add(std::unique_ptr<mechanics::Term> term) {
     throw Error(std::string("a term '") + term->name() + "': expected one with a symmetric tangent" +
                 (std::string(kind()) == "static" ? ", or the option linear = unsymmetric" : ""));
   const auto shows = term->shows();
+  std::set<std::string> names;
   for (const mechanics::Shown& shown : shows)
-    if (is_field(*this, shown.name))
+    if (is_field(*this, shown.name) || !names.insert(shown.name).second)
       throw Error(std::string("a term '") + term->name() + "': its field '" + shown.name +
                   "' has the name of another field");
   for (const mechanics::Shown& shown : shows)

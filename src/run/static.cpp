@@ -82,8 +82,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
   if (options_.control == Control::arc && assembly_->hangs_on_time())
     throw Error(
         "static: field 'control': \"arc\" follows the path of the loads, not the time: expected \"load\" "
-        "with a card "
-        "whose stress relaxes (viscous)");
+        "with a card whose stress changes in time");
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
   else
