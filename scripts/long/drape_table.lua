@@ -116,12 +116,16 @@ local function figure()
     end
     local path = {}
     for _, one in ipairs(by_card[name]) do
-      local points, k, turn, px, py = {}, 0, -math.rad(one.orientation), 0, 0
+      local points, k, turn, px, py = {}, 0, -math.rad(one.orientation), 0, 0 -- every second point, for a smaller file
       for r in one.outline:gmatch "%S+" do -- turned so that the warp goes to the right; in tenths, each from the last, which is short
         local angle = 2 * math.pi * k / outline_points + turn
+        local drawn = k % 2 == 0
         local qx, qy = math.floor(10 * (x + scale * r * 1e-3 * math.cos(angle)) + 0.5), math.floor(10 * (y - scale * r * 1e-3 * math.sin(angle)) + 0.5)
-        points[#points + 1] = ((k == 0 and "M%d %d" or k == 1 and "l%d %d" or "%d %d"):format(qx - px, qy - py):gsub(" %-", "-"))
-        px, py, k = qx, qy, k + 1
+        if drawn then
+          points[#points + 1] = ((k == 0 and "M%d %d" or k == 2 and "l%d %d" or "%d %d"):format(qx - px, qy - py):gsub(" %-", "-"))
+          px, py = qx, qy
+        end
+        k = k + 1
       end
       path[#path + 1] = table.concat(points, " "):gsub(" %-", "-"):gsub(" l", "l") .. "z"
     end

@@ -272,7 +272,18 @@ double Run::land_at_limit(double size, StepReport& report) {
   limit.largest = aim;
   limit.side = -1;
   measure(limit);
-  return limit.near() ? size : search(limit, size, report);
+  if (limit.near()) return size;
+  if (committed_time() > 0) return search(limit, size, report);
+  // Loads or motions that are there at time 0 strain the cloth no less in a shorter step.
+  const auto try_size = [&](double s) {
+    if (!attempt(s, report)) give_up(report);
+    measure(limit);
+  };
+  const double from = no_size(), to = tried_size(size);
+  try_size(from + 1e-6 * (to - from));
+  const bool jump = limit.crossed();
+  try_size(to);
+  return jump ? size : search(limit, size, report);
 }
 
 // The Illinois variant of regula falsi for the size of the step; each trial is a full solution from the

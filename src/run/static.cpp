@@ -183,10 +183,12 @@ double Static::try_step(double limit, StepReport& report) {
   const StepControl control = now_.step;
   Trace trace(*this);
   tries_.clear();
+  settling_ = false;
   bool solved = attempt(size, report), tried = false;
   // A jump may land in a shape that no cloth has.
-  if (solved && now_.jumps && reports_.empty() && assembly_->inverted_element() >= 0)
-    solved = settle_jump(size, report) || attempt(size, report);
+  if (solved && now_.jumps && reports_.empty() && assembly_->inverted_element() >= 0 &&
+      !settle_jump(size, report) && settling_)
+    solved = attempt(size, report);
   for (; !solved; solved = attempt(size, report)) {
     if (settle_jump(size, report)) break;
     if (last_.status == solver::NewtonStatus::broken) give_up(report);
@@ -254,6 +256,7 @@ bool Static::settle_jump(double size, StepReport& report) {
   if (!(first || now_.settled) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
       last_.status == solver::NewtonStatus::broken)
     return false;
+  settling_ = true;
   const solver::NewtonResult last = last_;
   const Blame blame = blame_;
   const std::size_t tried = tries_.size();
@@ -272,10 +275,8 @@ bool Static::settle_jump(double size, StepReport& report) {
   if (!now_.settled)
     notices_->say(
         "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as "
-        "by "
-        "method=\"relaxation\": Newton's method does not get there in one step; nor is it waited for in "
-        "later "
-        "steps where it fails");
+        "by method=\"relaxation\", since Newton's method does not get there in one step; later steps in "
+        "which it fails are relaxed, too");
   now_.settled = true;
   return true;
 }
@@ -341,7 +342,8 @@ void Static::grow(const StepReport& report) {
   // By relaxation: its iterations say nothing about the step.
   const bool many = last_.iterations > options_.max_iterations;
   if (relaxation_ && many && !descent_) return;
-  const bool crept = descent_ && (many || options_.method == Method::relaxation);
+  // Nor do Newton's where the first step was relaxed: cloth at rest swings long about its equilibrium.
+  const bool crept = now_.settled || (descent_ && (many || options_.method == Method::relaxation));
   now_.step.grow(crept ? 1 : last_.iterations, report.cuts > 0);
 }
 
@@ -413,8 +415,7 @@ void Static::give_up(const StepReport& report) {
   failure.jumps = now_.jumps && reports_.empty();
   if (failure.jumps) failure.jump = jump_words(*model_, options_.duration);
   failure.bends = bends_by_itself(*model_);
-  failure.relaxed = relaxation_ != nullptr ||
-                    (failure.jumps && !failure.jump.empty() && !arc_ && stabilisation_ == nullptr);
+  failure.relaxed = relaxation_ != nullptr || settling_;
   failure.stabilised = stabilisation_ != nullptr;
   const std::string text =
       "static: " + message(failure, last_, report.step, now_.step.largest(), report.cuts, options_.tolerance);

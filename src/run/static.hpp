@@ -96,6 +96,7 @@ class Static final : public Run {
   solver::NewtonResult last_;
   Blame blame_;
   std::vector<Try> tries_;  // failed attempts at the present step
+  bool settling_ = false;   // whether settle_jump() has tried to relax the present step
   struct Now {              // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc

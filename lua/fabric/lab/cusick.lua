@@ -36,9 +36,17 @@ local function cloth(t, draw)
   return mesh
 end
 
+-- Thickness of cloth that nothing presses, m: a measured compression runs out as a parabola beyond its lightest pressure.
+local function loose(card)
+  local c = card.compression
+  if not c then return card.thickness end
+  local light, next = c[#c], c[#c - 1]
+  return light[1] + 2 * light[2] * (light[1] - next[1]) / (next[2] - light[2])
+end
+
 -- The cloth's middle surface lies where contact with the face begins.
 local function pedestal(t, model)
-  local top = -t.card.thickness / 2
+  local top = -loose(t.card) / 2
   local disc = fabric.rigid.disc { radius = t.support / 2, centre = { 0, 0, top - t.edge }, normal = { 0, 0, 1 }, edge = t.edge, name = "pedestal" }
   model:contact { between = { disc, "all" }, friction = t.friction }
   if t.side > 0 then

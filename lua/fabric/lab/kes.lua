@@ -298,8 +298,9 @@ local function compression_of(c, thickness)
   end
   local start = light / heavy
   local mean = (c.LC / 2 - start) / (1 - start)
-  for _, b in ipairs { 0.4, 0.2, 0.1, 0.05, 0.02 } do
-    local points = mean > 0 and toe(2 * mean, b)
+  -- The roundest toe has the steepest beginning, so that contact begins nearest to T: light pressure is all that is left there.
+  for k = 0, 40 do
+    local points = mean > 0 and toe(2 * mean, 3.2 * 0.87 ^ k)
     if points then
       for _, p in ipairs(points) do p[1], p[2] = thickness - way * p[1], light + (heavy - light) * p[2] end
       return points
