@@ -71,3 +71,19 @@ local card = fabric.svk { name = "sheet", young = 5e6, poisson = 0, density = 50
 end
 
 fabric.expect(checks)
+
+-- --- after a first step that was relaxed, the cloth is at rest under constant loads: the steps stay whole ---
+do
+  local mesh = fabric.mesh.rectangle { width = 0.06, height = 0.01, nx = 6, ny = 1 }
+  local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 0 }:fix("left", "x y z rotation"):gravity { 0, 0, -9.81 }
+  local a = fabric.static { model = m, duration = 1, step = 0.25 }:solve()
+  assert(#a.steps == 4, #a.steps)
+end
+
+-- --- loads that are there at time 0 strain the cloth no less in a shorter step: limit="stop" ends with the step as planned ---
+do
+  local mesh = fabric.mesh.rectangle { width = 0.05, height = 0.05, nx = 4, ny = 4 }
+  local m = fabric.model { mesh = mesh, card = fabric.card "blend", warp = 0 }:fix("left", "x y z"):fix("all", "z"):force("right", { x = 1000 })
+  local a = fabric.static { model = m, duration = 1, step = 0.25, limit = "stop" }:solve()
+  assert(a.time == 0.25, a.time)
+end
