@@ -41,6 +41,22 @@ function read.units(path)
   end
 end
 
+-- The tested strains {warp, weft, shear} that the first comment "Tested up to E11 = ..." of a deck states, as fabric.export writes it, and its
+-- line; or nil.
+function read.tested(path)
+  for i, l in ipairs(lines_of(path)) do
+    local warp, weft, shear = l:match "^[#$*]+ Tested up to E11 = ([^%s,]+), E22 = ([^%s,]+), E12 = ([^%s,;]+)"
+    if warp then
+      local out = { warp = tonumber(warp), weft = tonumber(weft), shear = tonumber(shear) }
+      for _, name in ipairs { "warp", "weft", "shear" } do
+        local most = name == "shear" and 0.5 or 10
+        if not (out[name] and out[name] >= 0 and out[name] < most) then trouble(path, i, ("expected a tested strain of the %s from 0 to below %g, got '%s'"):format(name, most, l)) end
+      end
+      return out, i
+    end
+  end
+end
+
 -- --- Radioss ---
 
 -- Blocks {key, line, {text, line}...} of a starter deck.
@@ -96,7 +112,7 @@ local function positive(path, c)
   return out
 end
 
--- The intersection {x, y} of two curves beyond 0; without one, the end of the first.
+-- The intersection {x, y} of two curves beyond 0; without one, the end of the first, and true.
 local function crossing(a, b, value)
   for i = 2, #a.x do
     local d0, d1 = a.y[i - 1] - value(b, a.x[i - 1]), a.y[i] - value(b, a.x[i])
@@ -105,7 +121,7 @@ local function crossing(a, b, value)
       return { x, value(a, x) }
     end
   end
-  return { a.x[#a.x], a.y[#a.y] }
+  return { a.x[#a.x], a.y[#a.y] }, true
 end
 
 -- Without functions: E1 x - B1 x^2 / 2 up to its maximum, and shear as two straight lines in tan(angle).
@@ -132,7 +148,7 @@ local function analytic_shear(G0, GT, angle)
   return c
 end
 
--- {density, name, warp, weft, shear: {loading, unloading, meet, slope, elastic}, E1, E2, S1, S2, FLEX, thickness?}
+-- {density, name, warp, weft, shear: {loading, unloading, meet, ended: true where `meet` is but the end of the curve, slope, elastic}, E1, E2, S1, S2, FLEX, thickness?}
 function read.law58(path, u, value)
   local blocks, mat, thickness = read.blocks(path), nil, nil
   for _, b in ipairs(blocks) do
@@ -160,8 +176,9 @@ function read.law58(path, u, value)
     local loading = ids[k] ~= 0 and positive(path, funct(path, blocks, ids[k], scales[k], u.stress)) or plain[k]()
     local elastic = ids[3 + k] == 0
     local unloading = elastic and loading or positive(path, funct(path, blocks, ids[3 + k], scales[3 + k], u.stress))
-    out[part] = { loading = loading, unloading = unloading, elastic = elastic, slope = loading.y[2] / loading.x[2],
-      meet = elastic and { loading.x[#loading.x], loading.y[#loading.y] } or crossing(loading, unloading, value) }
+    local meet, ended = { loading.x[#loading.x], loading.y[#loading.y] }, true
+    if not elastic then meet, ended = crossing(loading, unloading, value) end
+    out[part] = { loading = loading, unloading = unloading, elastic = elastic, slope = loading.y[2] / loading.x[2], meet = meet, ended = ended }
   end
   return out
 end
@@ -220,6 +237,7 @@ function read.fabric(path, u)
     if not p or #p.loading.x < 2 then fail(("card: %s: *FABRIC has no *LOADING DATA in tension for the %s"):format(path, name)) end
     p.loading = positive(path, p.loading)
     p.unloading = p.unloading and positive(path, p.unloading) or p.loading
+    p.ended = true
     p.meet, p.slope = { p.loading.x[#p.loading.x], p.loading.y[#p.loading.y] }, p.loading.y[2] / p.loading.x[2]
   end
   return out
