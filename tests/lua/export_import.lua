@@ -100,6 +100,19 @@ do
   assert(#r.notes == 1 and r.notes[1]:find "^shear: line %d+ of the file says that it was not tested", r.report)
 end
 
+-- A law of constants takes secants: nothing is said there of curves that are written.
+do
+  local rubbing = looped:with { shear = { friction = { stress = 1e4, growth = 1e4 } } }
+  for _, to in ipairs { { "ls-dyna", "MAT_235" }, { "openradioss", "LAW19" }, { "ls-dyna", "MAT_034" } } do
+    local words = table.concat(fabric.export.card({ card = rubbing, to = to[1], material = to[2] }).sentences, "\n")
+    local curves = to[2] == "MAT_034"
+    assert((words:find("to zero stress is written", 1, true) ~= nil) == curves, words)
+    assert((words:find("its ways up and down", 1, true) ~= nil) == curves, words)
+    assert((words:find("the warp loads and unloads along one straight line there", 1, true) ~= nil) ~= curves, words)
+    assert((words:find("only the secant at the tested shear is written", 1, true) ~= nil) ~= curves, words)
+  end
+end
+
 -- Units that the file states: in a comment, or in /BEGIN.
 local sheet = fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 1, ny = 1 }, card = fabric.card "blend", warp = 0 }
 sheet:fix("bottom", "x y z")
