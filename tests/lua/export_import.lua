@@ -148,8 +148,15 @@ wrong("there is no *FABRIC", with(write("none.inp", "*MATERIAL, NAME=a\n*DENSITY
 wrong("card: field 'units': expected the units that said.inp states, 'SI' (line 3: Units: m, kg, s, N, Pa (SI)), got 'mm-t-s'; without the field they are taken from there",
   { file = "said.inp", thickness = 3e-4, units = "mm-t-s" })
 wrong("card: field 'units': expected the units that grams.rad states, 'g, mm, ms' (line 4: /BEGIN with g, mm, ms), got 'SI'", with "grams.rad")
-wrong("card: words.rad:4: expected units of mass, length and time below /BEGIN, got 'stone mm ms'",
+wrong("card: field 'units': words.rad states units that were not understood (line 4: /BEGIN with '",
   { file = write("words.rad", (grams:gsub("    g( +mm)", "stone%1", 1))), thickness = 3e-4 })
+local stated = require "fabric.export.read_deck".units
+local function units_in(first) return stated(write("units.inp", first .. "\n")) end
+for _, words in ipairs { "** Units: kg, mm, ms", "** Units: mm, ms, kg (ms-kg-mm)", "** Units: (mm-kg-ms)" } do assert(units_in(words).name == "mm-kg-ms", words) end
+wrong("card: units.inp:1: expected units and a name in brackets that agree, got 'Units: mm, t, s (mm-kg-ms)'", with(write("units.inp", "** Units: mm, t, s (mm-kg-ms)\n")))
+wrong("units.inp states units twice that do not agree: line 1: Units: mm, t, s, and line 2: Units: m, kg, s", with(write("units.inp", "** Units: mm, t, s\n** Units: m, kg, s\n")))
+wrong("units.inp states units that were not understood (line 1: Units: furlongs)", { file = write("units.inp", "** Units: furlongs\n"), thickness = 3e-4 })
+wrong("there is no *FABRIC", with "units.inp") -- units= of the deck stands where the file's are not understood
 local head = "*MATERIAL, NAME=a\n*DENSITY\n600.,\n*FABRIC\n*UNIAXIAL, COMPONENT=1\n*LOADING DATA\n"
 wrong("card: order.inp:8: expected a strain above 0.1, got 0.05", with(write("order.inp", head .. "1e6, 0.1\n2e6, 0.05\n")))
 wrong("card: word.inp:7: expected a stress and a strain, got 'one, two'", with(write("word.inp", head .. "one, two\n")))

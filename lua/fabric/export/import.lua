@@ -131,8 +131,11 @@ end
 
 -- The units of the file: those asked for, or those that it states; both have to agree.
 local function units_of(t, notes)
-  local said, where = read.units(t.file)
+  local said, where, unclear = read.units(t.file)
   if not t.units then
+    if unclear then
+      fail(("card: field 'units': %s states units that were not understood (%s); expected such as 'Units: mm, t, s (mm-t-s)', or the field"):format(t.file, unclear))
+    end
     if not said then notes[#notes + 1] = "units: the file states none (in a comment 'Units: ... (mm-t-s)' or in /BEGIN); mm, t, s, N, MPa were taken, units= gives others" end
     return said or units.of "mm-t-s"
   end
