@@ -139,6 +139,16 @@ function Curve:interpolate(y, x, value)
     end
   end
   if #xs == 0 then return nil, "the curve has no rows" end
+  if value ~= value then return nil, ("%s is nowhere nan, which is no number"):format(x) end
+  local gaps, low, high = 0, math.huge, -math.huge
+  for _, v in ipairs(xs) do
+    if v ~= v then gaps = gaps + 1 else low, high = math.min(low, v), math.max(high, v) end
+  end
+  if gaps == #xs then return nil, ("%s has gaps (nan) only"):format(x) end
+  for _, i in ipairs { #xs, 1 } do -- an end missed by rounding alone, as 0.1 + 0.2 misses 0.3
+    if math.abs(xs[i] - value) <= 1e-12 * (high - low) then return ys[i] end
+  end
+  if gaps > 0 then return nil, ("%s is nowhere %.6g between two rows without a gap (nan); it goes from %.6g to %.6g, with %d gaps"):format(x, value, low, high, gaps) end
   return nil, ("%s is nowhere %.6g, it goes from %.6g to %.6g"):format(x, value, xs:min(), (xs:max()))
 end
 

@@ -29,6 +29,18 @@ end
 assert(fabric.columns(rows) == rows, "the rows themselves become a curve")
 assert(fabric.columns { E = { 0, 0 / 0, 2 } }.E:max() == 2, "a gap is passed over")
 
+-- an end missed by rounding; gaps
+do
+  local short = fabric.columns { E = { 0, 0.15, 0.3 }, S = { 1, 2, 5 } }
+  assert(0.1 + 0.2 > 0.3 and short:interpolate("S", "E", 0.1 + 0.2) == 5 and short:interpolate("S", "E", -1e-14) == 1)
+  assert(short:interpolate("S", "E", 0.3 + 1e-9) == nil)
+  local gap = fabric.columns { E = { 0, 0 / 0, 2 }, S = { 1, 2, 3 } }
+  local none, why = gap:interpolate("S", "E", 1)
+  assert(none == nil and why == "E is nowhere 1 between two rows without a gap (nan); it goes from 0 to 2, with 1 gaps", why)
+  none, why = short:interpolate("S", "E", 0 / 0)
+  assert(none == nil and why == "E is nowhere nan, which is no number", why)
+end
+
 -- a curve that has a column with the name of a method
 local odd = fabric.columns { { max = 1, E = 0 }, { max = 3, E = 1 } }
 assert(odd:column("max"):max() == 3 and odd:max "E" == 1)

@@ -25,6 +25,13 @@ for _, name in ipairs { "blend", "denim", "duck", "muslin" } do
     check(label .. ": S12", fabric.point(back):strain({ E12 = 0.2 }).S12, fabric.point(card):strain({ E12 = 0.2 }).S12, 1e-3)
     near(label .. ": the file's law beside the card, warp", r.lost.warp.worst, 0, 0.7)
     assert(r.lost["cyclic shear"].worst > 20 and tostring(r) == r.report)
+    -- Without `tested` the strains come from the file's own comment, which has four digits.
+    local alone = fabric.import.card { file = file, thickness = card.thickness, poisson = { card.warp.poisson, card.weft.poisson } }
+    for _, part in ipairs { "warp", "weft", "shear" } do
+      check(("%s: tested %s from the comment"):format(label, part), alone.card.tested[part], card.tested[part], 1e-3)
+      check(("%s: unloading of the %s from there"):format(label, part), alone.card[part].unloading, card[part].unloading, part == "shear" and 0.08 or 0.02)
+    end
+    assert(not alone.report:find("along a curve", 1, true) and not alone.report:find("tested:", 1, true), alone.report)
   end
 end
 
@@ -43,7 +50,8 @@ local function plain(density, third)
     third or wide("1e6", "1e8", "60", "0"), wide("0", "0", "0"), ("%10d%10d"):format(1, 1) .. wide("1e-4", "1e-4"), "/END" }, "\n") .. "\n"
 end
 local r = fabric.import.card { file = write("plain.rad", plain "722.5"), units = "SI", thickness = 3e-4, density = 700 }
-assert(r.card.name == "by hand" and r.card.density == 700 and #r.notes == 4, #r.notes)
+assert(r.card.name == "by hand" and r.card.density == 700 and #r.notes == 5, #r.notes)
+assert(r.notes[1]:find("says up to which strains warp, weft, shear was measured; the ends of the curves were taken", 1, true), r.notes[1])
 local e = 0.05
 local E = e + e * e / 2
 check("nominal stress by hand", (1 + e) * fabric.point(r.card):uniaxial("warp", E).S, (4.5e8 - 1e8 * e / 2) * e, 1e-3)
@@ -67,6 +75,43 @@ local said = fabric.export.card({ card = rich, to = "abaqus" }).report:gsub("\n 
 assert(said:find("relaxation: the part of shear that relaxes (5e+06 Pa in 10 s) is lost; what is written is shear too quick for any of it to relax", 1, true), said)
 check("sampled shear is the quick one", fabric.point(rich):strain({ E12 = 0.1 }).S12 - fabric.point(fabric.card "blend"):strain({ E12 = 0.1 }).S12, 5 * MPa * 0.1, 1e-12)
 assert(said:find("compression: how the cloth is pressed is lost", 1, true), said)
+
+-- Where no comment says up to which strain the cloth was tested, the ends of the curves are taken and a note says so; what is not tested is let go
+-- where the export did; a comment with no number is an error.
+do
+  fabric.export.card { card = fabric.card "duck", to = "abaqus", file = "tested.inp" }
+  local text = io.open("tested.inp"):read "a"
+  fabric.write("ends.inp", (text:gsub("[^\n]*Tested up to[^\n]*\n", "")))
+  local duck = { thickness = 0.62e-3, poisson = { 0.99, 0.68 } }
+  local function import(file, tested) return fabric.import.card { file = file, thickness = duck.thickness, poisson = duck.poisson, tested = tested } end
+  local ends = import "ends.inp"
+  assert(#ends.notes == 1 and ends.notes[1]:find("nor tested= says up to which strains warp, weft, shear was measured", 1, true), ends.report)
+  check("duck, no comment: the end of the warp's curve", ends.card.tested.warp, 1.3 * fabric.card "duck".tested.warp, 1e-3)
+  local some = import("ends.inp", { warp = 0.0818 })
+  assert(#some.notes == 1 and some.notes[1]:find("up to which strains weft, shear was measured", 1, true), some.report)
+  check("duck, warp asked for", some.card.tested.warp, 0.0818, 1e-6)
+  fabric.write("untested.inp", (text:gsub("E12 = 0.3;", "E12 = x;")))
+  local ok, message = pcall(import, "untested.inp")
+  assert(not ok and tostring(message):find("card: untested.inp:7: expected a tested strain of the shear from 0 to below 0.5, got", 1, true), tostring(message))
+  local aramid = fabric.card "aramid"
+  fabric.export.card { card = aramid, to = "abaqus", file = "aramid.inp" }
+  local r = fabric.import.card { file = "aramid.inp", thickness = aramid.thickness, poisson = { 0, 0 } }
+  check("aramid: shear that was not tested", r.card.tested.shear, 0.2, 1e-9)
+  assert(#r.notes == 1 and r.notes[1]:find "^shear: line %d+ of the file says that it was not tested", r.report)
+end
+
+-- A law of constants takes secants: nothing is said there of curves that are written.
+do
+  local rubbing = looped:with { shear = { friction = { stress = 1e4, growth = 1e4 } } }
+  for _, to in ipairs { { "ls-dyna", "MAT_235" }, { "openradioss", "LAW19" }, { "ls-dyna", "MAT_034" } } do
+    local words = table.concat(fabric.export.card({ card = rubbing, to = to[1], material = to[2] }).sentences, "\n")
+    local curves = to[2] == "MAT_034"
+    assert((words:find("to zero stress is written", 1, true) ~= nil) == curves, words)
+    assert((words:find("its ways up and down", 1, true) ~= nil) == curves, words)
+    assert((words:find("the warp loads and unloads along one straight line there", 1, true) ~= nil) ~= curves, words)
+    assert((words:find("only the secant at the tested shear is written", 1, true) ~= nil) ~= curves, words)
+  end
+end
 
 -- Units that the file states: in a comment, or in /BEGIN.
 local sheet = fabric.model { mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 1, ny = 1 }, card = fabric.card "blend", warp = 0 }
@@ -103,8 +148,15 @@ wrong("there is no *FABRIC", with(write("none.inp", "*MATERIAL, NAME=a\n*DENSITY
 wrong("card: field 'units': expected the units that said.inp states, 'SI' (line 3: Units: m, kg, s, N, Pa (SI)), got 'mm-t-s'; without the field they are taken from there",
   { file = "said.inp", thickness = 3e-4, units = "mm-t-s" })
 wrong("card: field 'units': expected the units that grams.rad states, 'g, mm, ms' (line 4: /BEGIN with g, mm, ms), got 'SI'", with "grams.rad")
-wrong("card: words.rad:4: expected units of mass, length and time below /BEGIN, got 'stone mm ms'",
+wrong("card: field 'units': words.rad states units that were not understood (line 4: /BEGIN with '",
   { file = write("words.rad", (grams:gsub("    g( +mm)", "stone%1", 1))), thickness = 3e-4 })
+local stated = require "fabric.export.read_deck".units
+local function units_in(first) return stated(write("units.inp", first .. "\n")) end
+for _, words in ipairs { "** Units: kg, mm, ms", "** Units: mm, ms, kg (ms-kg-mm)", "** Units: (mm-kg-ms)" } do assert(units_in(words).name == "mm-kg-ms", words) end
+wrong("card: units.inp:1: expected units and a name in brackets that agree, got 'Units: mm, t, s (mm-kg-ms)'", with(write("units.inp", "** Units: mm, t, s (mm-kg-ms)\n")))
+wrong("units.inp states units twice that do not agree: line 1: Units: mm, t, s, and line 2: Units: m, kg, s", with(write("units.inp", "** Units: mm, t, s\n** Units: m, kg, s\n")))
+wrong("units.inp states units that were not understood (line 1: Units: furlongs)", { file = write("units.inp", "** Units: furlongs\n"), thickness = 3e-4 })
+wrong("there is no *FABRIC", with "units.inp") -- units= of the deck stands where the file's are not understood
 local head = "*MATERIAL, NAME=a\n*DENSITY\n600.,\n*FABRIC\n*UNIAXIAL, COMPONENT=1\n*LOADING DATA\n"
 wrong("card: order.inp:8: expected a strain above 0.1, got 0.05", with(write("order.inp", head .. "1e6, 0.1\n2e6, 0.05\n")))
 wrong("card: word.inp:7: expected a stress and a strain, got 'one, two'", with(write("word.inp", head .. "one, two\n")))

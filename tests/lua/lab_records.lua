@@ -25,6 +25,14 @@ local function read(text, more)
   return record
 end
 
+-- strains in the units that frames write; one that is not known is an error, as nothing else says how far the specimen was pulled
+for unit, size in pairs { Prozent = 1e-2, percent = 1e-2, pct = 1e-2, ["\u{2030}"] = 1e-3, ["mm/m"] = 1e-3, ["um/m"] = 1e-6, ["\u{b5}m/m"] = 1e-6, ["in/in"] = 1 } do
+  local r = read(("Dehnung [%s];Kraft [N]\n0;0\n0,2;3\n0,5;7\n"):format(unit), { gauge_length = 0.1 })
+  assert(math.abs(r.strain[3] / (0.5 * size) - 1) < 1e-12 and math.abs(r.displacement[3] / (0.05 * size) - 1) < 1e-12, unit)
+end
+fails("column 'Dehnung': expected the unit of the strain (one of %, -, 1, ", read, "Dehnung [Zoll];Kraft [N]\n0;0\n0,2;3\n0,5;7\n", { gauge_length = 0.1 })
+fails("got 'Zoll'; give units={ strain='...' }", read, "Dehnung [Zoll];Kraft [N]\n0;0\n0,2;3\n0,5;7\n", { gauge_length = 0.1 })
+
 -- Zwick, Instron, Shimadzu, Mesdan, in their languages, as UTF-8, Latin 1 and Shift-JIS
 for _, heading in ipairs {
   "Pr\u{fc}fzeit;Standardweg;Standardkraft\ns;mm;N", "Pr\xfcfzeit;Weg;Kraft\ns;mm;N", "Zeit (s);Verl\u{e4}ngerung (mm);Pr\u{fc}fkraft (N)",

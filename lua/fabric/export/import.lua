@@ -5,6 +5,7 @@ local units = require "fabric.export.units"
 local curves = require "fabric.export.curves"
 local laws = require "fabric.export.laws"
 local loss = require "fabric.export.loss"
+local ours = require "fabric.export.ours"
 local read = require "fabric.export.read_deck"
 local fail = define.fail
 
@@ -100,13 +101,41 @@ end
 local function turn_at(part, name, E, kind)
   local measure = curves.measures[kind.measure]
   local x = (name == "shear" and measure.shear or measure.axis)(E, 0)
-  if kind.shifted or part.elastic then part.meet = { x, laws.value(part.loading, x) } end
+  part.meet = { x, laws.value(part.loading, x) }
+end
+
+local components = { warp = "E11", weft = "E22", shear = "E12" }
+
+-- Where the curves of the file do not show by themselves at which strain they were let go: the strains asked for, else those that the file
+-- states in a comment, else the curves' ends, which a note says.
+local function turn_all(t, p, kind, notes)
+  local stated, line = read.tested(t.file)
+  local ended = {}
+  for _, name in ipairs { "warp", "weft", "shear" } do
+    local E = t.tested and t.tested[name] or 0
+    if p[name].ended and E == 0 and stated then
+      E = stated[name]
+      if E == 0 then
+        E = ours.untested[name]
+        notes[#notes + 1] = ("%s: line %d of the file says that it was not tested; its curve was taken as measured up to %s = %.4g, where fabric.export lets such a one go")
+          :format(name, line, components[name], E)
+      end
+    end
+    if p[name].ended and E > 0 then turn_at(p[name], name, E, kind) elseif p[name].ended then ended[#ended + 1] = name end
+  end
+  if #ended > 0 then
+    notes[#notes + 1] = ("tested: neither the file (in a comment 'Tested up to E11 = ...') nor tested= says up to which strains %s was measured; the ends of the curves were taken, "
+      .. "and let go from there"):format(table.concat(ended, ", "))
+  end
 end
 
 -- The units of the file: those asked for, or those that it states; both have to agree.
 local function units_of(t, notes)
-  local said, where = read.units(t.file)
+  local said, where, unclear = read.units(t.file)
   if not t.units then
+    if unclear then
+      fail(("card: field 'units': %s states units that were not understood (%s); expected such as 'Units: mm, t, s (mm-t-s)', or the field"):format(t.file, unclear))
+    end
     if not said then notes[#notes + 1] = "units: the file states none (in a comment 'Units: ... (mm-t-s)' or in /BEGIN); mm, t, s, N, MPa were taken, units= gives others" end
     return said or units.of "mm-t-s"
   end
@@ -130,8 +159,8 @@ local function run(t)
   local poisson = t.poisson or { 0, 0 }
   local fields = { name = t.name or p.name, density = density, thickness = thickness, tested = {},
     source = ("%s of %s"):format(kind.name, t.file:match "[^/]*$") }
+  turn_all(t, p, kind, notes)
   for _, name in ipairs { "warp", "weft", "shear" } do
-    if t.tested and (t.tested[name] or 0) > 0 then turn_at(p[name], name, t.tested[name], kind) end
     fields[name], fields.tested[name] = part_of(name, p[name], kind, notes)
   end
   fields.warp.poisson, fields.weft.poisson = poisson[1], poisson[2]
@@ -161,7 +190,7 @@ define {
     { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: that of a section in the file" },
     { name = "density", kind = "number", unit = "kg/m^3", above = 0, optional = true, sentence = "default: the file's" },
     { name = "poisson", kind = "numbers", low = 0, optional = true, sentence = "{nu12, nu21}, which such files do not hold; default {0, 0}" },
-    { name = "tested", kind = "fields", optional = true, sentence = "strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else the curves' ends",
+    { name = "tested", kind = "fields", optional = true, sentence = "strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else those that the file states in a comment 'Tested up to E11 = ...', else the curves' ends",
       rows = { { name = "warp", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E11; 0: not known, as in a card" },
         { name = "weft", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E22; 0: not known, as in a card" },
         { name = "shear", kind = "number", low = 0, below = 0.5, optional = true, sentence = "largest E12 (tensor); 0: not known" } } },

@@ -66,17 +66,20 @@ function loss.sentences(card, target)
     add("hysteresis: " .. target.hysteresis)
     add("shear flips: " .. target.flips)
     if card.biaxial then add "biaxial stiffening: the card's fourth spring is lost" end
+    local linear = target.measure ~= nil -- a law of constants, which takes secants at the tested strains and no curves
     for _, axis in ipairs(ours.axes) do
       local l = card[axis].loop
-      if l then
+      if l and linear then
+        add(("curved loops: the %s loads and unloads along one straight line there; the card's loop (friction %.4g, reach %.4g, curve %.4g) is lost"):format(axis, l.friction, l.reach, l.curve))
+      elseif l then
         add(("curved loops: of the %s the card's curve from the tested strain to zero stress is written; its loop (friction %.4g, reach %.4g, curve %.4g), and those inside it, are lost: going up again is the target's")
           :format(axis, l.friction, l.reach, l.curve))
       end
     end
     local f, v = card.shear.friction, card.viscous and card.viscous.shear
     if f then
-      add(("shear friction: the card's loop, which slips at %.4g Pa, and by %.4g Pa more over a strain of 1, is lost; its ways up and down from the tested shear are written")
-        :format(f.stress, f.growth))
+      add(("shear friction: the card's loop, which slips at %.4g Pa, and by %.4g Pa more over a strain of 1, is lost; %s")
+        :format(f.stress, f.growth, linear and "only the secant at the tested shear is written" or "its ways up and down from the tested shear are written"))
     end
     if v then add(("relaxation: the part of shear that relaxes (%.4g Pa in %.4g s) is lost; what is written is shear too quick for any of it to relax"):format(v.modulus, v.time)) end
     if card.law ~= "potential" then add(("law: the card's '%s' law was sampled; its path dependence beyond one axis at a time is lost"):format(card.law)) end

@@ -6,6 +6,7 @@ ours.axes = { "warp", "weft" }
 
 -- Largest tested strain of an axis or of shear (E12); these values are used if the card states none.
 local untested = { warp = 0.10, weft = 0.10, shear = 0.20 }
+ours.untested = untested
 function ours.tested(card)
   local out = {}
   for name, default in pairs(untested) do

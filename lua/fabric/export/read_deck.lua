@@ -16,15 +16,58 @@ read.lines_of = lines_of
 
 local function trouble(path, line, what) fail(("card: %s:%d: %s"):format(path, line, what)) end
 
--- The units that a deck states: in a comment "Units: ... (mm-t-s)", which fabric.export writes, or in Radioss' /BEGIN (the third line below it,
--- in fields of 20 columns: mass, length, time). Returns the system and the words found, or nil.
-function read.units(path)
-  local begin
-  for i, l in ipairs(lines_of(path)) do
-    local name = l:match "^[#$*]+ Units: .*%(([%w-]+)%)%s*$"
-    for _, known in ipairs(units.names) do
-      if name == known then return units.of(name), ("line %d: %s"):format(i, l:match "Units:.-%s*$") end
+local kinds_of = { mass = "kg g mg Mg t ton lb", length = "m mm cm km in ft", time = "s ms mus us" }
+
+-- The system of units in words such as "kg, mm, ms" or "mm-kg-ms", in any order; others (N, MPa) are passed over; nil where one of the three
+-- is missing or there twice.
+local function system_of(words)
+  local found = {}
+  for word in words:gmatch "[%w]+" do
+    for quantity, known in pairs(kinds_of) do
+      if (" " .. known .. " "):find(" " .. word .. " ", 1, true) then
+        if found[quantity] and found[quantity] ~= word then return end
+        found[quantity] = word
+      end
     end
+  end
+  if found.mass and found.length and found.time then return units.of_words(found.mass, found.length, found.time) end
+end
+
+local function same(a, b)
+  for _, q in ipairs { "length", "mass", "time" } do
+    if math.abs(a[q] / b[q] - 1) > 1e-9 then return false end
+  end
+  return true
+end
+
+-- The system in a comment "Units: mm, t, s, N, MPa (mm-t-s)": by the name in brackets and by the words before it, which have to agree.
+local function commented(path, line, text)
+  local words, name = text:match "^(.-)%(([^()]*)%)%s*$"
+  local by_name = name and (name == "SI" and units.of "SI" or system_of(name))
+  local by_words = system_of(words or text)
+  if by_name and by_words and not same(by_name, by_words) then
+    trouble(path, line, ("expected units and a name in brackets that agree, got 'Units: %s'"):format(text))
+  end
+  return by_name or by_words
+end
+
+-- The units that a deck states: in a comment "Units: ... (mm-t-s)", which fabric.export writes, or in Radioss' /BEGIN (the third line below it,
+-- in fields of 20 columns: mass, length, time). Returns the system and the words found, or nil; then the words that were not understood, if any.
+function read.units(path)
+  local begin, system, where, unclear
+  local function take(found, words)
+    if not found then
+      unclear = unclear or words
+    elseif system and not same(system, found) then
+      fail(("card: %s states units twice that do not agree: %s, and %s"):format(path, where, words))
+    elseif not system then
+      system, where = found, words
+    end
+  end
+  for i, l in ipairs(lines_of(path)) do
+    local text = l:match "^[#$*]+ *Units: *(.-)%s*$"
+    if text then take(commented(path, i, text), ("line %d: Units: %s"):format(i, text)) end
+    if l:find "^/UNIT/" then take(nil, ("line %d: %s"):format(i, l)) end
     if l:find "^/BEGIN" then
       begin = 0
     elseif begin and l:sub(1, 1) ~= "#" then
@@ -32,11 +75,26 @@ function read.units(path)
       if l:sub(1, 1) == "/" then begin = nil end
       if begin == 3 then
         local words = { l:sub(1, 20):match "%S+", l:sub(21, 40):match "%S+", l:sub(41, 60):match "%S+" }
-        if #words < 3 then return end
-        local system = units.of_words(table.unpack(words))
-        if not system then trouble(path, i, ("expected units of mass, length and time below /BEGIN, got '%s'"):format(table.concat(words, " "))) end
-        return system, ("line %d: /BEGIN with %s"):format(i, table.concat(words, ", "))
+        local got = #words == 3 and units.of_words(table.unpack(words))
+        take(got or nil, ("line %d: /BEGIN with %s"):format(i, got and table.concat(words, ", ") or "'" .. l .. "'"))
       end
+    end
+  end
+  return system, where, unclear
+end
+
+-- The tested strains {warp, weft, shear} that the first comment "Tested up to E11 = ..." of a deck states, as fabric.export writes it, and its
+-- line; or nil.
+function read.tested(path)
+  for i, l in ipairs(lines_of(path)) do
+    local warp, weft, shear = l:match "^[#$*]+ Tested up to E11 = ([^%s,]+), E22 = ([^%s,]+), E12 = ([^%s,;]+)"
+    if warp then
+      local out = { warp = tonumber(warp), weft = tonumber(weft), shear = tonumber(shear) }
+      for _, name in ipairs { "warp", "weft", "shear" } do
+        local most = name == "shear" and 0.5 or 10
+        if not (out[name] and out[name] >= 0 and out[name] < most) then trouble(path, i, ("expected a tested strain of the %s from 0 to below %g, got '%s'"):format(name, most, l)) end
+      end
+      return out, i
     end
   end
 end
@@ -96,7 +154,7 @@ local function positive(path, c)
   return out
 end
 
--- The intersection {x, y} of two curves beyond 0; without one, the end of the first.
+-- The intersection {x, y} of two curves beyond 0; without one, the end of the first, and true.
 local function crossing(a, b, value)
   for i = 2, #a.x do
     local d0, d1 = a.y[i - 1] - value(b, a.x[i - 1]), a.y[i] - value(b, a.x[i])
@@ -105,7 +163,7 @@ local function crossing(a, b, value)
       return { x, value(a, x) }
     end
   end
-  return { a.x[#a.x], a.y[#a.y] }
+  return { a.x[#a.x], a.y[#a.y] }, true
 end
 
 -- Without functions: E1 x - B1 x^2 / 2 up to its maximum, and shear as two straight lines in tan(angle).
@@ -132,7 +190,7 @@ local function analytic_shear(G0, GT, angle)
   return c
 end
 
--- {density, name, warp, weft, shear: {loading, unloading, meet, slope, elastic}, E1, E2, S1, S2, FLEX, thickness?}
+-- {density, name, warp, weft, shear: {loading, unloading, meet, ended: true where `meet` is but the end of the curve, slope, elastic}, E1, E2, S1, S2, FLEX, thickness?}
 function read.law58(path, u, value)
   local blocks, mat, thickness = read.blocks(path), nil, nil
   for _, b in ipairs(blocks) do
@@ -160,8 +218,9 @@ function read.law58(path, u, value)
     local loading = ids[k] ~= 0 and positive(path, funct(path, blocks, ids[k], scales[k], u.stress)) or plain[k]()
     local elastic = ids[3 + k] == 0
     local unloading = elastic and loading or positive(path, funct(path, blocks, ids[3 + k], scales[3 + k], u.stress))
-    out[part] = { loading = loading, unloading = unloading, elastic = elastic, slope = loading.y[2] / loading.x[2],
-      meet = elastic and { loading.x[#loading.x], loading.y[#loading.y] } or crossing(loading, unloading, value) }
+    local meet, ended = { loading.x[#loading.x], loading.y[#loading.y] }, true
+    if not elastic then meet, ended = crossing(loading, unloading, value) end
+    out[part] = { loading = loading, unloading = unloading, elastic = elastic, slope = loading.y[2] / loading.x[2], meet = meet, ended = ended }
   end
   return out
 end
@@ -220,6 +279,7 @@ function read.fabric(path, u)
     if not p or #p.loading.x < 2 then fail(("card: %s: *FABRIC has no *LOADING DATA in tension for the %s"):format(path, name)) end
     p.loading = positive(path, p.loading)
     p.unloading = p.unloading and positive(path, p.unloading) or p.loading
+    p.ended = true
     p.meet, p.slope = { p.loading.x[#p.loading.x], p.loading.y[#p.loading.y] }, p.loading.y[2] / p.loading.x[2]
   end
   return out

@@ -239,6 +239,8 @@ local function read(t)
       take(vocabulary, t, record, quantity, column)
     elseif column and not column.trouble and known_factor(vocabulary, t, quantity, column) then
       record[quantity] = scaled(column.values, (known_factor(vocabulary, t, quantity, column)))
+    elseif column and quantity == "strain" and not record.displacement then -- nothing else says how far the specimen was pulled
+      take(vocabulary, t, record, quantity, column)
     elseif quantity == "force" or quantity == "displacement" and not find_column(vocabulary, t, file, "strain", false) then
       missing(t, record, quantity)
     end

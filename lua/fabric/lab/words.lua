@@ -11,13 +11,14 @@ words.units = {
     ["cN/cm"] = 1, ["mN/cm"] = 0.1, ["N/5cm"] = 20, ["N/50mm"] = 20, ["daN/5cm"] = 200, ["daN/50mm"] = 200, ["kN/5cm"] = 2e4, ["gf/cm"] = 0.980665,
     ["gf/mm"] = 9.80665, ["kgf/cm"] = 980.665, ["kgf/5cm"] = 9.80665 / 0.05, ["kgf/50mm"] = 9.80665 / 0.05, ["lbf/in"] = pound / inch },
   time = { s = 1, ms = 1e-3, min = 60, h = 3600 },
-  strain = { ["-"] = 1, ["%"] = 1e-2, ["mm/mm"] = 1, ["1"] = 1, ["m/m"] = 1 },
+  strain = { ["-"] = 1, ["%"] = 1e-2, ["mm/mm"] = 1, ["1"] = 1, ["m/m"] = 1, ["in/in"] = 1, ["mm/m"] = 1e-3, ["um/m"] = 1e-6, ["\u{2030}"] = 1e-3 },
 }
 
 words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "in", ['"'] = "in", KN = "kN", kp = "kgf", lb = "lbf", lbs = "lbf", S = "s",
   sec = "s", Sec = "s", sek = "s", Sek = "s", n = "N", DaN = "daN", dan = "daN", DAN = "daN", CN = "cN", ["N/5 cm"] = "N/5cm", ["N/50 mm"] = "N/50mm", ["daN/5 cm"] = "daN/5cm",
   ["daN/50 mm"] = "daN/50mm", ["kgf/5 cm"] = "kgf/5cm", ["lb/in"] = "lbf/in", ["lbs/in"] = "lbf/in", ["lbf/inch"] = "lbf/in", ["lb/inch"] = "lbf/in", oz = "ozf", ["\u{79d2}"] = "s",
-  ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um" }
+  ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um", ["\u{b5}m/m"] = "um/m", ["\u{3bc}m/m"] = "um/m", ["\xb5m/m"] = "um/m",
+  percent = "%", Percent = "%", pct = "%", Prozent = "%", prozent = "%", ["per cent"] = "%" }
 
 -- Parts of names, in lower case without accents: English, German, French, Italian, Polish, Japanese (UTF-8 and Shift-JIS, whose second bytes
 -- may be letters, here in lower case; frames also write Katakana of half width). The unit decides between a displacement and a strain.
