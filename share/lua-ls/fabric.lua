@@ -394,7 +394,7 @@ function fabric.history(points) end
 ---@field thickness? number m: default: that of a section in the file
 ---@field density? number kg/m^3: default: the file's
 ---@field poisson? number[] {nu12, nu21}, which such files do not hold; default {0, 0}
----@field tested? fabric_import_card_fields.tested strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else the curves' ends
+---@field tested? fabric_import_card_fields.tested strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else those that the file states in a comment 'Tested up to E11 = ...', else the curves' ends
 
 ---A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes.
 ---@param fields fabric_import_card_fields
