@@ -16,28 +16,16 @@ read.lines_of = lines_of
 
 local function trouble(path, line, what) fail(("card: %s:%d: %s"):format(path, line, what)) end
 
-local kinds_of = { mass = "kg g mg Mg t ton lb", length = "m mm cm km in ft", time = "s ms mus us" }
-
 -- The system of units in words such as "kg, mm, ms" or "mm-kg-ms", in any order; others (N, MPa) are passed over; nil where one of the three
 -- is missing or there twice.
 local function system_of(words)
   local found = {}
   for word in words:gmatch "[%w]+" do
-    for quantity, known in pairs(kinds_of) do
-      if (" " .. known .. " "):find(" " .. word .. " ", 1, true) then
-        if found[quantity] and found[quantity] ~= word then return end
-        found[quantity] = word
-      end
-    end
+    local quantity = units.quantity_of(word)
+    if quantity and found[quantity] and found[quantity] ~= word then return end
+    if quantity then found[quantity] = word end
   end
   if found.mass and found.length and found.time then return units.of_words(found.mass, found.length, found.time) end
-end
-
-local function same(a, b)
-  for _, q in ipairs { "length", "mass", "time" } do
-    if math.abs(a[q] / b[q] - 1) > 1e-9 then return false end
-  end
-  return true
 end
 
 -- The system in a comment "Units: mm, t, s, N, MPa (mm-t-s)": by the name in brackets and by the words before it, which have to agree.
@@ -45,7 +33,7 @@ local function commented(path, line, text)
   local words, name = text:match "^(.-)%(([^()]*)%)%s*$"
   local by_name = name and (name == "SI" and units.of "SI" or system_of(name))
   local by_words = system_of(words or text)
-  if by_name and by_words and not same(by_name, by_words) then
+  if by_name and by_words and not units.same(by_name, by_words) then
     trouble(path, line, ("expected units and a name in brackets that agree, got 'Units: %s'"):format(text))
   end
   return by_name or by_words
@@ -58,7 +46,7 @@ function read.units(path)
   local function take(found, words)
     if not found then
       unclear = unclear or words
-    elseif system and not same(system, found) then
+    elseif system and not units.same(system, found) then
       fail(("card: %s states units twice that do not agree: %s, and %s"):format(path, where, words))
     elseif not system then
       system, where = found, words

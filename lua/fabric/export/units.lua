@@ -27,6 +27,21 @@ local sizes = {
   time = { s = 1, ms = 1e-3, mus = 1e-6, us = 1e-6 },
 }
 
+-- The quantity that a word is a unit of: "mass", "length" or "time"; nil: of none of them.
+function units.quantity_of(word)
+  for quantity, known in pairs(sizes) do
+    if known[word] then return quantity end
+  end
+end
+
+-- Whether two systems have the same mass, length and time.
+function units.same(a, b)
+  for quantity in pairs(sizes) do
+    if math.abs(a[quantity] / b[quantity] - 1) > 1e-9 then return false end
+  end
+  return true
+end
+
 -- The system of Radioss' words for mass, length and time, such as "Mg", "mm", "s", or their sizes in SI as numbers; nil if one is unknown.
 function units.of_words(mass, length, time)
   local s = { words = ("%s, %s, %s"):format(mass, length, time) }
@@ -37,9 +52,7 @@ function units.of_words(mass, length, time)
   end
   local name = s.words
   for known, other in pairs(systems) do
-    local same = true
-    for _, q in ipairs { "mass", "length", "time" } do same = same and math.abs(s[q] / other[q] - 1) < 1e-9 end
-    if same then name, s = known, other end
+    if units.same(s, other) then name, s = known, other end
   end
   return complete(s, name)
 end
