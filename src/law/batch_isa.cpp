@@ -99,14 +99,31 @@ unsigned batch(const Law& law, const Step& step, const double* E, const double* 
   });
 }
 
+template <int most, class Kernel>
+void energies_of_part(int states, const double* E, const double* s, double* out, Kernel kernel) {
+  Pack e[5], state[most] = {};
+  for (int i = 0; i < 5; ++i) e[i] = load(E + i * lanes);
+  for (int i = 0; i < states; ++i) state[i] = load(s + i * lanes);
+  const EnergyOf<Pack> energy = kernel(e, state);
+  const Pack all[energy_values] = {energy.stored, energy.warp, energy.weft, energy.shear, energy.created};
+  for (int i = 0; i < energy_values; ++i) store(out + i * lanes, all[i]);
+}
+
+[[gnu::flatten]] void plain_energies(const Law& law, const double* E, const double* s, double* out) {
+  energies_of_part<potential_state::count>(
+      potential_state::count, E, s, out,
+      [&](const Pack* e, const Pack* state) { return plain_energy(law.plain, e, state); });
+}
+
+void any_energies(const Law& law, const double* E, const double* s, double* out) {
+  energies_of_part<most_states>(law.state_size, E, s, out,
+                                [&](const Pack* e, const Pack* state) { return energy_at(law, e, state); });
+}
+
 void energies(const Law& law, const double* E, const double* s, double* out) {
-  at_parts([=, &law](int part) {
-    Pack e[5], state[most_states] = {};
-    for (int i = 0; i < 5; ++i) e[i] = load(E + part + i * lanes);
-    for (int i = 0; i < law.state_size; ++i) state[i] = load(s + part + i * lanes);
-    const EnergyOf<Pack> energy = energy_at(law, e, state);
-    const Pack all[energy_values] = {energy.stored, energy.warp, energy.weft, energy.shear, energy.created};
-    for (int i = 0; i < energy_values; ++i) store(out + part + i * lanes, all[i]);
+  const auto part = law.is_plain ? plain_energies : any_energies;
+  at_parts([=, &law](int first) {
+    part(law, E + first, s + first, out + first);
     return 0u;
   });
 }

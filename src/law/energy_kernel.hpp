@@ -15,8 +15,8 @@ struct EnergyOf {
 };
 
 // Stored energy of one yarn, including its part c nu E^2 / 2 of the coupling.
-template <class T>
-T yarn_stored(const AxisData& axis, double coupling, T E, T residual) {
+template <class Curve, class T>
+T yarn_stored(const AxisOf<Curve>& axis, double coupling, T E, T residual) {
   const T cross(coupling * axis.poisson), half(0.5), x = E - residual;
   const T taut = half * T(axis.unloading) * x * x + half * cross * E * E;
   const T slack = cross * residual * (half * residual + x) + half * T(axis.slack) * x * x;
@@ -29,8 +29,8 @@ struct YarnPoint {
 };
 
 // Energy dissipated by one yarn; m: its largest strain so far.
-template <class T>
-YarnPoint<T> yarn_point(const AxisData& axis, double coupling, T E, T m) {
+template <class Curve, class T>
+YarnPoint<T> yarn_point(const AxisOf<Curve>& axis, double coupling, T E, T m) {
   const T peak = max(E, m);
   const auto curve = backbone_at(axis.curve, peak);
   const T residual = peak - curve.P * T(axis.softness);
@@ -66,8 +66,8 @@ struct ShearPoint {
   T stored, dissipated;
 };
 
-template <class T>
-ShearPoint<T> hysteretic_point(const WovenData& w, T gamma, const T* s) {
+template <class Woven, class T>
+ShearPoint<T> hysteretic_point(const Woven& w, T gamma, const T* s) {
   auto branch = load_shear(w.shear, s);
   const auto shear = shear_spring(w.shear, AtSwitch::loading, gamma, branch);
   const T Gu(w.shear.unloading);
@@ -83,12 +83,9 @@ ShearPoint<T> rubbing_point(const WovenData& w, T gamma, const T* s) {
   return {backbone_at(w.shear.curve, abs(gamma)).U + held * held / T(2 * w.friction.stiffness), gone};
 }
 
-template <class T>
-EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
-  using namespace potential_state;
-  const auto warp = yarn_point(w, m1, E[0], s);
-  const auto weft = yarn_point(w, m2, E[1], s);
-  const auto shear = w.friction.on ? rubbing_point(w, E[4], s) : hysteretic_point(w, E[4], s);
+template <class Woven, class T>
+EnergyOf<T> sum_of_parts(const Woven& w, const T E[5], const YarnPoint<T>& warp, const YarnPoint<T>& weft,
+                         const ShearPoint<T>& shear) {
   EnergyOf<T> out;
   out.stored = warp.stored + weft.stored + T(w.coupling) * E[0] * E[1];
   out.stored += shear.stored;
@@ -97,9 +94,24 @@ EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
   out.weft = weft.dissipated;
   out.shear = shear.dissipated;
   out.created = T(0.0);
+  return out;
+}
+
+template <class T>
+EnergyOf<T> potential_energy(const WovenData& w, const T E[5], const T* s) {
+  using namespace potential_state;
+  const auto shear = w.friction.on ? rubbing_point(w, E[4], s) : hysteretic_point(w, E[4], s);
+  auto out = sum_of_parts(w, E, yarn_point(w, m1, E[0], s), yarn_point(w, m2, E[1], s), shear);
   if (w.biaxial.on) add_biaxial_energy(w, E, s, out);
   rheology::add_energies(w.beside, s + beside_slot(w), out);
   return out;
+}
+
+template <class T>
+EnergyOf<T> plain_energy(const PlainWoven& w, const T E[5], const T* s) {
+  using namespace potential_state;
+  return sum_of_parts(w, E, yarn_point(w.axis[m1], w.coupling, E[0], s[m1]),
+                      yarn_point(w.axis[m2], w.coupling, E[1], s[m2]), hysteretic_point(w, E[4], s));
 }
 
 template <class T>

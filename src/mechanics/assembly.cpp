@@ -40,6 +40,11 @@ void Assembly::retract(std::span<const double> delta, double scale, std::span<co
   for (auto& term : terms_) term->move(scale);
 }
 
+void Assembly::carry(std::span<const double> rates, double time, std::span<const double> targets) {
+  dofs_.retract(rates, time, targets);
+  for (auto& term : terms_) term->move(1);
+}
+
 // Supports go to their targets whatever the share is; if that is not safe either, the result is 0.
 double Assembly::limit(std::span<const double> delta, std::span<const double> targets) {
   constexpr int tries = 5;
@@ -140,9 +145,13 @@ bool Assembly::forces(const law::Step& step) {
   return take(with_rest(cloth_->add_forces(step, trial(), sums), step, sums));
 }
 
+bool Assembly::limits() const {
+  return std::any_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->limits(); });
+}
+
 // If a term limits steps, the trial configuration is reset to the iterate.
 double Assembly::limit_of_terms(std::span<const double> delta, std::span<const double> targets) {
-  if (std::none_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->limits(); })) return 1;
+  if (!limits()) return 1;
   dofs_.retract(delta, 1, targets);
   const auto end = std::as_const(configuration_).x();
   std::vector<double> way(end.begin(), end.end());

@@ -62,6 +62,8 @@ class Assembly {
   // --- configurations: see Dofs
   void begin_iterate();
   void retract(std::span<const double> delta, double scale, std::span<const double> targets);
+  // The whole way of a step that does not iterate: the unknowns move by their rates times the time, s.
+  void carry(std::span<const double> rates, double time, std::span<const double> targets);
   // Whether everything that the step moves besides the supports has reached its final position.
   bool arrived() const;
   std::vector<double> targets(double time) const { return dofs_.targets(time); }
@@ -79,6 +81,7 @@ class Assembly {
   // contact, since explicit steps have their own check for contact.
   double limit(std::span<const double> delta, std::span<const double> targets);
   double limit_of_terms(std::span<const double> delta, std::span<const double> targets);
+  bool limits() const;  // whether a term can ask for less than a whole step
 
   // --- at the trial configuration. False: a term failed (see outcome).
   bool forces(const law::Step& step);  // internal forces and trial states

@@ -1,9 +1,13 @@
 // Central differences on the unknowns: beta = 0, lumped mass, one evaluation of forces per step.
 //
-//   v~ = v + (1 - gamma) dt a,   x+ = x + dt v + dt^2/2 a,   M a+ = f(x+) - C v+,   v+ = v~ + gamma dt a+
+//   v~ = v + (1 - gamma) dt a,   x+ = x + dt v + dt^2/2 a,   M a+ = f(x+) - C v~ - gamma dt C a+,
+//   v+ = v~ + gamma dt a+
 //
 // Rotations of a director are components along b1, b2, which are transported with it along its great circle.
 // Velocities therefore keep their components, and momentum and angular momentum are conserved exactly.
+//
+// A step of a large sheet waits for memory, so v and a are not stored but computed from v~ and the residual
+// force, which a step needs anyway.
 #pragma once
 #include <array>
 #include <functional>
@@ -11,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/freedoms.hpp"
 #include "mechanics/motion.hpp"
 
 namespace fabricsh::run {
@@ -20,43 +25,71 @@ class CentralDifferences final : public mechanics::Motion {
   // mass: per unknown, kg and kg m^2. driven: rates of the driven freedoms at the beginning of the step.
   CentralDifferences(std::vector<double> mass, double gamma, std::function<std::vector<double>()> driven);
 
-  // Computes the increment of a step of dt() and the predicted velocity. turns: per unknown 1 for a rotation,
-  // 0 for a displacement; farthest: the limits of a displacement, m, and of a rotation, rad. False: an
-  // increment exceeds its limit.
+  // Computes the predicted velocity in a step of dt(). turns: per unknown 1 for a rotation, 0 for a
+  // displacement; farthest: the limits of a displacement, m, and of a rotation, rad. False: an increment
+  // exceeds its limit.
   bool predict(std::span<const unsigned char> turns, const std::array<double, 2>& farthest);
-  // Computes the acceleration from the residual, including the damping of the masses (1/s), and the corrected
-  // velocity.
-  void accelerate(std::span<const double> residual, double mass_damping);
+  // The increment in the step is reach() times along(), m and rad.
+  const std::vector<double>& along() const { return is_midpoint() ? trial_.predicted : increments(); }
+  double reach() const { return is_midpoint() ? dt() : 1; }
+  const std::vector<double>& increments() const;
+  // The trial residual, N and N m, to be written before accelerate(), without the damping of the masses.
+  std::span<double> residual() { return trial_.residual; }
+  // Completes the trial motion from its residual. mass_damping: 1/s.
+  void accelerate(double mass_damping);
   void start(std::vector<double> velocities);  // sets the committed and the trial motion
-  void begin() { committed_.a = trial_.a; }    // to be called with the initial accelerations
+  void begin() { committed_ = trial_; }        // to be called with the initial accelerations
   void commit() { std::swap(committed_, trial_); }
-  // Whether rates() and velocities are those of a complete trial step, to be read before the commit.
+  // Whether velocities are those of a complete trial step, to be read before the commit.
   void show_trial(bool tried) { tried_ = tried; }
 
-  const std::vector<double>& increment() const { return increment_; }
-  const std::vector<double>& velocities() const { return (tried_ ? trial_ : committed_).v; }
+  std::vector<double> velocities() const;
   // J, work of all forces by the trapezoidal rule less the change of the kinetic energy in the step.
-  double loss() const { return work_of_acceleration() - kinetic_of(trial_.v) + kinetic_of(committed_.v); }
-  void keep(Archive& archive) { archive(committed_.v, committed_.a); }
+  double loss() const { return work_of_acceleration() - kinetic_of(trial_) + kinetic_of(committed_); }
+  void keep(Archive& archive) { archive(committed_); }
 
-  std::span<const double> rates() const override { return trial_.v; }
+  // The predicted velocities.
+  std::span<const double> rates() const override { return trial_.predicted; }
   std::vector<double> driven_rates() const override { return driven_(); }
   double damping_weight() const override { return 0; }
   double work(std::span<const double> before, std::span<const double> after) const override;
   double work_of_velocity(double factor) const override;
   double work_of_acceleration() const override;
-  double kinetic() const override { return kinetic_of(velocities()); }
+  double kinetic() const override { return kinetic_of(shown()); }
+  // J, of some unknowns, with these masses.
+  struct Weight {
+    mechanics::Index unknown;
+    double mass;  // kg or kg m^2
+  };
+  double kinetic(std::span<const Weight> weights) const;
 
  private:
-  double kinetic_of(const std::vector<double>& v) const;
   struct State {
-    std::vector<double> v, a;  // per unknown, m/s and 1/s, m/s^2 and 1/s^2
+    std::vector<double> predicted, residual;  // per unknown, m/s and 1/s, N and N m
+    double kick = 0, damping = 0;             // s, gamma dt; 1/s, of the masses
+    void keep(Archive& archive) { archive(predicted, residual, kick, damping); }
   };
+  bool is_midpoint() const { return gamma_ == 0.5; }
+  double acceleration(const State& state, std::size_t i) const {
+    const double undamped = state.residual[i] / mass_[i];
+    if (state.damping == 0) return undamped;
+    return (undamped - state.damping * state.predicted[i]) / (1 + state.kick * state.damping);
+  }
+  double velocity(const State& state, std::size_t i) const {
+    return state.predicted[i] + state.kick * acceleration(state, i);
+  }
+  double increment(std::size_t i) const {
+    if (is_midpoint()) return dt() * trial_.predicted[i];
+    return dt() * (velocity(committed_, i) + dt() / 2 * acceleration(committed_, i));
+  }
+  const State& shown() const { return tried_ ? trial_ : committed_; }
+  double kinetic_of(const State& state) const;
+
   std::vector<double> mass_;
   double gamma_;
   std::function<std::vector<double>()> driven_;
   State committed_, trial_;
-  std::vector<double> increment_;  // m, rad
+  mutable std::vector<double> increments_;
   bool tried_ = false;
 };
 

@@ -287,12 +287,6 @@ double energy_of_rounding(const mechanics::Assembly& assembly, double step) {
   return mass * speed * speed / 2;
 }
 
-// The kinetic energy as in energy(), without computing the other energies.
-double Dynamic::moving_kinetic() const {
-  const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
-  return motion().kinetic() + driven_kinetic() + (contact == nullptr ? 0 : contact->bodies().kinetic());
-}
-
 void Dynamic::check() {
   // The cost of a check is small compared with an implicit step, and the energy balance of implicit steps is
   // good from the first one on.
@@ -301,7 +295,7 @@ void Dynamic::check() {
   if (!is_implicit && !is_due(time())) return;
   const bool looks = is_implicit || looks_after(now_.steps, time());
   now_.next_check = duration_ / kChecks * (std::floor(time() / duration_ * kChecks + 1e-9) + 1);
-  if (!looks) return weigh_inertia(moving_kinetic(), scaled_kinetic());
+  if (!looks) return;
   now_.looked = now_.steps;
   const Energy e = energy();
   weigh_inertia(e.kinetic, e.scaled);

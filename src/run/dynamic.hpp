@@ -105,7 +105,6 @@ class Dynamic : public Run {
  private:
   mesh::Index suspect() const;
   void weigh_inertia(double kinetic, double scaled);  // records the part of scaled rotary inertia, J
-  double moving_kinetic() const;                      // J
   bool is_end(double time) const;
   bool is_due(double time) const;  // whether the ledger should be checked
 };

@@ -27,8 +27,7 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
                    std::shared_ptr<Notices> notices)
     : Dynamic(std::move(model), options, std::move(notices)),
       motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
-      problem_(*assembly_, motion_, unpolled_),
-      residual_(static_cast<std::size_t>(assembly_->unknowns())) {
+      problem_(*assembly_, motion_, unpolled_) {
   // Mass damping does not reduce the stable step. Stiffness damping, whose velocity is half a step old,
   // multiplies it by sqrt(1 + xi^2) - xi, where xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
   const double xi = options_.stiffness_damping / stable_, undamped = stable_;
@@ -39,8 +38,9 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   check_stable_step(undamped);
   choose_step();
   farthest_ = {smallest_, std::numbers::pi / 2};
-  turns_.reserve(residual_.size());
+  turns_.reserve(motion_.residual().size());
   for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i) turns_.push_back(assembly_->turns(i) ? 1 : 0);
+  added_inertia_ = added_inertia();
   set_motion(initial_rates());  // to be read before the first step
 }
 
@@ -93,9 +93,9 @@ void Explicit::take_options(const DynamicOptions& options) {
 void Explicit::begin() {
   Dynamic::begin();
   problem_.aim(0);
-  if (problem_.begin_step() != Answer::ok || problem_.residual(residual_) != Answer::ok)
+  if (problem_.begin_step() != Answer::ok || problem_.residual(motion_.residual()) != Answer::ok)
     throw NumericalFailure("dynamic: the fabric law failed at time 0", 0, assembly_->outcome().element);
-  motion_.accelerate(residual_, assembly_->on_mass().velocity);
+  motion_.accelerate(assembly_->on_mass().velocity);
   motion_.begin();
   problem_.start();
 }
@@ -211,12 +211,13 @@ bool Explicit::attempt(double size, StepReport& report) {
   if (problem_.begin_step() != Answer::ok) return ends(End::forces);
   problem_.accept();
   watch_jump(problem_.driven(), problem_.targets(), size, kJump * smallest_);
-  if (assembly_->limit_of_terms(motion_.increment(), problem_.targets()) < 1) return ends(End::limited);
-  problem_.retract(motion_.increment(), 1);
+  if (assembly_->limits() && assembly_->limit_of_terms(motion_.increments(), problem_.targets()) < 1)
+    return ends(End::limited);
+  problem_.carry(motion_.along(), motion_.reach());
   trial_time_ = size;
   assembly_->expect_energies(looks_after(now_.steps + 1, size));
-  if (problem_.residual(residual_) != Answer::ok) return ends(End::forces);
-  motion_.accelerate(residual_, assembly_->on_mass().velocity);
+  if (problem_.residual(motion_.residual()) != Answer::ok) return ends(End::forces);
+  motion_.accelerate(assembly_->on_mass().velocity);
   motion_.show_trial(true);
   report.time = size;
   return true;
@@ -242,28 +243,23 @@ const mechanics::NodalRates& Explicit::rates() const {
   return rates_;
 }
 
-// The kinetic energy of the directors as in rates(), without computing the rest.
+// The frames of the directors are orthonormal, so that their rates need not be put together.
 double Explicit::scaled_kinetic() const {
   if (!scaled_ || assembly_->dofs().has_ties()) return Dynamic::scaled_kinetic();
+  return motion_.kinetic(added_inertia_);
+}
+
+// The inertia that scaling adds to each rotation of a director.
+std::vector<CentralDifferences::Weight> Explicit::added_inertia() const {
+  std::vector<CentralDifferences::Weight> added;
+  if (!scaled_) return added;
   const auto &scaled = assembly_->rotary_inertia(true), &own = assembly_->rotary_inertia(false);
-  const auto& state = std::as_const(*assembly_).state();
-  const auto& dofs = std::as_const(*assembly_).dofs();
-  const auto& nodes = dofs.freedoms().nodes;
-  const auto& v = motion_.velocities();
-  const auto rate = [&v](mechanics::Index equation) { return equation >= 0 ? v[equation] : 0.0; };
-  double sum = 0;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const auto add = [&](const auto& equation) {
-      const Vec3 b1 = at(state.b1(), n), b2 = at(state.d(), n).cross(b1);
-      const Vec3 turning = rate(equation[3]) * b1 + rate(equation[4]) * b2;
-      sum += (scaled[n] - own[n]) * turning.squaredNorm() / 2;
-    };
-    if (const std::int32_t* equation = dofs.plain_equations(static_cast<mechanics::Index>(n)))
-      add(equation);
-    else if (!nodes[n].turn_axis)
-      add(nodes[n].equation);
-  }
-  return sum;
+  const auto& nodes = std::as_const(*assembly_).dofs().freedoms().nodes;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    for (int c = 3; c < 5; ++c)
+      if (!nodes[n].turn_axis && nodes[n].equation[c] >= 0)
+        added.push_back({nodes[n].equation[c], scaled[n] - own[n]});
+  return added;
 }
 
 void Explicit::give_up(const StepReport& report) {

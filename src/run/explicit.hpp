@@ -28,6 +28,7 @@ class Explicit final : public Dynamic {
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   double scaled_kinetic() const override;
+  std::vector<CentralDifferences::Weight> added_inertia() const;
   const mechanics::Motion& motion() const override { return motion_; }
   void memory(Archive& archive) override;
 
@@ -59,9 +60,9 @@ class Explicit final : public Dynamic {
   std::vector<unsigned char> turns_;
   std::array<double, 2> farthest_{};
   CentralDifferences motion_;
+  std::vector<CentralDifferences::Weight> added_inertia_;
   const std::function<void()> unpolled_;  // no poll, since a step is short
   Problem problem_;
-  std::vector<double> residual_;
   bool dirty_ = false;  // whether the trial state differs from the committed one
   // The reason for which the last attempt ended early.
   enum class End { none, ran_away, limited, forces } end_ = End::none;

@@ -37,6 +37,8 @@ class Problem final : public solver::PathProblem {
   // Starts a step from the committed configuration. Returns whether the terms can make it.
   Answer begin_step();
   void commit(double time);  // the trial state; the terms then account for it in finish_step()
+  // Makes the whole step, in which the unknowns move by `reach` times `along`.
+  void carry(std::span<const double> along, double reach) { assembly_.carry(along, reach, targets_); }
   // J, work of the forces without inertia in the step, by the trapezoidal rule.
   double work_of_balance();
   void keep(Archive& archive);

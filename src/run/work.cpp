@@ -20,6 +20,7 @@ double trapezoid(std::span<const double> before, std::span<const double> now, st
 
 void ExternalWork::start(mechanics::Assembly& assembly, std::span<const double> dead) {
   assembly.working_forces(dead, before_);
+  loaded_.reset();
 }
 
 void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> dead) {
@@ -27,7 +28,8 @@ void ExternalWork::add(mechanics::Assembly& assembly, std::span<const double> de
   const std::size_t n = 3 * now.nodes();
   const auto from = now.committed_kinematics();
   if (assembly.constant_work()) {  // only dead loads that are constant
-    add(trapezoid(dead, dead, from.first(n), now.x()) + assembly.step_work());
+    if (!loaded_) loaded_ = std::any_of(dead.begin(), dead.end(), [](double f) { return f != 0; });
+    add((*loaded_ ? trapezoid(dead, dead, from.first(n), now.x()) : 0) + assembly.step_work());
     return;
   }
   assembly.working_forces(dead, now_);

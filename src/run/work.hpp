@@ -1,5 +1,6 @@
 // Work of loads and supports on the cloth, by the trapezoidal rule from one committed state to the next.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ class ExternalWork {
  private:
   double total_ = 0, largest_ = 0;
   mechanics::WorkingForces before_, now_;
+  std::optional<bool> loaded_;  // whether constant dead loads are other than zero, once known
 };
 
 }  // namespace fabricsh::run
