@@ -252,12 +252,53 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
   put_states(batch, offset, 2 * section.bending_states, trial);
 }
 
+// Sums over the thickness of weight times z^m times the tangent of a plain law, m = 0 to 4, in material axes.
+struct PlainTangents {
+  Pack C11[5], C12[5], C22[5], C55[5];
+};
+
+inline void clear(PlainTangents& c) {
+  for (Pack* p : {c.C11, c.C12, c.C22, c.C55})
+    for (int m = 0; m < 5; ++m) p[m] = Pack(0.0);
+}
+
+template <class Response>
+inline void add_tangent(const Response& at_point, Pack weight, Pack z, PlainTangents& c) {
+  Pack power = weight;
+  for (int m = 0; m < 5; ++m) {
+    c.C11[m] += power * at_point.C11;
+    c.C12[m] += power * at_point.C12;
+    c.C22[m] += power * at_point.C22;
+    c.C55[m] += power * at_point.C55;
+    power = power * z;
+  }
+}
+
+// The upper half of the tangent of the resultants. shear: the sum of weight times the modulus of transverse
+// shear; volume: the reference volume of a weight of one.
+inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const Transform& t, Stiffness& k) {
+  clear(k);
+  for (int j = 0; j < 3; ++j) {
+    const Pack L[3] = {volume * t.L[0][j], volume * t.L[1][j], volume * t.L[4][j]};
+    for (int m = 0; m < 5; ++m) {
+      const Pack S[3] = {c.C11[m] * L[0] + c.C12[m] * L[1], c.C12[m] * L[0] + c.C22[m] * L[1],
+                         c.C55[m] * L[2]};
+      for (int i = 0; i <= j; ++i) k.Z[m][i][j] = t.L[0][i] * S[0] + t.L[1][i] * S[1] + t.L[4][i] * S[2];
+    }
+  }
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      k.g_g[i][j] = volume * shear * (t.L[2][3 + i] * t.L[2][3 + j] + t.L[3][3 + i] * t.L[3][3 + j]);
+}
+
 // Evaluates the law through the thickness where all points have one plain law and one transform: strains E =
 // e + z k + z^2 q and resultants in material axes. The sum of the stresses shows whether any is not finite.
+// tangent: for a symmetric section.
+template <bool with_tangent>
 [[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section,
                                                          const law::Step& step, const ShellBatch& batch,
                                                          const Transform& t, const Strains& p, int g,
-                                                         Resultants& r) {
+                                                         Resultants& r, Stiffness* tangent) {
   constexpr int row[3] = {0, 1, 4}, states = law::potential_state::count;
   Pack e[3], k[3], q[3], E[5], old[states], trial[states];
   for (int i = 0; i < 3; ++i) {
@@ -269,6 +310,9 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
   for (int i = 2; i < 4; ++i) E[i] = t.L[i][3] * p.g1 + t.L[i][4] * p.g2;
   Resultants m;  // in material axes
   clear(m);
+  PlainTangents c;
+  Pack sum_of_weights(0.0);
+  if constexpr (with_tangent) clear(c);
   for (const auto& point : section.points) {
     const double height = section.thickness / 2 * (point.zeta - section.offset);
     const Pack z(height), weight(point.weight);
@@ -284,6 +328,9 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
       m.K[i] += z * zS;
     }
     for (int i = 0; i < 2; ++i) m.Q[i] += weight * out.S[2 + i];
+    if constexpr (!with_tangent) continue;
+    add_tangent(out, weight, z, c);
+    sum_of_weights += weight;
   }
   const Pack volume = t.weight * Pack(1 / section.points[0].weight);
   for (int j = 0; j < 3; ++j) {
@@ -293,7 +340,9 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
     r.K[j] = L[0] * m.K[0] + L[1] * m.K[1] + L[2] * m.K[2];
   }
   for (int j = 0; j < 2; ++j) r.Q[j] = volume * (t.L[2][3 + j] * m.Q[0] + t.L[3][3 + j] * m.Q[1]);
-  if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, nullptr);
+  if constexpr (with_tangent)
+    put_tangent(c, sum_of_weights * Pack(section.plain->transverse), volume, t, *tangent);
+  if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, with_tangent ? tangent : nullptr);
   const Pack sum = (m.N[0] + m.N[1]) + (m.N[2] + m.Q[0]) + m.Q[1];
   return bits(!(sum - sum == Pack(0.0)));
 }
@@ -301,8 +350,11 @@ inline void add_bending_at(const section::Section& section, const law::Step& ste
 // Evaluates the law through the thickness at in-plane point g; columns: its first transform.
 inline unsigned integrate(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                           const double* columns, const Strains& p, int g, Resultants& r, Stiffness* k) {
-  if (k == nullptr && batch.sharing != Sharing::none && section.plain != nullptr)
-    return integrate_plain(section, step, batch, transform(columns), p, g, r);
+  if (batch.sharing != Sharing::none && section.plain != nullptr) {
+    const Transform t = transform(columns);
+    if (k == nullptr) return integrate_plain<false>(section, step, batch, t, p, g, r, nullptr);
+    if (section.symmetric) return integrate_plain<true>(section, step, batch, t, p, g, r, k);
+  }
   const int n = static_cast<int>(section.points.size());
   alignas(64) double E[5 * lanes], S[5 * lanes], C[25 * lanes], trial[law::most_states * lanes];
   unsigned failed = 0;

@@ -66,6 +66,53 @@ void add_blocks(const double* k, int stride, int rows, std::span<const ElementBl
   }
 }
 
+// Two numbers that are added at once.
+using Two = double __attribute__((vector_size(16)));
+inline Two two_at(const double* p) {
+  Two v;
+  __builtin_memcpy(&v, p, sizeof v);
+  return v;
+}
+inline void add_two(Two v, double* p) {
+  v += two_at(p);
+  __builtin_memcpy(p, &v, sizeof v);
+}
+
+// Adds five numbers each of two elements, which are side by side in `from`, to consecutive entries.
+inline void add_five(const double* from, double* first, double* second) {
+  for (int i = 0; i < 4; i += 2) {
+    const Two a = two_at(from + i * lanes), b = two_at(from + (i + 1) * lanes);
+    add_two(__builtin_shufflevector(a, b, 0, 2), first + i);
+    add_two(__builtin_shufflevector(a, b, 1, 3), second + i);
+  }
+  first[4] += from[4 * lanes];
+  second[4] += from[4 * lanes + 1];
+}
+
+// Whether two elements have the same blocks, and every unknown of their nodes is in the matrix.
+bool alike(std::span<const ElementBlock> a, std::span<const ElementBlock> b, const signed char* offsets) {
+  const auto is_whole = [](const signed char* of) {
+    for (int n = 0; n < 4; ++n)
+      if (of[5 * n] != 0 || of[5 * n + 4] != 4) return false;
+    return true;
+  };
+  if (!is_whole(offsets) || !is_whole(offsets + shell4_dofs)) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i].row != b[i].row || a[i].column != b[i].column || a[i].used() != b[i].used()) return false;
+  return true;
+}
+
+// The same as add_blocks() for two elements that are alike, in neighbouring lanes.
+void add_blocks_of_two(const double* k, int rows, std::span<const ElementBlock> first,
+                       std::span<const ElementBlock> second, double* value) {
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!first[i].used()) continue;
+    const double* from = k + 5L * (static_cast<long>(rows) * first[i].column + first[i].row) * lanes;
+    for (int c = 0; c < 5; ++c, from += static_cast<long>(rows) * lanes)
+      add_five(from, value + first[i].slot[c], value + second[i].slot[c]);
+  }
+}
+
 // Prefetches the five rows of a node in a column, which may be on two cache lines.
 template <int locality>
 inline void prefetch_rows(const double* first) {
@@ -168,6 +215,11 @@ void Stiffness::couple(std::span<const NodePair> pairs) {
 // The unknowns of a node have consecutive numbers, so that its rows are adjacent in each column. It is
 // therefore enough to store one slot for each column of the block of two nodes, and one offset for each row.
 void Stiffness::make_slots() {
+  find_slots();
+  pair_elements();
+}
+
+void Stiffness::find_slots() {
   const Freedoms& freedoms = dofs_.freedoms();
   if (pattern_->entries() > static_cast<Index>(ElementBlock::none))
     throw Error("the matrix of the stiffness has more than 4,294,967,295 entries: expected a smaller model");
@@ -208,6 +260,20 @@ void Stiffness::make_slots() {
     }
 }
 
+// Finds the elements that are added to the matrix together with the next one.
+void Stiffness::pair_elements() {
+  paired_.assign(batches_.size() * lanes, false);
+  for (std::size_t b = 0; b < batches_.size(); ++b)
+    for (int l = 0; l + 1 < batches_[b].used; ++l) {
+      const auto e = static_cast<Index>(b * lanes + l);
+      if (care_[e] != Care::none || care_[e + 1] != Care::none ||
+          !alike(blocks_of(e, 1), blocks_of(e + 1, 1), offsets_.data() + e * shell4_dofs))
+        continue;
+      paired_[e] = true;
+      ++l;
+    }
+}
+
 // Prefetches the entries that a batch adds to. They are scattered over the matrix, so that the processor does
 // not prefetch them by itself.
 void Stiffness::fetch(Index b, const Target& to) const {
@@ -219,6 +285,12 @@ void Stiffness::scatter(Index b, const double* K, const Target& to) {
   const Batch& batch = batches_[b];
   for (int l = 0; l < batch.used; ++l) {
     const Index element = b * lanes + l;
+    if (paired_[element]) {
+      add_blocks_of_two(K + l, batch.kind->dofs, blocks_of(element, 1), blocks_of(element + 1, 1),
+                        to.K.value.data());
+      ++l;
+      continue;
+    }
     if (care_[element] == Care::frames || (care_[element] == Care::driven && !to.lead.empty()))
       scatter_with_care(batch, element, l, K, to);
     else

@@ -64,6 +64,8 @@ class Stiffness {
  private:
   void make_pattern();
   void make_slots();
+  void find_slots();
+  void pair_elements();
   void list_tied_elements(std::span<const Place> places);
   void keep_upper(std::vector<std::vector<Index>>& columns) const;
   void scatter_with_care(const Batch& batch, Index element, int lane, const double* K, const Target& to);
@@ -85,6 +87,7 @@ class Stiffness {
   std::vector<std::uint16_t> wanted_;
   std::vector<signed char> offsets_;
   std::vector<Care> care_;
+  std::vector<bool> paired_;
   std::vector<Index> tied_place_;  // for each lane: index in tied_elements_ or -1; empty without ties
   std::vector<Place> tied_elements_;
   std::vector<double> tied_tangent_;  // per tied element, 20 x 20
