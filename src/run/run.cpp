@@ -198,16 +198,16 @@ void Run::advance_to(double limit) {
 }
 
 void Run::watch_strain() {
-  constexpr double reached = 1 + 1e-6, told = told_share;
+  constexpr double reached = 1 + 1e-6;
   const double share = assembly_->largest_share(), before = beyond_.share;
   if (!(share > std::max(reached, before))) return;
   const mechanics::Strained most = assembly_->most_strained();
   const char* const yarns[] = {"warp", "weft", "shear"};
   const double first = before > 0 ? beyond_.first : time();
   beyond_ = {share, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
-  if (stops_beyond_ && before <= told && share > told)
+  if (stops_beyond_ && before <= told_share && share > told_share)
     stop("strain beyond what was tested: " + beyond_text(beyond_));
-  if (told_beyond_ || before > told || share <= told) return;
+  if (told_beyond_ || before > told_share || share <= told_share) return;
   told_beyond_ = true;
   notices_->say(
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
