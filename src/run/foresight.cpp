@@ -91,6 +91,55 @@ std::string full_text(const Jumps& jumps) {
   return list(all) + (all.size() > 1 ? " are" : " is");
 }
 
+// --- loads on supports
+
+namespace {
+
+constexpr double kAlong = 1e-9;  // cosine of the angle between a load and a free direction
+
+// Whether the supports leave the node no motion along e.
+bool is_held(const mechanics::NodeFreedoms& node, const Vec3& e) {
+  for (int c = 0; c < 3; ++c) {
+    const auto equation = node.equation[static_cast<std::size_t>(c)];
+    const bool moves = equation >= 0 || equation == mechanics::tied;
+    if (moves && std::abs(node.frame.row(c).dot(e)) > kAlong) return false;
+  }
+  return true;
+}
+
+void look_for_idle(const std::string& what, const mesh::NodeSet& set, const model::Components& components,
+                   const Mat3& frame, const mechanics::Assembly& assembly, std::vector<std::string>& lines) {
+  for (int c = 0; c < 3; ++c) {
+    const auto& history = components[static_cast<std::size_t>(c)];
+    if (!history || (history->is_constant() && history->value(0) == 0)) continue;
+    const Vec3 e = frame.row(c).transpose();
+    const auto held = static_cast<std::size_t>(std::count_if(set.begin(), set.end(), [&](mesh::Index n) {
+      return is_held(assembly.freedoms().nodes[static_cast<std::size_t>(n)], e);
+    }));
+    if (2 * held <= set.size()) continue;
+    const bool all = held == set.size(), one = set.size() == 1;
+    const std::string of =
+        one   ? "its node, which is"
+        : all ? "all of its " + std::to_string(held) + " nodes, which are"
+              : std::to_string(held) + " of its " + std::to_string(set.size()) + " nodes, which are";
+    lines.push_back(what + " along " + "xyz"[c] + (frame.isIdentity() ? "" : " of its frame") +
+                    " does nothing at " + of + " fixed or moved there: supports take it up");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly) {
+  std::vector<std::string> lines;
+  const auto look = [&](const char* what, const auto& load, const model::Components& components) {
+    look_for_idle(what + (" '" + load.set + "'"), model.mesh().set(load.set), components, load.frame,
+                  assembly, lines);
+  };
+  for (const auto& f : model.forces()) look("the force on", f, f.total);
+  for (const auto& t : model.tractions()) look("the traction on", t, t.intensity);
+  return lines;
+}
+
 // --- bending
 
 namespace {

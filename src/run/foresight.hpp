@@ -28,6 +28,10 @@ std::string warning_text(const Jumps& jumps, double duration);
 // All of them, "gravity (z = -9.81 m/s^2) and the motion of 'top' (z = 0.01 m) are".
 std::string full_text(const Jumps& jumps);
 
+// One line for each component of a concentrated force, or of a traction, that supports take up at more than
+// half of its nodes, because they fix or move them along it. At the ends of an edge that is usual.
+std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly);
+
 // How far the bending rigidity of the model's cards is from that of cloth; or empty. Given only if some node
 // can leave the surface, because a flat sheet held in its plane does not bend.
 std::string bending_warning(const model::Model& model, const mechanics::Assembly& assembly);

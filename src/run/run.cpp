@@ -106,6 +106,8 @@ void Run::stop(const std::string& reason) {
 
 void Run::start() {
   if (started_) return;
+  for (const std::string& words : idle_loads(*model_, *assembly_))
+    notices_->say("warning: " + std::string(kind()) + ": " + words);
   begin();
   initial_energy_ = energy().kinetic + energy().internal();
   for (auto& event : events_) {
@@ -213,6 +215,15 @@ void Run::watch_strain() {
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
       ", about " + place_text(assembly_->centre(most.element)) +
       ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json");
+}
+
+void Run::watch_shape() {
+  const mesh::Index element = told_inverted_ ? -1 : assembly_->inverted_element();
+  if (element < 0) return;
+  told_inverted_ = true;
+  notices_->say("warning: " + std::string(kind()) + ": element " + model_->element_name(element) +
+                " is turned inside out at time " + number(time()) +
+                " s, compressed past zero length: the results from here on are not valid");
 }
 
 double Run::elements_beyond() const {

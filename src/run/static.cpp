@@ -377,12 +377,6 @@ void Static::tell(const StepReport& report) {
                   " negative pivots at time " + number(report.time) +
                   " s: a limit or bifurcation point has been passed");
   }
-  if (const auto element = now_.told_inverted ? -1 : assembly_->inverted_element(); element >= 0) {
-    now_.told_inverted = true;
-    notices_->say("static: element " + std::to_string(element + 1) + " is turned inside out at time " +
-                  number(report.time) +
-                  " s, compressed past zero length: the results from here on are not valid");
-  }
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
   if (lost > 0.01 * work_.largest() && !now_.told_damping) {
     now_.told_damping = true;
@@ -396,6 +390,7 @@ void Static::tell(const StepReport& report) {
 // work is summed by the trapezoidal rule. A large error therefore shows that the steps are large. Reported at
 // the end, because the first steps of a run that starts unloaded say little.
 void Static::check() {
+  watch_shape();
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
   const bool first = now_.jumps && reports_.size() == 1;
   if (now_.told_error || !(end || first)) return;
