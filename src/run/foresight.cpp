@@ -108,7 +108,8 @@ bool is_held(const mechanics::NodeFreedoms& node, const Vec3& e) {
 }
 
 void look_for_idle(const std::string& what, const mesh::NodeSet& set, const model::Components& components,
-                   const Mat3& frame, const mechanics::Assembly& assembly, std::vector<std::string>& lines) {
+                   const Mat3& frame, bool area, const mechanics::Assembly& assembly,
+                   std::vector<std::string>& lines) {
   for (int c = 0; c < 3; ++c) {
     const auto& history = components[static_cast<std::size_t>(c)];
     if (!history || (history->is_constant() && history->value(0) == 0)) continue;
@@ -116,8 +117,8 @@ void look_for_idle(const std::string& what, const mesh::NodeSet& set, const mode
     const auto held = static_cast<std::size_t>(std::count_if(set.begin(), set.end(), [&](mesh::Index n) {
       return is_held(assembly.freedoms().nodes[static_cast<std::size_t>(n)], e);
     }));
-    if (2 * held <= set.size()) continue;
     const bool all = held == set.size(), one = set.size() == 1;
+    if (area ? !all : 2 * held <= set.size()) continue;
     const std::string of =
         one   ? "its node, which is"
         : all ? "all of its " + std::to_string(held) + " nodes, which are"
@@ -132,8 +133,9 @@ void look_for_idle(const std::string& what, const mesh::NodeSet& set, const mode
 std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly) {
   std::vector<std::string> lines;
   const auto look = [&](const char* what, const auto& load, const model::Components& components) {
-    look_for_idle(what + (" '" + load.set + "'"), model.mesh().set(load.set), components, load.frame,
-                  assembly, lines);
+    const auto& set = model.mesh().set(load.set);
+    look_for_idle(what + (" '" + load.set + "'"), set, components, load.frame,
+                  !model.mesh().elements_in(set).empty(), assembly, lines);
   };
   for (const auto& f : model.forces()) look("the force on", f, f.total);
   for (const auto& t : model.tractions()) look("the traction on", t, t.intensity);

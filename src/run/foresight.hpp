@@ -28,8 +28,9 @@ std::string warning_text(const Jumps& jumps, double duration);
 // All of them, "gravity (z = -9.81 m/s^2) and the motion of 'top' (z = 0.01 m) are".
 std::string full_text(const Jumps& jumps);
 
-// One line for each component of a concentrated force, or of a traction, that supports take up at more than
-// half of its nodes, because they fix or move them along it. At the ends of an edge that is usual.
+// One line for each component of a force or traction that supports take up, because they fix or move its
+// nodes along it: at more than half of the nodes of edges and points, as at the end of an edge that is usual;
+// at all nodes of a set with whole elements, whose rim is often held.
 std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly);
 
 // How far the bending rigidity of the model's cards is from that of cloth; or empty. Given only if some node
