@@ -8,7 +8,7 @@ namespace fabricsh::solver {
 namespace {
 constexpr int kRefresh = 200;  // iterations after which the masses are renewed even without a peak
 constexpr double kGrown = 2;   // growth of the residual since the last renewal that causes another one
-constexpr double kWild = 100;  // the same before the first one: a load alone raises the residual on its way
+constexpr double kWild = 1e4;  // the same before the first one: a load alone raises the residual on its way
 }  // namespace
 
 void Relaxation::resize(Index size) {
