@@ -14,7 +14,11 @@ namespace {
 
 [[noreturn]] void unknown_set(const Mesh& mesh, std::string_view name) {
   const auto names = mesh.set_names();
-  std::string message = "unknown set '" + std::string(name) + "'" + did_you_mean(name, names), list;
+  const std::string whole = std::string(name) + ".all";  // of a body
+  const bool body = std::find(names.begin(), names.end(), whole) != names.end();
+  std::string message = "unknown set '" + std::string(name) + "'" +
+                        (body ? ", did you mean '" + whole + "'?" : did_you_mean(name, names)),
+              list;
   message += message.back() == '?' ? " known sets: " : "; known sets: ";
   for (const auto& known : names) list += (list.empty() ? "" : ", ") + known;
   throw Error(message + (list.empty() ? "none" : list));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/hash.hpp"
+#include "base/number.hpp"
 
 namespace fabricsh::model {
 
@@ -57,15 +58,23 @@ void add_mesh(Part& part, const Model& model) {
     for (const mesh::Index n : element) part.add(n);
 }
 
-void add_regions(Part& part, const Model& model) {
-  for (Index e = 0; e < static_cast<Index>(model.mesh().elements.size()); ++e) part.add(model.region_of(e));
+Index elements_of(const Model& model, std::size_t region) {
+  Index count = 0;
+  for (Index e = 0; e < static_cast<Index>(model.mesh().elements.size()); ++e)
+    count += static_cast<std::size_t>(model.region_of(e)) == region ? 1 : 0;
+  return count;
+}
+
+void add_region(Part& part, const Model& model, std::size_t region) {
+  for (Index e = 0; e < static_cast<Index>(model.mesh().elements.size()); ++e)
+    part.add(static_cast<std::size_t>(model.region_of(e)) == region);
 }
 
 // Of one region. The warp direction before it is projected; on a flat mesh without one it is the default.
 void add_warp(Part& part, const Model& model, std::size_t region) {
   const auto& o = model.regions()[region].options;
-  part.add(model.sections()[region].thickness, o.points, o.offset, o.plies.size(), o.warp.has_value());
-  for (const section::Ply& ply : o.plies) part.add(ply.thickness, ply.angle);
+  part.add(o.warp.has_value());
+  for (const section::Ply& ply : o.plies) part.add(ply.angle);
   if (!o.warp) return;
   for (const Vec3& node : model.mesh().nodes) {
     const Direction d = (*o.warp)(node);
@@ -74,6 +83,21 @@ void add_warp(Part& part, const Model& model, std::size_t region) {
     else
       part.add_vector(std::get<Vec3>(d));
   }
+}
+
+void add_thickness(Part& part, const Model& model, std::size_t region) {
+  const auto& o = model.regions()[region].options;
+  part.add(model.sections()[region].thickness, o.points, o.offset, o.plies.size());
+  for (const section::Ply& ply : o.plies) part.add(ply.thickness);
+}
+
+std::string thickness_text(const Model& model, std::size_t region) {
+  const auto& o = model.regions()[region].options;
+  std::string text = number(model.sections()[region].thickness) + " m with " + std::to_string(o.points) +
+                     (o.points == 1 ? " point" : " points");
+  if (o.offset != 0) text += " and offset " + number(o.offset);
+  if (!o.plies.empty()) text += " in each of " + std::to_string(o.plies.size()) + " plies";
+  return text;
 }
 
 void add_loads(Part& part, const Model& model) {
@@ -100,35 +124,79 @@ void add_motions(Part& part, const Model& model) {
   }
 }
 
-void add_body(Part& part, const Interactions& all, const Rigid& body) {
+// place: in the order in which forces are summed and states are kept.
+void add_body(Part& part, const Rigid& body, std::size_t place) {
   const Facets shape = shown(body, 1);
   for (const Vec3& v : shape.vertices) part.add_vector(v);
   for (const auto& t : shape.triangles) part.add(t[0], t[1], t[2]);
-  part.add(body.shape().index(), body.mass().value_or(0));
+  part.add(body.shape().index(), body.mass().value_or(0), place);
   if (const auto* moving = body.moving()) {
     for (const double t : moving->times) part.add(t);
     for (const auto& vertices : moving->shapes)
       for (const Vec3& v : vertices) part.add_vector(v);
   }
-  if (const auto* v = all.velocity_of(body)) part.add_vector(v->linear).add_vector(v->spin);
-  const auto* motion = all.motion_of(body);
-  if (motion == nullptr) return;
-  part.add_components(motion->displacement);
-  if (!motion->turn) return;
-  part.add_vector(motion->turn->axis).add_history(motion->turn->angle);
-  part.add_vector(motion->turn->centre.value_or(body.centre()));
 }
 
-void add_interactions(Part& part, const Model& model) {
-  const Interactions& all = model.interactions();
-  for (const auto& body : all.bodies()) add_body(part, all, *body);
-  const Surfaces surfaces = work_out_surfaces(all, model.mesh());
-  for (const auto& elements : surfaces.elements)
-    for (const Index e : elements) part.add(e);
+std::string body_text(const Rigid& body) {
+  return body.describe() + (body.mass() ? " of " + number(*body.mass()) + " kg" : "");
+}
+
+void add_motion(Part& part, const Rigid& body, const BodyMotion& motion) {
+  part.add_components(motion.displacement);
+  if (!motion.turn) return;
+  part.add_vector(motion.turn->axis).add_history(motion.turn->angle);
+  part.add_vector(motion.turn->centre.value_or(body.centre()));
+}
+
+// "contact of 'front', 'back' and sphere"
+std::string contact_name(const Interactions& all, const ContactGiven& contact) {
+  const auto& sides = contact.between;
+  std::string text = "contact of ";
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    text += (i == 0                  ? ""
+             : i + 1 == sides.size() ? " and "
+                                     : ", ") +
+            (sides[i].body ? all.name_of(*sides[i].body) : "'" + sides[i].set + "'");
+  return text + (sides.size() == 1 ? " with itself" : "");
+}
+
+std::string contact_text(const ContactGiven& c) {
+  std::string text = "friction " + number(c.friction);
+  if (c.thickness) text += ", thickness " + number(*c.thickness) + " m";
+  if (c.stiffness) text += ", stiffness " + number(*c.stiffness) + " Pa/m";
+  if (c.settle) text += ", settled in " + number(*c.settle) + " s";
+  return text;
+}
+
+void add_contact(Part& part, const ContactGiven& c, const Surfaces& surfaces, std::size_t place) {
+  part.add(place, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0), c.settle.value_or(0));
   for (const Meeting& m : surfaces.meetings) {
-    const ContactGiven& c = all.contacts()[m.contact];
-    part.add(m.first, m.second, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0),
-             c.settle.value_or(0));
+    if (m.contact != place) continue;
+    part.add(m.first, m.second);
+    for (const int side : {m.first, m.second})
+      if (static_cast<std::size_t>(side) < surfaces.elements.size())
+        for (const Index e : surfaces.elements[static_cast<std::size_t>(side)]) part.add(e);
+  }
+}
+
+template <class Add>
+void add_interactions(const Model& model, const Add& add) {
+  const Interactions& all = model.interactions();
+  const auto bodies = all.bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Rigid& body = *bodies[b];
+    const std::string name = "rigid body '" + all.name_of(body) + "'";
+    add(name, body_text(body), [&](Part& part) { add_body(part, body, b); });
+    if (const auto* motion = all.motion_of(body))
+      add("motion of " + name, "", [&](Part& part) { add_motion(part, body, *motion); });
+    if (const auto* v = all.velocity_of(body))
+      add("velocity of " + name, "", [&](Part& part) { part.add_vector(v->linear).add_vector(v->spin); });
+  }
+  const Surfaces surfaces = work_out_surfaces(all, model.mesh());
+  for (std::size_t c = 0; c < all.contacts().size(); ++c) {
+    const ContactGiven& contact = all.contacts()[c];
+    add(contact_name(all, contact), contact_text(contact),
+        [&](Part& part) { add_contact(part, contact, surfaces, c); });
   }
 }
 
@@ -138,38 +206,42 @@ Fingerprint fingerprint(const Model& model, double duration) {
   Fingerprint parts;
   const auto add = [&](const std::string& name, const std::string& text, const auto& fill) {
     Part part(model, duration);
-    fill(part, model);
+    fill(part);
     parts.push_back({name, text, part.hash()});
   };
   const auto& mesh = model.mesh();
   add("mesh",
       std::to_string(mesh.nodes.size()) + " nodes and " + std::to_string(mesh.elements.size()) + " elements",
-      add_mesh);
-  if (model.regions().size() > 1)
-    add("regions", std::to_string(model.regions().size()) + " bodies and regions", add_regions);
-  for (std::size_t r = 0; r < model.regions().size(); ++r)
-    add("warp direction, thickness or plies" + of_region(model, model.regions()[r]), "",
-        [r](Part& part, const Model& m) { add_warp(part, m, r); });
-  add("supports", "", [](Part& part, const Model& m) {
-    for (const auto& s : m.supports()) part.add_set(s.set).add_freedoms(s.fixed).add_frame(s.frame);
+      [&](Part& part) { add_mesh(part, model); });
+  for (std::size_t r = 0; r < model.regions().size(); ++r) {
+    const std::string of = of_region(model, model.regions()[r]);
+    if (!of.empty())
+      add("region" + of.substr(std::string(" of").size()),
+          std::to_string(elements_of(model, r)) + " elements",
+          [&](Part& part) { add_region(part, model, r); });
+    add("thickness" + of, thickness_text(model, r), [&](Part& part) { add_thickness(part, model, r); });
+    add("warp direction" + of, "", [&](Part& part) { add_warp(part, model, r); });
+  }
+  add("supports", "", [&](Part& part) {
+    for (const auto& s : model.supports()) part.add_set(s.set).add_freedoms(s.fixed).add_frame(s.frame);
   });
-  add("motions", "", add_motions);
-  add("loads", "", add_loads);
-  add("ties", "", [](Part& part, const Model& m) {
-    for (const auto& t : m.ties())
+  add("motions", "", [&](Part& part) { add_motions(part, model); });
+  add("loads", "", [&](Part& part) { add_loads(part, model); });
+  add("ties", "", [&](Part& part) {
+    for (const auto& t : model.ties())
       part.add(static_cast<int>(t.kind)).add_set(t.set).add_set(t.partner).add_freedoms(t.freedoms);
   });
-  add("velocities", "", [](Part& part, const Model& m) {
-    for (const auto& v : m.velocities()) {
+  add("velocities", "", [&](Part& part) {
+    for (const auto& v : model.velocities()) {
       part.add_set(v.set).add_vector(v.linear).add_vector(v.spin).add_vector(v.centre);
       if (!v.place) continue;
-      for (const auto n : m.mesh().set(v.set)) {
-        const RigidVelocity here = v.at(m.mesh().nodes[n]);
+      for (const auto n : model.mesh().set(v.set)) {
+        const RigidVelocity here = v.at(model.mesh().nodes[n]);
         part.add_vector(here.linear).add_vector(here.spin).add_vector(here.centre);
       }
     }
   });
-  if (model.interactions().any()) add("contacts and rigid bodies", "", add_interactions);
+  if (model.interactions().any()) add_interactions(model, add);
   return parts;
 }
 
@@ -177,23 +249,50 @@ std::string of_region(const Model& model, const Region& region) {
   return model.regions().size() == 1 ? "" : " of '" + (region.name.empty() ? "the rest" : region.name) + "'";
 }
 
-std::string difference(const Fingerprint& there, const Fingerprint& here) {
-  const auto lacks = [](const Fingerprint& all, const std::string& name) {
-    return std::none_of(all.begin(), all.end(), [&](const auto& p) { return p.name == name; });
+namespace {
+
+Fingerprint missing(const Fingerprint& from, const Fingerprint& in) {
+  Fingerprint all;
+  for (const auto& part : in)
+    if (std::none_of(from.begin(), from.end(), [&](const auto& p) { return p.name == part.name; }))
+      all.push_back(part);
+  return all;
+}
+
+// Removes the parts of what is missing as a whole: a region, a rigid body; and beside a missing region those
+// of the sheet that has none.
+void drop_parts_of(const Fingerprint& wholes, Fingerprint& parts) {
+  const auto covered = [&](const FingerprintPart& part) {
+    return std::any_of(wholes.begin(), wholes.end(), [&](const FingerprintPart& whole) {
+      const bool region = whole.name.starts_with("region '");
+      if (!region && !whole.name.starts_with("rigid body '")) return false;
+      const bool bare = part.name == "card" || part.name == "thickness" || part.name == "warp direction";
+      return (region && bare) || part.name.ends_with(" of " + whole.name) ||
+             (region && part.name.ends_with(" of" + whole.name.substr(std::string("region").size())));
+    });
   };
+  std::erase_if(parts, covered);
+}
+
+}  // namespace
+
+std::string difference(const Fingerprint& there, const Fingerprint& here) {
   std::vector<std::string> names;
   for (const auto& part : here) {
     const auto other =
         std::find_if(there.begin(), there.end(), [&](const auto& p) { return p.name == part.name; });
-    if (other != there.end() && other->hash == part.hash) continue;
-    std::string name = "the " + part.name;
-    if (other != there.end() && other->text != part.text)
-      name += " (" + other->text + " there, " + part.text + " here)";
-    if (other == there.end()) name += " (none there)";
-    names.push_back(name);
+    if (other == there.end() || other->hash == part.hash) continue;
+    names.push_back("the " + part.name +
+                    (other->text == part.text ? "" : " (" + other->text + " there, " + part.text + " here)"));
   }
-  for (const auto& part : there)
-    if (lacks(here, part.name)) names.push_back("the " + part.name + " (none here)");
+  const Fingerprint new_here = missing(there, here), gone_here = missing(here, there);
+  for (const bool is_new : {true, false}) {
+    Fingerprint parts = is_new ? new_here : gone_here;
+    drop_parts_of(new_here, parts);
+    drop_parts_of(gone_here, parts);
+    for (const auto& part : parts)
+      names.push_back("the " + part.name + (is_new ? " (none there)" : " (none here)"));
+  }
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
     text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];

@@ -16,8 +16,11 @@ struct FingerprintPart {
   void keep(Archive& archive) { archive(name, text, hash); }
 };
 using Fingerprint = std::vector<FingerprintPart>;
+// To be raised when the parts change, or what they cover: those of another edition cannot be compared.
+inline constexpr int fingerprint_edition = 2;
 
-// Covers mesh, regions, warp, thickness, supports, motions, loads, ties and velocities, but not the cards.
+// Covers mesh, regions, warp, thickness, supports, motions, loads, ties, velocities, rigid bodies and
+// contacts, but not the cards.
 // Histories are sampled at 33 times from 0 to the duration and at their kinks.
 Fingerprint fingerprint(const Model& model, double duration);
 

@@ -31,6 +31,10 @@ std::shared_ptr<Checkpoint> checkpoint_from(const std::string& path, std::string
   } catch (const Error& error) {
     refuse(error.what());
   }
+  if (c->edition != model::fingerprint_edition)
+    refuse(
+        "another build of fabricsh wrote it, which describes the problem in other parts: that build can go "
+        "on from it");
   if (!archive.at_end()) refuse("it is damaged: data follow after its end");
   if (c->instructions != name(best_isa()))
     refuse("it was written with the instructions " + c->instructions + ", this machine has " +

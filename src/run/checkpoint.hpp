@@ -19,6 +19,7 @@ struct Checkpoint {
   std::string deck;                   // or program, that started the run
   std::uint64_t deck_hash = 0;
   std::int64_t number = 0;  // of the run among those of the deck, from 1
+  int edition = model::fingerprint_edition;
   model::Fingerprint problem;
   double time = 0;              // s
   std::string state, settings;  // Run::kept(), keep_settings()
@@ -35,7 +36,7 @@ struct Checkpoint {
   void keep(Archive& archive) {
     archive.section("program", [&] { archive(version, instructions); });
     archive.section("deck", [&] { archive(deck, deck_hash, number, seconds, caller); });
-    archive.section("problem", [&] { archive(problem); });
+    archive.section("problem", [&] { archive(edition, problem); });
     archive.section("state", [&] { archive(time, state, settings); });
     archive.section("outputs", [&] { archive(parts, finished); });
   }

@@ -293,6 +293,7 @@ void Dynamic::check() {
   const bool is_implicit = options_.scheme == Scheme::implicit_steps;
   const bool end = is_end(time());
   if (!is_implicit && !is_due(time())) return;
+  watch_shape();
   const bool looks = is_implicit || looks_after(now_.steps, time());
   now_.next_check = duration_ / kChecks * (std::floor(time() / duration_ * kChecks + 1e-9) + 1);
   if (!looks) return;

@@ -171,13 +171,15 @@ Failure failure_of(const model::Model& model, const mechanics::Assembly& assembl
   return failure;
 }
 
+std::string jumping(const Failure& failure) {
+  if (failure.jump.motions.empty()) return "loads";
+  return failure.jump.loads.empty() ? "motion" : "loads and motions";
+}
+
 std::string headline(const Failure& failure, const solver::NewtonResult& last, double step) {
   const std::string from = failure.broken ? "stopped at time " : "no step beyond time ";
   return from + number(failure.time) + " s: " + cause(failure.blame, last) + " in a step of " + number(step) +
-         " s" +
-         (failure.jumps ? ", the first one, with all of the " +
-                              std::string(failure.jump.empty() ? "motion" : "loads") + " of time 0"
-                        : "");
+         " s" + (failure.jumps ? ", the first one, with all of the " + jumping(failure) + " of time 0" : "");
 }
 
 std::string message(const Failure& failure, const solver::NewtonResult& last, double step, double largest,

@@ -59,15 +59,18 @@ struct Failure {
   Mechanism mechanism;  // of a static run
   bool broken = false;  // no step is possible, however short
   bool dynamic = false, arc = false, stabilised = false, turned_back = false;
-  bool jumps = false;     // a static run whose loads are there in full at time 0, in its first step
-  std::string jump = {};  // those loads, in words; empty: motions
-  bool bends = false;     // cloth with bending of its own, which relaxation takes along the overdamped path
-  bool relaxed = false;   // relaxation has been tried
+  bool jumps = false;    // a static run whose loads or motions are there in full at time 0, in its first step
+  Jumps jump = {};       // those loads and motions; none: of a term that a program has added
+  bool bends = false;    // cloth with bending of its own, which relaxation takes along the overdamped path
+  bool relaxed = false;  // relaxation has been tried
 };
 
 // What every run that iterates knows of a failed step. time: s, the last committed one.
 Failure failure_of(const model::Model& model, const mechanics::Assembly& assembly, double time,
                    std::vector<Try> tries, const Blame& blame, const solver::NewtonResult& last);
+
+// What is there in full at time 0, if anything: "loads", "motion" or "loads and motions".
+std::string jumping(const Failure& failure);
 
 // "no step beyond time 0.1 s: too many iterations in a step of 0.01 s"; or, if the forces cannot be computed
 // with any step, "stopped at time ...".

@@ -26,73 +26,120 @@ namespace {
 
 constexpr double kEarly = 1e-9, kLater = 1e-3;  // times as shares of the duration
 
-// The load immediately after time 0; 0 if it begins at zero and grows.
+// The value immediately after time 0; 0 if it begins at zero and grows.
 double jump_of(const model::History& h, double duration) {
   if (const double at_once = h.value(0); at_once != 0) return at_once;
   const double early = h.value(kEarly * duration), later = h.value(kLater * duration);
   return std::abs(early) > 0.5 * std::abs(later) ? early : 0;
 }
 
-class Jumps {
+// Collects the jumps among the histories of a model's loads or motions.
+class Look {
  public:
-  explicit Jumps(double duration) : duration_(duration) {}
-  void look(const std::string& what, const model::Components& components, const char* unit) {
+  Look(double duration, std::vector<Jump>& found) : duration_(duration), found_(found) {}
+  void at(const std::string& what, const model::Components& components, const char* unit) {
     for (std::size_t i = 0; i < 3; ++i)
-      if (components[i]) look(what, std::string(1, "xyz"[i]) + " = ", *components[i], unit);
+      if (components[i]) at(what, std::string(1, "xyz"[i]) + " = ", *components[i], unit);
   }
-  void look(const std::string& what, const std::string& component, const model::History& h,
-            const char* unit) {
-    const double jump = jump_of(h, duration_);
-    if (jump == 0) return;
-    all_.push_back(what + " (" + component + number(jump) + " " + unit + ")");
-    if (largest_ == 0) largest_ = jump;
-  }
-  std::string list() const {
-    constexpr std::size_t most = 3;
-    if (all_.empty()) return {};
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most, all_.size()); ++i)
-      text += (i == 0 ? "" : i + 1 == all_.size() ? " and " : ", ") + all_[i];
-    if (all_.size() > most) text += " and " + std::to_string(all_.size() - most) + " more";
-    return text;
-  }
-  std::string words() const {
-    if (all_.empty()) return {};
-    const std::string value = number(largest_);
-    return list() + (all_.size() > 1 ? " are" : " is") +
-           " at full value at time 0 and applied in the first step; fabric.ramp(" + value + ", " +
-           number(duration_) + ") in place of " + value + " brings it up step by step";
+  void at(const std::string& what, const std::string& component, const model::History& h, const char* unit) {
+    if (const double jump = jump_of(h, duration_); jump != 0)
+      found_.push_back({what + " (" + component + number(jump) + " " + unit + ")", jump});
   }
 
  private:
-  double duration_, largest_ = 0;
-  std::vector<std::string> all_;
+  double duration_;
+  std::vector<Jump>& found_;
 };
+
+std::string list(const std::vector<Jump>& all) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i)
+    text += (i == 0 ? "" : i + 1 == all.size() ? " and " : ", ") + all[i].words;
+  if (all.size() > most) text += " and " + std::to_string(all.size() - most) + " more";
+  return text;
+}
 
 }  // namespace
 
-namespace {
-
-Jumps jumps_of(const model::Model& model, double duration) {
-  Jumps jumps(duration);
+Jumps find_jumps(const model::Model& model, double duration) {
+  Jumps jumps;
+  Look loads(duration, jumps.loads), motions(duration, jumps.motions);
   const auto of = [](const char* what, const std::string& set) { return what + (" '" + set + "'"); };
-  jumps.look("gravity", model.gravity(), "m/s^2");
-  for (const auto& f : model.forces()) jumps.look(of("the force on", f.set), f.total, "N");
-  for (const auto& t : model.tractions())
-    jumps.look(of("the traction on", t.set), t.intensity, "N/m^2 or N/m");
-  for (const auto& m : model.moments()) jumps.look(of("the moment on", m.set), m.total, "N m");
-  for (const auto& p : model.pressures()) jumps.look(of("the pressure on", p.set), "", p.value, "Pa");
+  loads.at("gravity", model.gravity(), "m/s^2");
+  for (const auto& f : model.forces()) loads.at(of("the force on", f.set), f.total, "N");
+  for (const auto& t : model.tractions()) loads.at(of("the traction on", t.set), t.intensity, "N/m^2 or N/m");
+  for (const auto& m : model.moments()) loads.at(of("the moment on", m.set), m.total, "N m");
+  for (const auto& p : model.pressures()) loads.at(of("the pressure on", p.set), "", p.value, "Pa");
+  for (const auto& m : model.motions()) motions.at(of("the motion of", m.set), m.displacement, "m");
+  for (const auto& t : model.turns()) motions.at(of("the turn of", t.set), "", t.angle, "degrees");
   return jumps;
 }
 
-}  // namespace
-
-std::string jump_warning(const model::Model& model, double duration) {
-  return jumps_of(model, duration).words();
+std::string warning_text(const Jumps& jumps, double duration) {
+  if (jumps.loads.empty()) return {};
+  const std::string value = number(jumps.loads.front().value);
+  return list(jumps.loads) + (jumps.loads.size() > 1 ? " are" : " is") +
+         " at full value at time 0 and applied in the first step; fabric.ramp(" + value + ", " +
+         number(duration) + ") in place of " + value + " brings it up step by step";
 }
 
-std::string jump_words(const model::Model& model, double duration) {
-  return jumps_of(model, duration).list();
+std::string full_text(const Jumps& jumps) {
+  std::vector<Jump> all = jumps.loads;
+  all.insert(all.end(), jumps.motions.begin(), jumps.motions.end());
+  if (all.empty()) return "a load is";
+  return list(all) + (all.size() > 1 ? " are" : " is");
+}
+
+// --- loads on supports
+
+namespace {
+
+constexpr double kAlong = 1e-9;  // cosine of the angle between a load and a free direction
+
+// Whether the supports leave the node no motion along e.
+bool is_held(const mechanics::NodeFreedoms& node, const Vec3& e) {
+  for (int c = 0; c < 3; ++c) {
+    const auto equation = node.equation[static_cast<std::size_t>(c)];
+    const bool moves = equation >= 0 || equation == mechanics::tied;
+    if (moves && std::abs(node.frame.row(c).dot(e)) > kAlong) return false;
+  }
+  return true;
+}
+
+void look_for_idle(const std::string& what, const mesh::NodeSet& set, const model::Components& components,
+                   const Mat3& frame, bool area, const mechanics::Assembly& assembly,
+                   std::vector<std::string>& lines) {
+  for (int c = 0; c < 3; ++c) {
+    const auto& history = components[static_cast<std::size_t>(c)];
+    if (!history || (history->is_constant() && history->value(0) == 0)) continue;
+    const Vec3 e = frame.row(c).transpose();
+    const auto held = static_cast<std::size_t>(std::count_if(set.begin(), set.end(), [&](mesh::Index n) {
+      return is_held(assembly.freedoms().nodes[static_cast<std::size_t>(n)], e);
+    }));
+    const bool all = held == set.size(), one = set.size() == 1;
+    if (area ? !all : 2 * held <= set.size()) continue;
+    const std::string of =
+        one   ? "its node, which is"
+        : all ? "all of its " + std::to_string(held) + " nodes, which are"
+              : std::to_string(held) + " of its " + std::to_string(set.size()) + " nodes, which are";
+    lines.push_back(what + " along " + "xyz"[c] + (frame.isIdentity() ? "" : " of its frame") +
+                    " does nothing at " + of + " fixed or moved there: supports take it up");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly) {
+  std::vector<std::string> lines;
+  const auto look = [&](const char* what, const auto& load, const model::Components& components) {
+    const auto& set = model.mesh().set(load.set);
+    look_for_idle(what + (" '" + load.set + "'"), set, components, load.frame,
+                  !model.mesh().elements_in(set).empty(), assembly, lines);
+  };
+  for (const auto& f : model.forces()) look("the force on", f, f.total);
+  for (const auto& t : model.tractions()) look("the traction on", t, t.intensity);
+  return lines;
 }
 
 // --- bending

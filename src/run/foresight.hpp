@@ -13,10 +13,25 @@ namespace fabricsh::run {
 // "the warp of element 12 is strained to E11 = 0.31, the card was tested to 0.26"
 std::string beyond_text(const Beyond& beyond);
 
-// The loads that begin with a jump at time 0, and how to ramp each over the run; or empty.
-std::string jump_warning(const model::Model& model, double duration);
-// The same loads, "gravity (z = -9.81 m/s^2)"; or empty.
-std::string jump_words(const model::Model& model, double duration);
+// A load or a motion of a support that is there in full at time 0, or at once after it.
+struct Jump {
+  std::string words;  // "gravity (z = -9.81 m/s^2)"
+  double value = 0;
+};
+struct Jumps {
+  std::vector<Jump> loads, motions;
+  bool any() const { return !loads.empty() || !motions.empty(); }
+};
+Jumps find_jumps(const model::Model& model, double duration);
+// The loads among them, and how to ramp each over the run; or empty.
+std::string warning_text(const Jumps& jumps, double duration);
+// All of them, "gravity (z = -9.81 m/s^2) and the motion of 'top' (z = 0.01 m) are".
+std::string full_text(const Jumps& jumps);
+
+// One line for each component of a force or traction that supports take up, because they fix or move its
+// nodes along it: at more than half of the nodes of edges and points, as at the end of an edge that is usual;
+// at all nodes of a set with whole elements, whose rim is often held.
+std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly);
 
 // How far the bending rigidity of the model's cards is from that of cloth; or empty. Given only if some node
 // can leave the surface, because a flat sheet held in its plane does not bend.

@@ -100,6 +100,8 @@ void Job::add(Output output, double every, const std::string& written, const Mak
 }
 
 void Job::record(const std::string& path, const std::vector<Column>& columns, double every) {
+  for (const Column& column : columns)
+    if (!column.value) throw Error("record: column '" + column.name + "': expected a function, got none");
   add(
       {"record", path, "", {}}, every, path, [&] { return std::make_shared<TableSeries>(path, columns); },
       [&](Archive& from) { return std::make_shared<TableSeries>(path, columns, from); });
@@ -118,8 +120,8 @@ std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<d
   if (!every && !minutes) minutes = usual_minutes;
   const auto keeper = std::make_shared<Keeper>(*this, path, every, minutes);
   const std::string file = free_path(path);
-  system::make_folder_for(path);
   system::remove_leftovers(path);
+  system::AtomicFile{path};  // what would prevent writing it in ten minutes is told now
   paths_.insert(file);
   keepers_.push_back(keeper);
   run_->when_settled([keeper](Run&) { keeper->look(); });
@@ -184,6 +186,9 @@ void Job::advance(double time) {
     run_->advance(time);
   } catch (const std::exception& trouble) {
     leave(trouble.what(), true, true, guarded);
+    throw;
+  } catch (...) {  // a hook may throw what is no exception of the standard library
+    leave("an error in a hook", true, true, guarded);
     throw;
   }
   const bool ended = run_->stopped() || run_->time() >= run_->duration() * (1 - 1e-12);

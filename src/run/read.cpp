@@ -105,19 +105,41 @@ ElementValues Run::element(mesh::Index i) const {
   return elements()[i];
 }
 
-double Run::mean(const std::string& name, const std::string& set) const {
-  const FieldPart part = find_field(*this, name);
+namespace {
+
+// The nodes or elements of the set over which the mean of a field is taken.
+std::vector<mesh::Index> inside(const model::Model& model, const ResultField& field, const std::string& set) {
+  const auto& nodes = model.mesh().set(set);
+  const bool nodal = field.place == Place::node;
+  const std::vector<mesh::Index> all = nodal ? nodes : model.mesh().elements_in(nodes);
+  if (all.empty()) throw Error("mean: set '" + set + "' holds no " + (nodal ? "node" : "whole element"));
+  return all;
+}
+
+FieldPart number_of(const Run& run, const std::string& name) {
+  const FieldPart part = find_field(run, name);
   if (part.component < 0) throw Error("mean: expected a field of one number, got '" + name + "'");
-  const auto& nodes = model_->mesh().set(set);
-  const bool nodal = part.field->place == Place::node;
-  const std::vector<mesh::Index> inside = nodal ? nodes : model_->mesh().elements_in(nodes);
-  if (inside.empty()) throw Error("mean: set '" + set + "' holds no " + (nodal ? "node" : "whole element"));
+  if (part.field->touching && !has(run, *part.field))
+    throw Error("mean: nothing touches in this model, which the field '" + name +
+                "' is of: expected m:contact{...} before the run");
+  return part;
+}
+
+}  // namespace
+
+void check_mean(const Run& run, const std::string& name, const std::string& set) {
+  inside(run.model(), *number_of(run, name).field, set);
+}
+
+double Run::mean(const std::string& name, const std::string& set) const {
+  const FieldPart part = number_of(*this, name);
+  const auto all = inside(*model_, *part.field, set);
   double sum = 0, values[5];
-  for (const auto e : inside) {
-    part.field->values(*this, e, values);
+  for (const auto i : all) {
+    part.field->values(*this, i, values);
     sum += values[part.component];
   }
-  return sum / static_cast<double>(inside.size());
+  return sum / static_cast<double>(all.size());
 }
 
 std::vector<double> Run::field(const std::string& name) const {

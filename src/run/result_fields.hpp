@@ -58,6 +58,10 @@ FieldPart find_field(const std::string& name);
 FieldPart find_field(const Run& run, const std::string& name);  // also of its added terms
 bool is_field(const Run& run, const std::string& name);
 
+// Errors: the run has no such field, because nothing touches in it; one of several numbers; a set that is
+// unknown or holds no node or whole element: what would prevent Run::mean from reading it at any time.
+void check_mean(const Run& run, const std::string& name, const std::string& set);
+
 // Names of single values, then those of whole fields.
 std::vector<std::string> scalar_names();
 std::vector<std::string> scalar_names(Place place);

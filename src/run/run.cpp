@@ -106,6 +106,8 @@ void Run::stop(const std::string& reason) {
 
 void Run::start() {
   if (started_) return;
+  for (const std::string& words : idle_loads(*model_, *assembly_))
+    notices_->say("warning: " + std::string(kind()) + ": " + words);
   begin();
   initial_energy_ = energy().kinetic + energy().internal();
   for (auto& event : events_) {
@@ -198,21 +200,30 @@ void Run::advance_to(double limit) {
 }
 
 void Run::watch_strain() {
-  constexpr double reached = 1 + 1e-6, told = told_share;
+  constexpr double reached = 1 + 1e-6;
   const double share = assembly_->largest_share(), before = beyond_.share;
   if (!(share > std::max(reached, before))) return;
   const mechanics::Strained most = assembly_->most_strained();
   const char* const yarns[] = {"warp", "weft", "shear"};
   const double first = before > 0 ? beyond_.first : time();
   beyond_ = {share, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
-  if (stops_beyond_ && before <= told && share > told)
+  if (stops_beyond_ && before <= told_share && share > told_share)
     stop("strain beyond what was tested: " + beyond_text(beyond_));
-  if (told_beyond_ || before > told || share <= told) return;
+  if (told_beyond_ || before > told_share || share <= told_share) return;
   told_beyond_ = true;
   notices_->say(
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
       ", about " + place_text(assembly_->centre(most.element)) +
       ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json");
+}
+
+void Run::watch_shape() {
+  const mesh::Index element = told_inverted_ ? -1 : assembly_->inverted_element();
+  if (element < 0) return;
+  told_inverted_ = true;
+  notices_->say("warning: " + std::string(kind()) + ": element " + model_->element_name(element) +
+                " is turned inside out at time " + number(time()) +
+                " s, compressed past zero length: the results from here on are not valid");
 }
 
 double Run::elements_beyond() const {

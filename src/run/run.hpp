@@ -146,6 +146,8 @@ class Run {
   virtual double tried_size(double size) const { return size; }  // the size of the last attempt
   virtual void commit(StepReport& report) = 0;                   // commits the trial state; adds the work
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
+  // Reports once an element that is turned inside out in the committed state.
+  void watch_shape();
   // Throws the failure and stores the report for why().
   [[noreturn]] void fail(NumericalFailure failure, const std::string& why);
   // J, the part of the kinetic energy in rotary inertia beyond that of the thickness; 0 if rotary inertia is
@@ -252,7 +254,7 @@ class Run {
   bool started_ = false, stopped_ = false, busy_ = false;
   std::string stop_reason_;
   Beyond beyond_;
-  bool told_beyond_ = false, stops_beyond_ = false;
+  bool told_beyond_ = false, stops_beyond_ = false, told_inverted_ = false;
   mutable std::vector<ElementValues> cache_;
   mutable std::uint64_t cache_version_ = 0;
 };

@@ -138,15 +138,16 @@ void Static::begin() {
   problem_->start();
   dead_ = problem_->external();
   work_.start(*assembly_, dead_);
-  const auto targets = assembly_->targets(0);
   mechanics::WorkingForces loads;
   assembly_->working_forces(dead_, loads);
-  now_.jumps = some(targets) || some(loads.on_x) || some(loads.on_d);
-  if (some(targets))
+  const Jumps jumps = find_jumps(*model_, options_.duration);
+  // A term that a program has added may push, too, and has no history.
+  now_.jumps = jumps.any() || some(loads.on_x) || some(loads.on_d);
+  if (!jumps.motions.empty())
     notices_->say("static: a motion is not zero at time 0; all of it is applied in the first step");
   // If one step is the whole run, a ramp would also be applied at once.
   if (now_.step.largest() >= options_.duration) return;
-  if (const std::string words = jump_warning(*model_, options_.duration); !words.empty())
+  if (const std::string words = warning_text(jumps, options_.duration); !words.empty())
     notices_->say("warning: static: " + words);
 }
 
@@ -252,8 +253,10 @@ bool Static::attempt(double size, StepReport& report) {
 // motion goes to where they leave the cloth, with any card; and it sees at once that cloth at rest stays so
 // under loads that do not change, where Newton's method may swing between branches.
 bool Static::settle_jump(double size, StepReport& report) {
-  const bool first = now_.jumps && reports_.empty() && !some(assembly_->targets(0));
-  if (!(first || now_.settled) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
+  const auto first = [this] {
+    return now_.jumps && reports_.empty() && find_jumps(*model_, options_.duration).motions.empty();
+  };
+  if (!(now_.settled || first()) || report.cuts > 0 || arc_ || descent_ || stabilisation_ != nullptr ||
       last_.status == solver::NewtonStatus::broken)
     return false;
   settling_ = true;
@@ -274,9 +277,12 @@ bool Static::settle_jump(double size, StepReport& report) {
   }
   if (!now_.settled)
     notices_->say(
-        "static: the first step, which has the whole of the loads that are there at time 0, was relaxed as "
-        "by method=\"relaxation\", since Newton's method does not get there in one step; later steps in "
-        "which it fails are relaxed, too");
+        "static: the first step, which has the whole of the loads that are there at time 0, was relaxed " +
+        std::string(
+            options_.method == Method::relaxation
+                ? "by an overdamped motion, since dynamic relaxation does not get there"
+                : "as by method=\"relaxation\", since Newton's method does not get there in one step") +
+        "; later steps in which it fails are relaxed, too");
   now_.settled = true;
   return true;
 }
@@ -371,12 +377,6 @@ void Static::tell(const StepReport& report) {
                   " negative pivots at time " + number(report.time) +
                   " s: a limit or bifurcation point has been passed");
   }
-  if (const auto element = now_.told_inverted ? -1 : assembly_->inverted_element(); element >= 0) {
-    now_.told_inverted = true;
-    notices_->say("static: element " + std::to_string(element + 1) + " is turned inside out at time " +
-                  number(report.time) +
-                  " s, compressed past zero length: the results from here on are not valid");
-  }
   const double lost = stabilisation_ == nullptr ? 0 : stabilisation_->lost();
   if (lost > 0.01 * work_.largest() && !now_.told_damping) {
     now_.told_damping = true;
@@ -390,6 +390,7 @@ void Static::tell(const StepReport& report) {
 // work is summed by the trapezoidal rule. A large error therefore shows that the steps are large. Reported at
 // the end, because the first steps of a run that starts unloaded say little.
 void Static::check() {
+  watch_shape();
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
   const bool first = now_.jumps && reports_.size() == 1;
   if (now_.told_error || !(end || first)) return;
@@ -413,7 +414,7 @@ void Static::give_up(const StepReport& report) {
   failure.mechanism = find_mechanism(*model_, *assembly_, {now + report.step, options_.duration});
   failure.arc = arc_ != nullptr;
   failure.jumps = now_.jumps && reports_.empty();
-  if (failure.jumps) failure.jump = jump_words(*model_, options_.duration);
+  if (failure.jumps) failure.jump = find_jumps(*model_, options_.duration);
   failure.bends = bends_by_itself(*model_);
   failure.relaxed = relaxation_ != nullptr || settling_;
   failure.stabilised = stabilisation_ != nullptr;

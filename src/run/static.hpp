@@ -100,13 +100,13 @@ class Static final : public Run {
   struct Now {              // the variables of the run
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
-    bool told_pivots = false, told_damping = false, told_inverted = false, told_error = false;
+    bool told_pivots = false, told_damping = false, told_error = false;
     bool jumps = false;    // whether loads or motions begin with a jump at time 0
     bool settled = false;  // whether that first step was relaxed
     double jumped = 0;  // J, surplus work in the first step of loads that begin with a jump; no state has it
     void keep(Archive& archive) {
-      archive(step, arc_length, tried_length, longest_length, landing, told_pivots, told_damping,
-              told_inverted, told_error, jumps, settled, jumped);
+      archive(step, arc_length, tried_length, longest_length, landing, told_pivots, told_damping, told_error,
+              jumps, settled, jumped);
     }
   } now_;
 };

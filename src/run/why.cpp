@@ -197,11 +197,12 @@ std::vector<std::string> advice(const Failure& f) {
   if (f.mechanism.driven) advise_on_mechanism(f, all);
   if (free) advise_on_tangent(f, all);
   if (f.jumps) {
-    const bool moves = f.jump.empty();
+    const bool moves = !f.jump.motions.empty(), loads = !moves || !f.jump.loads.empty();
     const std::string relaxes = !moves && !f.relaxed && !f.arc ? "method=\"relaxation\", or " : "";
     all.push_back(relaxes +
-                  (moves ? "motions that grow from 0, fabric.ramp(way, duration)"
-                         : "loads that grow from 0, fabric.ramp(load, duration)") +
+                  (!moves  ? "loads that grow from 0, fabric.ramp(load, duration)"
+                   : loads ? "loads and motions that grow from 0, fabric.ramp(way, duration)"
+                           : "motions that grow from 0, fabric.ramp(way, duration)") +
                   " (all of them are there at time 0, and a shorter step has no less of them)");
     if (!free) return all;  // what else was seen is of the jump
   }
@@ -228,8 +229,7 @@ std::string report(const Failure& f) {
   for (std::size_t i = from; i < f.tries.size(); ++i) text += "tried      " + try_text(f.tries[i]) + "\n";
   const Blame& b = f.blame;
   if (f.jumps)
-    text += "jump       " + (f.jump.empty() ? "a motion" : f.jump) +
-            (f.jump.find(" and ") == std::string::npos ? " is" : " are") +
+    text += "jump       " + full_text(f.jump) +
             " there in full at time 0: the first step goes from cloth without load to all of it, and what is "
             "said below is of that attempt\n";
   if (b.node >= 0)

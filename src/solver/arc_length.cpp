@@ -97,7 +97,7 @@ ArcResult ArcLength::solve(PathProblem& problem, const NewtonOptions& options, c
     if (i == 0) predicted_ = increment_;
     const auto [size, where] = problem.largest(r_);
     if (!std::isfinite(size)) return stop(NewtonStatus::diverged);
-    const double relative = size == 0 ? 0 : size / problem.force_scale();
+    const double relative = compared(size, problem.force_scale());
     result.residuals.push_back(relative);
     result.worst = where;
     const bool there = !result.landed || result.time == arc.landing;

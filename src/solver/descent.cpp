@@ -80,9 +80,7 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
     viscosity();
     const auto [size, where] = problem.largest(r_);
-    const double scale = problem.force_scale();
-    // A load that is there before any force has been is its own measure.
-    const double relative = size == 0 ? 0 : scale > 0 ? size / scale : 1;
+    const double relative = compared(size, problem.force_scale());
     result.residuals.push_back(relative);
     result.worst = where;
     const double floor = problem.rounding_floor(K_);

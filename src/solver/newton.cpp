@@ -99,7 +99,7 @@ NewtonResult Newton::iterate(Problem& problem, const NewtonOptions& options, boo
     problem.accept();
     const auto [size, where] = problem.largest(r_);
     if (!std::isfinite(size)) return stop(NewtonStatus::diverged);
-    const double relative = size == 0 ? 0 : size / problem.force_scale();
+    const double relative = compared(size, problem.force_scale());
     result.residuals.push_back(relative);
     result.worst = where;
     if (problem.arrived() && (relative <= options.tolerance || size <= problem.rounding_floor(K_)))

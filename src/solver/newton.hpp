@@ -71,6 +71,9 @@ enum class NewtonStatus {
 };
 const char* describe(NewtonStatus status);
 NewtonStatus status_of(Answer answer);  // for an answer that is not ok
+// A residual over the force that it is compared with, both in N. A load that is there before any force has
+// been is its own measure: 1.
+inline double compared(double size, double scale) { return size == 0 ? 0 : scale > 0 ? size / scale : 1; }
 // Turns ok into a failure if the residual is not finite.
 Answer checked(Answer answer, std::span<const double> r);
 

@@ -70,9 +70,13 @@ assert(half ~= whole)
 local function layered(t)
   local sheet = strip()
   sheet:set("pocket", function(_, y) return y > (t.edge or 0.0381) - 1e-9 end)
-  local mm = fabric.model { mesh = sheet, card = blend, warp = 90, regions = {
-    pocket = { layers = { { card = denim, warp = t.angle or 30, thickness = t.ply or 4e-4 }, { card = t.card or blend, thickness = 3e-4 } } } } }
-  if t.plane then mm:contact { between = { fabric.rigid.plane { point = { 0, 0, -1 }, normal = { 0, 0, 1 } }, "all" } } end
+  local mm = fabric.model { mesh = sheet, card = blend, warp = 90, regions = not t.whole and {
+    pocket = { layers = { { card = denim, warp = t.angle or 30, thickness = t.ply or 4e-4 }, { card = t.card or blend, thickness = 3e-4 } } } } or nil }
+  if t.plane then
+    local plane = fabric.rigid.plane { point = { 0, 0, t.plane.height or -1 }, normal = { 0, 0, 1 } }
+    mm:contact { between = { plane, t.plane.side or "all" }, friction = t.plane.friction or 0 }
+    if t.plane.speed then mm:move(plane, { z = fabric.ramp(t.plane.speed, 1) }) end
+  end
   return fabric.static { model = pulled(mm, nil, 1e-4), duration = 1, step = 0.5 }
 end
 local function refuses(path, t, words)
@@ -82,13 +86,18 @@ local function refuses(path, t, words)
 end
 layered {}:checkpoint("layered.ckpt"):solve()
 layered {}:restart "layered.ckpt"
-refuses("layered.ckpt", { angle = 31 }, "the warp direction, thickness or plies of 'pocket'")
-refuses("layered.ckpt", { ply = 3.9e-4 }, "the warp direction, thickness or plies of 'pocket'")
+refuses("layered.ckpt", { angle = 31 }, "the warp direction of 'pocket'")
+refuses("layered.ckpt", { ply = 3.9e-4 }, "the thickness of 'pocket' (0.0007 m with 3 points in each of 2 plies there, 0.00069 m with 3 points in each of 2 plies here)")
 refuses("layered.ckpt", { card = fabric.card "duck" }, "the card of 'pocket'")
-refuses("layered.ckpt", { edge = 0.0254 }, "the regions")
-refuses("layered.ckpt", { plane = true }, "the contacts and rigid bodies (none there)")
-layered { plane = true }:checkpoint("plane.ckpt"):solve()
-refuses("plane.ckpt", {}, "the contacts and rigid bodies (none here)")
+refuses("layered.ckpt", { edge = 0.0254 }, "the region 'the rest' (6 elements there, 4 elements here) and the region 'pocket' (6 elements there, 8 elements here)")
+refuses("layered.ckpt", { whole = true }, "the region 'the rest' (none here) and the region 'pocket' (none here)")
+refuses("layered.ckpt", { plane = {} }, "the rigid body 'plane' (none there) and the contact of plane and 'all' (none there)")
+layered { plane = {} }:checkpoint("plane.ckpt"):solve()
+refuses("plane.ckpt", {}, "the rigid body 'plane' (none here) and the contact of plane and 'all' (none here)")
+refuses("plane.ckpt", { plane = { height = -2 } }, "the rigid body 'plane' (plane through (0, 0, -1) m, normal (0, 0, 1) there, plane through (0, 0, -2) m, normal (0, 0, 1) here)")
+refuses("plane.ckpt", { plane = { friction = 0.2 } }, "the contact of plane and 'all' (friction 0 there, friction 0.2 here)")
+refuses("plane.ckpt", { plane = { side = "pocket" } }, "the contact of plane and 'pocket' (none there) and the contact of plane and 'all' (none here)")
+refuses("plane.ckpt", { plane = { speed = -0.1 } }, "the motion of rigid body 'plane' (none there)")
 
 -- Taking back.
 local n = #m:list()

@@ -92,6 +92,12 @@ end
 refused("vtk: field 'fields': unknown field 'shear_angel', did you mean 'shear_angle'?", a.vtk, a, "wrong", { fields = { "E", "shear_angel" } })
 refused("record: field 'options.columns.x': unknown field 'S111'", a.record, a, "wrong.csv", { columns = { x = "S111" } })
 refused("field 'options.columns.x': expected a field's name or {name, set}, got nil at place 2", a.record, a, "wrong.csv", { columns = { x = { "S11" } } })
+-- ... columns that could never be read are refused before the run
+refused("record: field 'options.columns.g': mean: nothing touches in this model, which the field 'gap' is of: expected m:contact{...} before the run", a.record, a,
+  "wrong.csv", { columns = { g = "gap" } })
+refused("record: field 'options.columns.S': mean: set 'top' holds no whole element", a.record, a, "wrong.csv", { columns = { S = { "S11", "top" } } })
+refused("record: field 'options.columns.S': unknown set 'tip'", a.record, a, "wrong.csv", { columns = { S = { "S11", "tip" } } })
+refused("mean: nothing touches in this model, which the field 'contact_pressure' is of", a.mean, a, "contact_pressure")
 refused("did you mean 'S11'?", a.field, a, "S1")
 
 -- Help knows them.

@@ -81,6 +81,28 @@ has(text, "jump       gravity (z = -9.81 m/s^2) is there in full at time 0")
 has(text, 'try        method="relaxation", or loads that grow from 0, fabric.ramp(load, duration)')
 assert(not text:find("stabilise=true", 1, true) and not text:find("arc", 1, true), text)
 
+-- ... and where a motion of a support stands beside the load, both are named; relaxation takes loads alone
+local function jumping(gravity, motion)
+  local held = fabric.model { mesh = fabric.mesh.rectangle { width = 0.06, height = 0.01, nx = 12, ny = 1 }, card = worsted, warp = 0 }
+  held:fix("left", "x y z rotation"):move("right", { x = motion, z = fabric.ramp(0.03, 1) })
+  if gravity then held:gravity { 0, 0, gravity } end
+  return fabric.static { model = held, duration = 1, stabilise = 1e-8, max_cuts = 1, max_iterations = 1 }
+end
+text = failing(jumping(-9.81, -0.01))
+has(text, "jump       gravity (z = -9.81 m/s^2) and the motion of 'right' (x = -0.01 m) are there in full at time 0")
+has(text, "try        loads and motions that grow from 0, fabric.ramp(way, duration)")
+assert(not text:find('method="relaxation", or loads', 1, true), text)
+text = failing(jumping(nil, -0.01))
+has(text, "jump       the motion of 'right' (x = -0.01 m) is there in full at time 0")
+has(text, "try        motions that grow from 0")
+-- ... as is what begins at once after time 0
+text = failing(jumping(function(t) return t > 0 and -9.81 or 0 end, fabric.ramp(-0.01, 1)))
+has(text, "jump       gravity (z = -9.81 m/s^2) is there in full at time 0")
+assert(not text:find("the motion of", 1, true), text)
+-- ... which is relaxed, too
+local stepped = hangs(worsted, {}, function(t) return t > 0 and -9.81 or 0 end)
+assert(math.abs(stepped / jumped - 1) < 1e-9, stepped / jumped)
+
 -- strained far beyond the card
 text = failing(fabric.static { model = strip(fabric.ramp(7, 1)), duration = 1, step = 0.5, max_cuts = 1, max_iterations = 1 })
 has(text, "tested to ")

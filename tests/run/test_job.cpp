@@ -115,3 +115,33 @@ TEST_CASE("two outputs of a job on one path are refused; a failure leaves the la
   const std::string table = content_of(scratch / "fall.csv");
   CHECK(std::count(table.begin(), table.end(), '\n') == 12);
 }
+
+TEST_CASE(
+    "a hook may throw anything: the run's record says so, and the job goes on when it is driven again") {
+  const ScratchFolder scratch;
+  run::Job job(falling());
+  Outputs{scratch.path}.of(job);
+  job.run().every(6e-4, [](run::Run& r) {
+    if (r.time() > 0) throw 42;
+  });
+  CHECK_THROWS_AS(job.solve(), int);
+  CHECK(!job.driving());
+  CHECK(content_of(scratch / "run.json").find("\"status\": \"an error in a hook\"") != std::string::npos);
+  job.solve();
+  CHECK(content_of(scratch / "run.json").find("\"status\": \"done\"") != std::string::npos);
+}
+
+TEST_CASE("what would prevent an output is told when it is declared") {
+  const ScratchFolder scratch;
+  run::Job job(falling());
+  CHECK(message_of([&] {
+          job.record(scratch / "x.csv", {{"z", {}, "m"}});
+        }).find("record: column 'z': expected a function") != std::string::npos);
+  std::filesystem::create_directory(scratch / "folder");
+  CHECK(message_of([&] { job.checkpoint(scratch / "folder"); }).find("Is a directory") != std::string::npos);
+  std::ofstream(scratch / "file") << "x";
+  CHECK(message_of([&] { job.checkpoint(scratch / "file/x.ckpt"); }).find("Not a directory") !=
+        std::string::npos);
+  job.checkpoint(scratch / "run.ckpt");
+  CHECK(scratch.listing() == std::set<std::string>{"file", "folder"});
+}

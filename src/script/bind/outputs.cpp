@@ -90,7 +90,11 @@ std::function<double(const run::Run&)> mean_of_field(const Fields& columns, cons
   const std::vector<std::string> known = run::scalar_names();
   if (std::find(known.begin(), known.end(), words[0]) == known.end())
     columns.refuse(name, unknown("field", words[0], known));
-  run.model().mesh().set(words[1]);  // an error if it is unknown
+  try {
+    run::check_mean(run, words[0], words[1]);
+  } catch (const Error& error) {
+    columns.refuse(name, error.what());
+  }
   unit = run::find_field(words[0]).field->unit;
   return [field = words[0], set = words[1]](const run::Run& a) { return a.mean(field, set); };
 }

@@ -230,6 +230,10 @@ std::vector<model::BodyGiven> read_bodies(const Call& call) {
     bodies.push_back(read_body(body, name, path));
     lua_settop(L, list);
   }
+  for (lua_pushnil(L); lua_next(L, list) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) != LUA_TNUMBER)
+      call.refuse("bodies", "expected a list of tables {name=, mesh=, card=, ...}, got an entry " +
+                                describe(L, -2) + " = " + describe(L, -1));
   lua_pop(L, 1);
   if (bodies.empty()) call.refuse("bodies", "expected at least one body, got an empty table");
   return bodies;
