@@ -110,7 +110,7 @@ define {
     { name = "card", of = "card", sentence = "the fabric" },
     { name = "to", kind = "text", choices = targets.solvers, sentence = "the solver" },
     { name = "material", kind = "text", optional = true,
-      sentence = "ls-dyna: MAT_034 (default) or MAT_235; openradioss: LAW58 (default) or LAW19; abaqus: FABRIC, or ELASTIC for svk cards" },
+      sentence = "ls-dyna: MAT_034 (default) or MAT_235; openradioss: LAW58 (default), LAW158 or LAW19; abaqus: FABRIC, or ELASTIC for svk cards" },
     { name = "file", kind = "text", optional = true, sentence = "where the text goes; default: it is only returned" },
     export.arguments[1],
     { name = "id", kind = "integer", low = 1, high = 9999, default = 1, sentence = "of the material; curves are 10 id + 1 and on" },

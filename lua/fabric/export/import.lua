@@ -14,22 +14,42 @@ local kinds = {
   abaqus = { read = read.fabric, measure = "nominal_radians", law = laws.fabric, name = "*FABRIC", ending = "inp", shifted = true },
 }
 
--- Points {E, S} of the loading curve in the card's measures, up to `tested`, and beyond as far as the file has data.
+-- Points {E, S} of the loading curve in the card's measures, as far as the file has data. A file's law is straight between its points: where they
+-- are far apart, there are more on those lines, since the card's curve is smooth.
 local function points(back, part)
-  local out = {}
-  for i = 1, #part.loading.x do
-    local E, S = back(part.loading.x[i], part.loading.y[i])
-    out[i] = { E, S }
+  local c, out = part.loading, { { 0, 0 } }
+  local longest = c.x[#c.x] / 40
+  for i = 2, #c.x do
+    local n = math.ceil((c.x[i] - c.x[i - 1]) / longest - 1e-9)
+    for k = 1, n do
+      local s = k / n
+      local E, S = back(c.x[i - 1] + s * (c.x[i] - c.x[i - 1]), c.y[i - 1] + s * (c.y[i] - c.y[i - 1]))
+      out[#out + 1] = { E, S }
+    end
   end
   return out
 end
 
-local function steepest(list, upto)
+-- The steepest tangent up to a strain of the smooth curve that a card lays through points. It is asked of a card that unloads more steeply than any
+-- such curve can rise, whose stress in a first pull is that curve.
+local function steepest(name, list, upto)
   local most = 0
+  for i = 2, #list do most = math.max(most, (list[i][2] - list[i - 1][2]) / (list[i][1] - list[i - 1][1])) end
+  local yarn = { loading = list, unloading = 10 * most, poisson = name ~= "shear" and 0 or nil }
+  local simple = { loading = { most }, unloading = 10 * most, poisson = 0 }
+  local plain = { loading = { most }, unloading = 10 * most }
+  local point = fabric.point(fabric.woven { name = name, density = 600, thickness = 1e-3, warp = name == "warp" and yarn or simple,
+    weft = name == "weft" and yarn or simple, shear = name == "shear" and yarn or plain, tested = { [name] = upto } })
+  local slope, E0, S0 = 0, 0, 0
   for i = 2, #list do
-    if list[i - 1][1] < upto then most = math.max(most, (list[i][2] - list[i - 1][2]) / (list[i][1] - list[i - 1][1])) end
+    for k = 1, 8 do
+      local E = list[i - 1][1] + (list[i][1] - list[i - 1][1]) * k / 8
+      if E0 >= upto then return slope end
+      local S = name == "shear" and point:strain({ E12 = E }).S12 or point:uniaxial(name, E).S
+      slope, E0, S0 = math.max(slope, (S - S0) / (E - E0)), E, S
+    end
   end
-  return most
+  return slope
 end
 
 -- The unloading curve of the file as points {E, S} in the card's measures, from the reversal down to `share` of its stress.
@@ -76,23 +96,30 @@ local function modulus(name, back, part, shifted, least, notes)
   return used
 end
 
--- The card's curve passes smoothly through the points and is a little steeper between them, so the modulus has a margin.
+-- A card's unloading modulus may not lie below any tangent of its loading; between the samples of that there may be a little more.
 local margin = 1.05
 
-local function part_of(name, from, kind, notes)
+-- The part of a card, and the strain up to which it was tested. wanted: its unloading modulus, instead of the file's; nil: not asked for.
+local function part_of(name, from, kind, wanted, notes)
   local measure = curves.measures[kind.measure]
   local back = name == "shear" and measure.shear_back or measure.axis_back
   local list = points(back, from)
   local tested = back(from.meet[1], from.meet[2])
-  local most = steepest(list, tested)
-  local unloading = modulus(name, back, from, kind.shifted, margin * most, notes)
+  local least = margin * steepest(name, list, tested)
+  if wanted then
+    if wanted < least / margin then
+      fail(("card: field 'unloading.%s': expected at least the steepest slope of the loading, %.4g MPa, got %.4g MPa"):format(name, least / margin / 1e6, wanted / 1e6))
+    end
+    return { loading = list, unloading = wanted }, tested
+  end
+  local unloading = modulus(name, back, from, kind.shifted, least, notes)
   if not unloading then
-    unloading = margin * most
-    notes[#notes + 1] = ("%s: the file unloads along its loading curve; the card's unloading modulus is 1.05 times the steepest slope, so some energy is lost that the file keeps"):format(name)
-  elseif unloading < margin * most then
-    notes[#notes + 1] = ("%s: the unloading modulus of %.4g MPa is raised to 1.05 times the steepest slope of the loading, %.4g MPa, below which a card's may not lie")
-      :format(name, unloading / 1e6, margin * most / 1e6)
-    unloading = margin * most
+    unloading = least
+    notes[#notes + 1] = ("%s: the file unloads along its loading curve; the card's unloading modulus is 1.05 times the steepest slope, so some energy is lost that the file keeps; unloading={ %s=... } gives another"):format(name, name)
+  elseif unloading < least then
+    notes[#notes + 1] = ("%s: the unloading modulus of %.4g MPa is raised to 1.05 times the steepest slope of the loading, %.4g MPa, below which a card's may not lie; unloading={ %s=... } gives another")
+      :format(name, unloading / 1e6, least / 1e6, name)
+    unloading = least
   end
   return { loading = list, unloading = unloading }, tested
 end
@@ -161,7 +188,7 @@ local function run(t)
     source = ("%s of %s"):format(kind.name, t.file:match "[^/]*$") }
   turn_all(t, p, kind, notes)
   for _, name in ipairs { "warp", "weft", "shear" } do
-    fields[name], fields.tested[name] = part_of(name, p[name], kind, notes)
+    fields[name], fields.tested[name] = part_of(name, p[name], kind, t.unloading and t.unloading[name], notes)
   end
   fields.warp.poisson, fields.weft.poisson = poisson[1], poisson[2]
   if not t.poisson then notes[#notes + 1] = "poisson: the file has no ratios; 0 was taken, poisson={nu12, nu21} gives them" end
@@ -194,6 +221,10 @@ define {
       rows = { { name = "warp", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E11; 0: not known, as in a card" },
         { name = "weft", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E22; 0: not known, as in a card" },
         { name = "shear", kind = "number", low = 0, below = 0.5, optional = true, sentence = "largest E12 (tensor); 0: not known" } } },
+    { name = "unloading", kind = "fields", optional = true, sentence = "unloading moduli, Pa, instead of those of the file's curves",
+      rows = { { name = "warp", kind = "number", unit = "Pa", above = 0, optional = true, sentence = "of the warp" },
+        { name = "weft", kind = "number", unit = "Pa", above = 0, optional = true, sentence = "of the weft" },
+        { name = "shear", kind = "number", unit = "Pa", above = 0, optional = true, sentence = "of S12 over E12 (tensor)" } } },
   },
   sentence = "A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and "
     .. "lost (as fabric.export.card, the file's law beside the card's), notes.",
