@@ -43,7 +43,6 @@ class AbaqusReader {
   mesh::Mesh read(Remarks* remarks) {
     std::string_view line;
     while (next(line)) {
-      last_ = place_;
       closed_ = false;
       if (line.starts_with('*'))
         open(keyword(line));
@@ -65,12 +64,13 @@ class AbaqusReader {
       remarks.push_back(source_.at_place(no_line_end));
   }
 
-  // The next line that is not empty and no comment.
+  // The next line that is not empty and no comment. A file may have been cut within a comment, too.
   bool next(std::string_view& line) {
     while (true) {
       place_ = source_.place();
       if (!source_.next_line(line)) return false;
       line = trimmed(line);
+      if (!line.empty()) last_ = place_;
       if (!line.empty() && !line.starts_with("**")) return true;
     }
   }
@@ -134,14 +134,16 @@ class AbaqusReader {
                      "all of them");
   }
 
-  void nest(const std::string& word) {
-    for (const char* block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"})
-      if (word == block) within_.emplace_back(block);
-    if (!word.starts_with("END ")) return;
-    closed_ = true;
-    if (const auto found = std::find(within_.rbegin(), within_.rend(), word.substr(4));
-        found != within_.rend())
-      within_.erase(found.base() - 1, within_.end());
+  // Blanks do not count in a keyword: *ENDSTEP ends a step.
+  void nest(std::string word) {
+    std::erase(word, ' ');
+    for (const std::string block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"}) {
+      if (word == block) within_.push_back(block);
+      if (word != "END" + block) continue;
+      closed_ = true;
+      if (const auto found = std::find(within_.rbegin(), within_.rend(), block); found != within_.rend())
+        within_.erase(found.base() - 1, within_.end());
+    }
   }
 
   static std::string value(const Keyword& word, const char* name) {
@@ -265,7 +267,7 @@ class AbaqusReader {
   Source source_;
   DeckMesh mesh_;
   void (AbaqusReader::*data_)(std::string_view) = nullptr;  // what reads the lines below the keyword
-  std::size_t place_ = 0, last_ = 0;                        // of the line; of the last one that was read
+  std::size_t place_ = 0, last_ = 0;                        // of the line; of the last one that is not empty
   bool closed_ = false;                                     // by the last line, *END ...
   std::vector<std::string> within_;                         // blocks that are open, innermost last
   std::string set_;                                         // key of the set that is read
