@@ -119,9 +119,20 @@ check("stroke, mm", fields(rad["/FUNCT/101"][3], 20)[2], 10, 1e-12)
 assert(rad["/IMPDISP/1"][2]:sub(11, 20):match "Y" and rad["/BCS/1"][2]:sub(1, 10) == "   001 111", rad["/BCS/1"][2])
 check("gravity, mm/ms2", fields(rad["/FUNCT/103"][3], 20)[2], -9.81e-3, 1e-9)
 r = fabric.export.model { model = m, warp = { 0, 2, 0 }, to = "openradioss", material = "LAW19" }
-assert(r.text:find("/PROP/TYPE9/1", 1, true))
+assert(r.text:find("/PROP/TYPE9/1", 1, true) and r.text:find("\n      2022         0\n", 1, true))
+r = fabric.export.model { model = m, warp = 90, to = "openradioss", material = "LAW158" } -- the format of 2023 is the first that has it
+assert(r.material == "LAW158" and r.text:find("/MAT/LAW158/1", 1, true) and r.text:find("/PROP/TYPE16/1", 1, true) and r.text:find("\n      2023         0\n", 1, true))
 r = fabric.export.model { model = m, warp = 90, to = "abaqus" }
 assert(r.material == "FABRIC" and r.text:find "M3D4R" and r.text:find "%*DYNAMIC, EXPLICIT" and r.text:find "%*MEMBRANE SECTION")
+
+-- Units, source and losses stand once in a deck, and before the material; notes on the model too.
+for _, to in ipairs { "abaqus", "ls-dyna", "openradioss" } do
+  r = fabric.export.model { model = m, warp = 90, to = to }
+  for _, words in ipairs { "Units: ", "What is lost", "its source: ", "cyclic shear", "written straight from" } do
+    assert(select(2, r.text:gsub(words, "")) == 1, to .. ": " .. words)
+  end
+  assert(r.text:find("What is lost", 1, true) < r.text:find(({ abaqus = "\n*MATERIAL", ["ls-dyna"] = "\n*MAT_FABRIC", openradioss = "\n/MAT/" })[to], 1, true))
+end
 
 -- A drape: a square held at its corners, of triangles too.
 local sheet = fabric.mesh.rectangle { width = 1, height = 1, nx = 4, ny = 4, triangles = true }

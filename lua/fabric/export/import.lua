@@ -14,13 +14,13 @@ local kinds = {
   abaqus = { read = read.fabric, measure = "nominal_radians", law = laws.fabric, name = "*FABRIC", ending = "inp", shifted = true },
 }
 
--- Points {E, S} of the loading curve in the card's measures, as far as the file has data. A file's law is straight between its points: where they
--- are far apart, there are more on those lines, since the card's curve is smooth.
+-- Points {E, S} of the loading curve in the card's measures, as far as the file has data. A file's law is straight between its points: of a
+-- curve of few, there are more on those lines, since the card's curve is smooth.
 local function points(back, part)
   local c, out = part.loading, { { 0, 0 } }
-  local longest = c.x[#c.x] / 40
+  local longest = #c.x < 40 and c.x[#c.x] / 200 or math.huge
   for i = 2, #c.x do
-    local n = math.ceil((c.x[i] - c.x[i - 1]) / longest - 1e-9)
+    local n = math.max(1, math.ceil((c.x[i] - c.x[i - 1]) / longest - 1e-9))
     for k = 1, n do
       local s = k / n
       local E, S = back(c.x[i - 1] + s * (c.x[i] - c.x[i - 1]), c.y[i - 1] + s * (c.y[i] - c.y[i - 1]))
@@ -31,25 +31,25 @@ local function points(back, part)
 end
 
 -- The steepest tangent up to a strain of the smooth curve that a card lays through points. It is asked of a card that unloads more steeply than any
--- such curve can rise, whose stress in a first pull is that curve.
+-- such curve can rise, whose stress in a first pull is that curve; its stresses are scaled to those of a usual cloth.
 local function steepest(name, list, upto)
-  local most = 0
+  local most, scaled = 0, {}
   for i = 2, #list do most = math.max(most, (list[i][2] - list[i - 1][2]) / (list[i][1] - list[i - 1][1])) end
-  local yarn = { loading = list, unloading = 10 * most, poisson = name ~= "shear" and 0 or nil }
-  local simple = { loading = { most }, unloading = 10 * most, poisson = 0 }
-  local plain = { loading = { most }, unloading = 10 * most }
-  local point = fabric.point(fabric.woven { name = name, density = 600, thickness = 1e-3, warp = name == "warp" and yarn or simple,
-    weft = name == "weft" and yarn or simple, shear = name == "shear" and yarn or plain, tested = { [name] = upto } })
+  local usual = 1e7
+  for i, p in ipairs(list) do scaled[i] = { p[1], p[2] * usual / most } end
+  local function part(axis) return { loading = axis == name and scaled or { usual }, unloading = 10 * usual, poisson = axis ~= "shear" and 0 or nil } end
+  local point = fabric.point(fabric.woven { name = name, density = 600, thickness = 1e-3, warp = part "warp", weft = part "weft", shear = part "shear",
+    tested = { [name] = upto } })
   local slope, E0, S0 = 0, 0, 0
   for i = 2, #list do
     for k = 1, 8 do
       local E = list[i - 1][1] + (list[i][1] - list[i - 1][1]) * k / 8
-      if E0 >= upto then return slope end
+      if E0 >= upto then return slope * most / usual end
       local S = name == "shear" and point:strain({ E12 = E }).S12 or point:uniaxial(name, E).S
       slope, E0, S0 = math.max(slope, (S - S0) / (E - E0)), E, S
     end
   end
-  return slope
+  return slope * most / usual
 end
 
 -- The unloading curve of the file as points {E, S} in the card's measures, from the reversal down to `share` of its stress.
