@@ -281,4 +281,7 @@ wrong("field 'card': ls-dyna takes no card of the law 'svk'", { card = svk, to =
 wrong("field 'units': expected 'mm-t-s' or 'mm-kg-ms' or 'SI', got 'inch'", { card = blend, to = "ls-dyna", units = "inch" })
 wrong("/proc/nowhere", { card = blend, to = "abaqus", file = "/proc/nowhere/card.inp" })
 wrong("field 'card'", { card = "blend", to = "abaqus" })
+for _, axis in ipairs { { 0, 0, 0 }, { 1, 0 }, { 1, 2, 3, 4 } } do
+  wrong(("card: field 'axis': expected a direction {x, y, z} other than zero, got {%s}"):format(table.concat(axis, ", ")), { card = blend, to = "ls-dyna", axis = axis })
+end
 fabric.expect(rows)

@@ -5,6 +5,7 @@ local units = require "fabric.export.units"
 local targets = require "fabric.export.targets"
 local curves = require "fabric.export.curves"
 local loss = require "fabric.export.loss"
+local gather = require "fabric.export.gather"
 local fail = define.fail
 
 local export = {}
@@ -50,7 +51,7 @@ end
 function export.prepare(t)
   local target = target_of(t)
   local p = target.parameters(t.card)
-  p.axis = t.axis or { 1.0, 0.0, 0.0 }
+  p.axis = t.axis and gather.unit(t.axis, "card: field 'axis'") or { 1.0, 0.0, 0.0 }
   if p.warp and type(p.warp) == "table" then
     local part, what, where = curves.falling(p)
     if part then

@@ -66,7 +66,10 @@ local function visit(corners)
   last = 0
   for _, c in ipairs(corners) do
     local n = math.max(4, math.ceil(steps * math.abs(c - last) / length * (#corners > 1 and 3 or 1)))
-    for i = 1, n do out[#out + 1] = last + (c - last) * i / n end
+    for i = 1, n do
+      local x = last + (c - last) * i / n
+      out[#out + 1] = math.abs(x) > 1e-12 * length and x or 0
+    end
     last = c
   end
   return out
