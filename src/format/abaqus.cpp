@@ -30,6 +30,28 @@ int nodes_of(const std::string& type) {
   return 0;
 }
 
+// The parts of a line between commas, but for those within quotes.
+std::vector<std::string_view> fields_of(std::string_view line) {
+  if (line.find('"') == line.npos) return comma_fields(line);
+  std::vector<std::string_view> fields;
+  bool quoted = false;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    if (i < line.size() && line[i] == '"') quoted = !quoted;
+    if (i < line.size() && (quoted || line[i] != ',')) continue;
+    fields.push_back(trimmed(line.substr(from, i - from)));
+    from = i + 1;
+  }
+  return fields;
+}
+
+// Takes the quotes around a name away; false where there are none.
+bool unquote(std::string_view& name) {
+  if (name.size() < 2 || name.front() != '"' || name.back() != '"') return false;
+  name = name.substr(1, name.size() - 2);
+  return true;
+}
+
 struct Keyword {
   std::string name;                               // upper case, single blanks
   std::map<std::string, std::string> parameters;  // upper case names; "" for a flag
@@ -80,7 +102,7 @@ class AbaqusReader {
     Keyword word;
     bool first = true;
     while (true) {
-      for (const std::string_view field : comma_fields(line)) {
+      for (const std::string_view field : fields_of(line)) {
         if (first) word.name = without_double_blanks(upper(field.substr(1)));
         if (!first && !field.empty()) parameter(word, field);
         first = false;
@@ -102,8 +124,7 @@ class AbaqusReader {
   void parameter(Keyword& word, std::string_view field) {
     const std::size_t equals = std::min(field.find('='), field.size());
     std::string_view value = equals == field.size() ? "" : trimmed(field.substr(equals + 1));
-    if (value.size() > 1 && value.front() == '"' && value.back() == '"')
-      value = value.substr(1, value.size() - 2);
+    unquote(value);
     word.parameters[without_double_blanks(upper(field.substr(0, equals)))] = std::string(value);
   }
 
@@ -233,8 +254,12 @@ class AbaqusReader {
   // Numbers, and names of other sets; of an assembly's instance, of which there is one, behind its name.
   void members(std::string_view line) {
     DeckMesh::Members out{set_, of_, place_};
-    for (std::string_view field : comma_fields(line)) {
+    for (std::string_view field : fields_of(line)) {
       std::int64_t number = 0;
+      if (unquote(field)) {
+        out.sets.push_back(upper(field));
+        continue;
+      }
       if (const auto dot = field.rfind('.'); instance_ && dot != field.npos) field.remove_prefix(dot + 1);
       if (field.empty()) continue;
       if (parse(field, number))

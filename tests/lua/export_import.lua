@@ -202,6 +202,16 @@ end
 local function with(file) return { file = file, thickness = 3e-4, units = "SI" } end
 wrong("card: cannot read 'none.rad': No such file or directory", with "none.rad")
 wrong("card: field 'file': expected a name that ends in .rad or .inp, or field 'from', got 'plain.k'", with "plain.k")
+os.execute "mkdir -p folder.inp"
+wrong("card: cannot read 'folder.inp': Is a directory", with "folder.inp")
+for _, poisson in ipairs { { 1, 2 }, { 0.1 }, { 0.1, 0.2, 0.3 } } do
+  wrong(("card: field 'poisson': expected {nu12, nu21} with a product below 1, got {%s}"):format(table.concat(poisson, ", ")),
+    { file = "tested.inp", thickness = 3e-4, poisson = poisson })
+end
+wrong("card: field 'tested.warp': expected a strain of the warp on the file's curve, which ends at E11 = 0.1064, got 3",
+  { file = "tested.inp", thickness = 3e-4, tested = { warp = 3 } })
+wrong("card: far.inp:7: expected a strain of the shear on the file's curve, which ends at E12 = 0.39, got 0.45",
+  { file = write("far.inp", (io.open("tested.inp"):read("a"):gsub("E12 = 0.3;", "E12 = 0.45;"))), thickness = 3e-4 })
 wrong("card: field 'thickness': expected a positive number in m (plain.rad has no section), got nil", { file = "plain.rad", units = "SI" })
 wrong("card: bad.rad:4: expected a number in columns 1 to 20, got 'heavy'", with(write("bad.rad", plain "heavy")))
 wrong("card: bad.rad:6: expected a number in columns 1 to 20, got 'soft'", with(write("bad.rad", plain("722.5", wide("soft", "1e8", "60", "0")))))

@@ -124,14 +124,19 @@ local function part_of(name, from, kind, wanted, notes)
   return { loading = list, unloading = unloading }, tested
 end
 
--- The strain (Green-Lagrange, E12 in shear) up to which the curve counts as measured, and at which unloading begins.
-local function turn_at(part, name, E, kind)
+local components = { warp = "E11", weft = "E22", shear = "E12" }
+
+-- The strain (Green-Lagrange, E12 in shear) up to which the curve counts as measured, and at which unloading begins; `said`: where it stands.
+local function turn_at(part, name, E, kind, said)
   local measure = curves.measures[kind.measure]
   local x = (name == "shear" and measure.shear or measure.axis)(E, 0)
+  local last = part.loading.x[#part.loading.x]
+  if x > last * (1 + 1e-6) then
+    local most = (name == "shear" and measure.shear_back or measure.axis_back)(last, 0)
+    fail(("card: %s: expected a strain of the %s on the file's curve, which ends at %s = %.4g, got %.4g"):format(said, name, components[name], most, E))
+  end
   part.meet = { x, laws.value(part.loading, x) }
 end
-
-local components = { warp = "E11", weft = "E22", shear = "E12" }
 
 -- Where the curves of the file do not show by themselves at which strain they were let go: the strains asked for, else those that the file
 -- states in a comment, else the curves' ends, which a note says.
@@ -139,16 +144,16 @@ local function turn_all(t, p, kind, notes)
   local stated, line = read.tested(t.file)
   local ended = {}
   for _, name in ipairs { "warp", "weft", "shear" } do
-    local E = t.tested and t.tested[name] or 0
+    local E, said = t.tested and t.tested[name] or 0, ("field 'tested.%s'"):format(name)
     if p[name].ended and E == 0 and stated then
-      E = stated[name]
+      E, said = stated[name], ("%s:%d"):format(t.file, line)
       if E == 0 then
         E = ours.untested[name]
         notes[#notes + 1] = ("%s: line %d of the file says that it was not tested; its curve was taken as measured up to %s = %.4g, where fabric.export lets such a one go")
           :format(name, line, components[name], E)
       end
     end
-    if p[name].ended and E > 0 then turn_at(p[name], name, E, kind) elseif p[name].ended then ended[#ended + 1] = name end
+    if p[name].ended and E > 0 then turn_at(p[name], name, E, kind, said) elseif p[name].ended then ended[#ended + 1] = name end
   end
   if #ended > 0 then
     notes[#notes + 1] = ("tested: neither the file (in a comment 'Tested up to E11 = ...') nor tested= says up to which strains %s was measured; the ends of the curves were taken, "
@@ -184,6 +189,9 @@ local function run(t)
   local density = t.density or p.density
   if not density or density <= 0 then fail(("card: field 'density': expected a positive number in kg/m^3 (%s has none), got nil"):format(t.file)) end
   local poisson = t.poisson or { 0, 0 }
+  if #poisson ~= 2 or poisson[1] * poisson[2] >= 1 then
+    fail(("card: field 'poisson': expected {nu12, nu21} with a product below 1, got {%s}"):format(table.concat(poisson, ", ")))
+  end
   local fields = { name = t.name or p.name, density = density, thickness = thickness, tested = {},
     source = ("%s of %s"):format(kind.name, t.file:match "[^/]*$") }
   turn_all(t, p, kind, notes)

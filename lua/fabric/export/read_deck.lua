@@ -6,10 +6,14 @@ local read = {}
 
 local function lines_of(path)
   local file, why = io.open(path, "r")
-  if not file then fail("card: cannot read '" .. path .. "': " .. why:gsub("^.-: ", "")) end
+  local text
+  if file then
+    text, why = file:read "a" -- a folder opens, and fails here
+    file:close()
+  end
+  if not text then fail("card: cannot read '" .. path .. "': " .. why:gsub("^.-: ", "")) end
   local out = {}
-  for l in file:lines() do out[#out + 1] = (l:gsub("\r$", "")) end
-  file:close()
+  for l in (text:find "\n$" and text or text .. "\n"):gmatch "(.-)\r?\n" do out[#out + 1] = l end
   return out
 end
 read.lines_of = lines_of
