@@ -53,7 +53,7 @@ function export.prepare(t)
   local p = target.parameters(t.card)
   p.axis = t.axis and gather.unit(t.axis, "card: field 'axis'") or { 1.0, 0.0, 0.0 }
   if p.warp and type(p.warp) == "table" then
-    local part, what, where = curves.falling(p)
+    local part, what, where = curves.falling(p, target.elastic and { "loading" } or { "loading", "unloading" })
     if part then
       fail(("card: field 'card': %s needs curves that rise everywhere; the %s of %s falls at %.4g in its measure"):format(
         target.name, what, part, where))

@@ -88,6 +88,14 @@ local function beside(card, add)
   end
 end
 
+-- A rigidity in words; one that changes with the curvature by that of the flat sheet: its first coefficient, or its first measured slope.
+local function rigidity(given)
+  if type(given) == "number" then return ("%.3g"):format(given) end
+  local first = given[1]
+  if type(first) == "table" then first = given[2][2] / given[2][1] end
+  return ("%.3g and changing with the curvature"):format(first)
+end
+
 -- Losses that the paths do not show, as sentences.
 function loss.sentences(card, target)
   local out = {}
@@ -120,7 +128,7 @@ function loss.sentences(card, target)
   end
   local bending = card.bending
   if bending then
-    add("bending: " .. target.bending .. (" (the card's rigidity: warp %.3g, weft %.3g, twist %.3g N.m)"):format(bending.warp, bending.weft, bending.twist))
+    add("bending: " .. target.bending .. (" (the card's rigidity: warp %s, weft %s, twist %.3g N.m)"):format(rigidity(bending.warp), rigidity(bending.weft), bending.twist))
     if bending.friction_warp or bending.friction_weft then add "bending friction: lost" end
   else
     add("bending: " .. target.bending)
