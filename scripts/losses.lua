@@ -5,7 +5,8 @@
 local fabric = require "fabric"
 if fabric.checking() then return end
 local page = arg[0]:gsub("[^/]*$", "") .. "../share/doc/exchange.md"
-local materials = { { "ls-dyna", "MAT_034" }, { "ls-dyna", "MAT_235" }, { "openradioss", "LAW58" }, { "openradioss", "LAW19" }, { "abaqus", "FABRIC" } }
+local materials = { { "ls-dyna", "MAT_034" }, { "ls-dyna", "MAT_235" },
+  { "openradioss", "LAW58" }, { "openradioss", "LAW158" }, { "openradioss", "LAW19" }, { "abaqus", "FABRIC" } }
 local paths = { "warp", "weft", "biaxial", "bias", "cyclic warp", "cyclic weft", "cyclic shear" }
 
 local table_lines = { "| card | material | " .. table.concat(paths, " | ") .. " |", "|---|---|" .. ("---|"):rep(#paths) }
@@ -40,4 +41,4 @@ local a, b = numbers(made), numbers(between)
 assert(#a == #b and words(made) == words(between), "the page's table is another one: fabricsh scripts/losses.lua write")
 local worst = 0 -- as a share of what rounding leaves open
 for i = 1, #a do worst = math.max(worst, math.abs(a[i] - b[i]) / (1 + 0.01 * math.abs(a[i]))) end
-fabric.expect { { "largest difference from share/doc/exchange.md", worst, 0, absolute = 1 }, { "numbers in its table", #b, 20 * 14, absolute = 0 } }
+fabric.expect { { "largest difference from share/doc/exchange.md", worst, 0, absolute = 1 }, { "numbers in its table", #b, 24 * 14, absolute = 0 } }

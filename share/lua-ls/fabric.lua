@@ -312,7 +312,7 @@ function fabric.expect(rows) end
 ---@class fabric_export_card_fields
 ---@field card card the fabric
 ---@field to "ls-dyna"|"openradioss"|"abaqus" the solver
----@field material? string ls-dyna: MAT_034 (default) or MAT_235; openradioss: LAW58 (default) or LAW19; abaqus: FABRIC, or ELASTIC for svk cards
+---@field material? string ls-dyna: MAT_034 (default) or MAT_235; openradioss: LAW58 (default), LAW158 or LAW19; abaqus: FABRIC, or ELASTIC for svk cards
 ---@field file? string where the text goes; default: it is only returned
 ---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the deck is written in (default "mm-t-s")
 ---@field id? integer of the material; curves are 10 id + 1 and on (default 1)
@@ -386,6 +386,11 @@ function fabric.history(points) end
 ---@field weft? number largest E22; 0: not known, as in a card
 ---@field shear? number largest E12 (tensor); 0: not known
 
+---@class fabric_import_card_fields.unloading
+---@field warp? number Pa: of the warp
+---@field weft? number Pa: of the weft
+---@field shear? number Pa: of S12 over E12 (tensor)
+
 ---@class fabric_import_card_fields
 ---@field file string a starter deck with LAW58, or an Abaqus deck with *FABRIC test data
 ---@field from? "openradioss"|"abaqus" default: by the file's ending, .rad or .inp
@@ -395,6 +400,7 @@ function fabric.history(points) end
 ---@field density? number kg/m^3: default: the file's
 ---@field poisson? number[] {nu12, nu21}, which such files do not hold; default {0, 0}
 ---@field tested? fabric_import_card_fields.tested strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else those that the file states in a comment 'Tested up to E11 = ...', else the curves' ends
+---@field unloading? fabric_import_card_fields.unloading unloading moduli, Pa, instead of those of the file's curves
 
 ---A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes.
 ---@param fields fabric_import_card_fields

@@ -187,7 +187,10 @@ def read_record(path):
 def read_run(path):
     """run.json as a dict: version, deck, deck_hash, arguments, threads, and runs, a list with a dict for each run of that folder."""
     with open(path, encoding="utf-8") as file:
-        return json.load(file)
+        try:
+            return json.load(file)
+        except ValueError as error:
+            raise ValueError(f"{path}: not a run.json: {error}") from None
 
 
 def runs_frame(path):
@@ -336,11 +339,15 @@ class Series:
         return len(self._files)
 
     def __getitem__(self, i):
+        if not -len(self._files) <= i < len(self._files):
+            raise IndexError(f"{self.path}: frame {i} of {len(self._files)}")
         time, file = self._files[i]
         return Frame(self.path.parent / file, time)
 
     def at(self, time):
         """The frame nearest to this time, s."""
+        if not self._files:
+            raise IndexError(f"{self.path}: a series without frames")
         return self[int(numpy.abs(self.times - time).argmin())]
 
 
@@ -446,7 +453,10 @@ class CardFile(dict):
     def pull(self, direction, strains):
         """One material point pulled along "warp", "weft" or an angle in degrees to these Green-Lagrange strains, one after the
         other: a Curve with E, S (2nd Piola-Kirchhoff, Pa) and E_lateral."""
-        texts = [repr(float(E)) for E in numpy.ravel(strains)]
+        strains = numpy.ravel(numpy.asarray(strains, dtype=float))
+        if not len(strains) or not numpy.all(numpy.isfinite(strains)):
+            raise ValueError(f"pull: expected finite strains, one at least, got {strains.tolist()}")
+        texts = [repr(float(E)) for E in strains]
         told = _helper(_PULL, [self._name, direction, *texts], self._program, self._cwd)
         rows = numpy.array([line.split() for line in told.splitlines()], dtype=float).reshape(-1, 3)
         return Curve({"E": rows[:, 0], "S": rows[:, 1], "E_lateral": rows[:, 2]}, {"E": "", "S": "Pa", "E_lateral": ""})

@@ -30,6 +30,28 @@ int nodes_of(const std::string& type) {
   return 0;
 }
 
+// The parts of a line between commas, but for those within quotes.
+std::vector<std::string_view> fields_of(std::string_view line) {
+  if (line.find('"') == line.npos) return comma_fields(line);
+  std::vector<std::string_view> fields;
+  bool quoted = false;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    if (i < line.size() && line[i] == '"') quoted = !quoted;
+    if (i < line.size() && (quoted || line[i] != ',')) continue;
+    fields.push_back(trimmed(line.substr(from, i - from)));
+    from = i + 1;
+  }
+  return fields;
+}
+
+// Takes the quotes around a name away; false where there are none.
+bool unquote(std::string_view& name) {
+  if (name.size() < 2 || name.front() != '"' || name.back() != '"') return false;
+  name = name.substr(1, name.size() - 2);
+  return true;
+}
+
 struct Keyword {
   std::string name;                               // upper case, single blanks
   std::map<std::string, std::string> parameters;  // upper case names; "" for a flag
@@ -43,7 +65,6 @@ class AbaqusReader {
   mesh::Mesh read(Remarks* remarks) {
     std::string_view line;
     while (next(line)) {
-      last_ = place_;
       closed_ = false;
       if (line.starts_with('*'))
         open(keyword(line));
@@ -65,12 +86,13 @@ class AbaqusReader {
       remarks.push_back(source_.at_place(no_line_end));
   }
 
-  // The next line that is not empty and no comment.
+  // The next line that is not empty and no comment. A file may have been cut within a comment, too.
   bool next(std::string_view& line) {
     while (true) {
       place_ = source_.place();
       if (!source_.next_line(line)) return false;
       line = trimmed(line);
+      if (!line.empty()) last_ = place_;
       if (!line.empty() && !line.starts_with("**")) return true;
     }
   }
@@ -80,7 +102,7 @@ class AbaqusReader {
     Keyword word;
     bool first = true;
     while (true) {
-      for (const std::string_view field : comma_fields(line)) {
+      for (const std::string_view field : fields_of(line)) {
         if (first) word.name = without_double_blanks(upper(field.substr(1)));
         if (!first && !field.empty()) parameter(word, field);
         first = false;
@@ -102,8 +124,7 @@ class AbaqusReader {
   void parameter(Keyword& word, std::string_view field) {
     const std::size_t equals = std::min(field.find('='), field.size());
     std::string_view value = equals == field.size() ? "" : trimmed(field.substr(equals + 1));
-    if (value.size() > 1 && value.front() == '"' && value.back() == '"')
-      value = value.substr(1, value.size() - 2);
+    unquote(value);
     word.parameters[without_double_blanks(upper(field.substr(0, equals)))] = std::string(value);
   }
 
@@ -134,14 +155,16 @@ class AbaqusReader {
                      "all of them");
   }
 
-  void nest(const std::string& word) {
-    for (const char* block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"})
-      if (word == block) within_.emplace_back(block);
-    if (!word.starts_with("END ")) return;
-    closed_ = true;
-    if (const auto found = std::find(within_.rbegin(), within_.rend(), word.substr(4));
-        found != within_.rend())
-      within_.erase(found.base() - 1, within_.end());
+  // Blanks do not count in a keyword: *ENDSTEP ends a step.
+  void nest(std::string word) {
+    std::erase(word, ' ');
+    for (const std::string block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"}) {
+      if (word == block) within_.push_back(block);
+      if (word != "END" + block) continue;
+      closed_ = true;
+      if (const auto found = std::find(within_.rbegin(), within_.rend(), block); found != within_.rend())
+        within_.erase(found.base() - 1, within_.end());
+    }
   }
 
   static std::string value(const Keyword& word, const char* name) {
@@ -231,8 +254,12 @@ class AbaqusReader {
   // Numbers, and names of other sets; of an assembly's instance, of which there is one, behind its name.
   void members(std::string_view line) {
     DeckMesh::Members out{set_, of_, place_};
-    for (std::string_view field : comma_fields(line)) {
+    for (std::string_view field : fields_of(line)) {
       std::int64_t number = 0;
+      if (unquote(field)) {
+        out.sets.push_back(upper(field));
+        continue;
+      }
       if (const auto dot = field.rfind('.'); instance_ && dot != field.npos) field.remove_prefix(dot + 1);
       if (field.empty()) continue;
       if (parse(field, number))
@@ -265,7 +292,7 @@ class AbaqusReader {
   Source source_;
   DeckMesh mesh_;
   void (AbaqusReader::*data_)(std::string_view) = nullptr;  // what reads the lines below the keyword
-  std::size_t place_ = 0, last_ = 0;                        // of the line; of the last one that was read
+  std::size_t place_ = 0, last_ = 0;                        // of the line; of the last one that is not empty
   bool closed_ = false;                                     // by the last line, *END ...
   std::vector<std::string> within_;                         // blocks that are open, innermost last
   std::string set_;                                         // key of the set that is read

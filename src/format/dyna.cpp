@@ -20,7 +20,7 @@ class DynaReader {
     bool complete = false;
     while (!complete && next(line)) {
       if (line.starts_with('*')) {
-        const std::string word = upper(trimmed(line.substr(1)));
+        const std::string word = upper(trimmed(line.substr(1, line.find('$') - 1)));  // before a comment
         complete = word == "END";
         open(word);
       } else if (card_ != nullptr) {

@@ -19,7 +19,7 @@ class ObjReader {
     for (std::size_t place = 0; source_.next_line(line); place = source_.place()) {
       const std::string_view words = line.substr(0, line.find('#'));
       statement(Source("", words));
-      if (remarks != nullptr && source_.endless(place) && !trimmed(words).empty())
+      if (remarks != nullptr && source_.endless(place) && !trimmed(line).empty())
         remarks->push_back(source_.at_place(no_line_end));
     }
     return builder_.finish();

@@ -247,6 +247,17 @@ TEST_CASE("STL: equal vertices are one node, in text and in bytes", "[files]") {
   CHECK(both.set("b") == mesh::NodeSet{0, 2, 3});
 }
 
+TEST_CASE("Abaqus: commas, numbers and names of sets within quotes", "[files]") {
+  const auto mesh = read_abaqus(
+      "x.inp",
+      "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n*ELEMENT, TYPE=S3\n1,1,2,3\n*NSET, NSET=\"x, y\"\n1, 2\n"
+      "*NSET, NSET=\"3\"\n1\n*NSET, NSET=both\n\"X, Y\", 3\n*NSET, NSET=named\n\"3\", \"x, y\"\n");
+  CHECK(mesh.set("x, y") == mesh::NodeSet{0, 1});
+  CHECK(mesh.set("both") == mesh::NodeSet{0, 1, 2});
+  CHECK(mesh.set("named") == mesh::NodeSet{0, 1});
+  CHECK(mesh.set("3") == mesh::NodeSet{0});
+}
+
 TEST_CASE("Abaqus: one part in an assembly, sets of sets, names in quotes", "[files]") {
   const auto m = read_abaqus(
       "x.inp",

@@ -124,6 +124,76 @@ do
   end
 end
 
+-- --- LAW158: the columns of the reader's own description (mat_158_fabric.cfg), field by field ---
+for _, card in ipairs(cards) do
+  local r = fabric.export.card { card = card, to = "openradioss", material = "LAW158", id = 3, units = "mm-kg-ms" }
+  local same = radioss(fabric.export.card({ card = card, to = "openradioss", material = "LAW58", id = 3, units = "mm-kg-ms" }).text)
+  local b = radioss(r.text)
+  local mat = b["/MAT/LAW158/3"]
+  assert(r.material == "LAW158" and mat[1] == card.name and #mat == 8)
+  check(card.name .. ": density, kg/mm3", fields(mat[2], 20)[1], card.density * 1e-9, 1e-10)
+  local crimp = fields(mat[3], 20) -- S1, S2, FLEX, FLEX1, FLEX2; where one is 0 the reader takes its default instead
+  assert(#crimp == 5 and crimp[1] == 1e-4 and crimp[2] == 1e-4, mat[3])
+  for k = 3, 5 do assert(crimp[k] > 0, mat[3]) end
+  local switch = fields(mat[4], 10) -- ZEROSTRESS in 1 to 20, nothing in 21 to 30, the sensor in 31 to 40
+  assert(tonumber(mat[4]:sub(1, 20)) == 0 and mat[4]:sub(21, 30) == (" "):rep(10) and switch[4] == 0 and #mat[4] == 40, mat[4])
+  for k = 1, 3 do -- a function in 1 to 10, its scale in 21 to 40: 1, since the engine applies none
+    local l = mat[4 + k]
+    assert(tonumber(l:sub(1, 10)) == 30 + k and l:sub(11, 20) == (" "):rep(10) and tonumber(l:sub(21, 40)) == 1, l)
+    assert(table.concat(b["/FUNCT/" .. 30 + k], "\n") == table.concat(same["/FUNCT/" .. 30 + k], "\n"), "the loading curves are those of LAW58")
+    local x, y = {}, {}
+    for i = 2, #b["/FUNCT/" .. 30 + k] do
+      local f = fields(b["/FUNCT/" .. 30 + k][i], 20)
+      x[#x + 1], y[#y + 1] = f[1], f[2]
+      assert(i == 2 or x[i - 1] > x[i - 2] and y[i - 1] > y[i - 2], "the starter refuses a curve that does not rise")
+    end
+  end
+  for k = 1, 2 do -- the springs of the crimp: a millionth of the curves' first slopes
+    local second = fields(b["/FUNCT/" .. 30 + k][3], 20)
+    check(("%s: FLEX%d"):format(card.name, k), crimp[3 + k] / (second[2] / second[1]), 1e-6, 1e-6)
+    assert(crimp[3] >= crimp[3 + k])
+  end
+  assert(fields(mat[8], 10)[1] == 0 and fields(mat[8], 10)[2] == 0 and not b["/FUNCT/34"], "no functions of the crimp, none of unloading")
+  -- Elastic: down it is as up, so all that the card loses between up and down is what cyclic paths lose.
+  local law = r:law()
+  local function S(E) return (law:stress(E, 0, 0)) end
+  local E = 0.8 * card.tested.warp
+  local up = S(E)
+  S(card.tested.warp)
+  law:commit()
+  check(card.name .. ": the way down is the way up", S(E), up, 1e-9)
+  assert(r.report:find("hysteresis: elastic, none", 1, true) and r.lost["cyclic warp"].work < -50, r.report)
+end
+-- Its law against closed forms: E11 = E22 with straight yarns; and yarns of much crimp whose sum of heights is held, so that the warp lengthens
+-- without force until it is straight, while the weft takes twice its height and shortens.
+do
+  local laws = require "fabric.export.laws"
+  local K = 1e8
+  local line = { loading = { x = { 0, 1 }, y = { 0, K } } }
+  local law = laws.law158 { warp = line, weft = line, shear = { loading = { x = { 0, 90 }, y = { 0, 9e6 } } }, S1 = 1e-4, S2 = 1e-4, FLEX = 1, FLEX1 = 1, FLEX2 = 1 }
+  local l = 1.08
+  local S11, S22, S12 = law:stress((l * l - 1) / 2, (l * l - 1) / 2, -math.sin(math.rad(30)) * l * l / 2)
+  check("LAW158, straight yarns", S11, K * (l - 1.0001) / l, 1e-9)
+  check("LAW158, weft alike", S22, S11, 1e-12)
+  check("LAW158, 30 degrees the other way", S12, -3e6, 1e-9)
+  near("LAW158, a yarn pressed together gives way", (law:stress(-0.05, 0, 0)) / K, 0, 1e-5)
+  local S = 0.1
+  local function crimped() return laws.law158 { warp = line, weft = line, shear = line, S1 = S, S2 = S, FLEX = 1e4 * K, FLEX1 = 1e-6, FLEX2 = 1e-6 } end
+  local long, short = (1 + S) * 1.05, math.sqrt((1 + S) ^ 2 - 4 * ((1 + S) ^ 2 - 1))
+  local given = crimped()
+  S11, S22 = given:stress((long ^ 2 - 1) / 2, (short ^ 2 - 1) / 2, 0)
+  check("LAW158, crimp exchanged: the warp", S11, K * (long - 1 - S) / long, 1e-3)
+  near("LAW158, crimp exchanged: the weft is free", S22 / S11, 0, 1e-3)
+  -- It is elastic: dS11/dE22 = dS22/dE11 where the yarns are half straight.
+  local soft = { warp = line, weft = { loading = { x = { 0, 1 }, y = { 0, 2 * K } } }, shear = line, S1 = 0.05, S2 = 0.08, FLEX = 3e6, FLEX1 = 1e6, FLEX2 = 2e6 }
+  local function at(E11, E22) return laws.law158(soft):stress(E11, E22, 0) end
+  local h = 1e-5
+  local across = (select(1, at(0.06, 0.03 + h)) - select(1, at(0.06, 0.03 - h))) / (2 * h)
+  local back = (select(2, at(0.06 + h, 0.03)) - select(2, at(0.06 - h, 0.03))) / (2 * h)
+  assert(across > 0.01 * K, across)
+  check("LAW158, coupling is symmetric", across, back, 1e-6)
+end
+
 -- --- Abaqus in SI: stress first ---
 do
   local r = fabric.export.card { card = blend, to = "abaqus", units = "SI" }
@@ -153,8 +223,8 @@ end
 
 -- --- losses ---
 for _, card in ipairs(cards) do
-  for _, target in ipairs { { "ls-dyna", "MAT_034", 0.1 }, { "ls-dyna", "MAT_235" }, { "openradioss", "LAW58", 0.7 }, { "openradioss", "LAW19" },
-    { "abaqus", "FABRIC", 0.1 } } do
+  for _, target in ipairs { { "ls-dyna", "MAT_034", 0.1 }, { "ls-dyna", "MAT_235" }, { "openradioss", "LAW58", 0.7 }, { "openradioss", "LAW158", 0.7 },
+    { "openradioss", "LAW19" }, { "abaqus", "FABRIC", 0.1 } } do
     local r = fabric.export.card { card = card, to = target[1], material = target[2] }
     local label = card.name .. " " .. target[2]
     assert(#r.losses == 7 and r.lost["cyclic shear"].words and #r.sentences >= 4, label)
@@ -182,6 +252,26 @@ end
 local soft = blend:with { bending = { warp = 1e-5, weft = 1e-5, twist = 5e-6, friction_warp = { moment = 1e-4, curvature = 5 } } }
 local r = fabric.export.card { card = soft, to = "ls-dyna" }
 assert(r.report:find("bending friction: lost", 1, true) and tostring(r) == r.report)
+
+-- Bending that changes with the curvature, as coefficients or as measured points, is told by that of the flat sheet.
+for _, warp in ipairs { { 2e-5, -1e-7 }, { { 0, 0 }, { 50, 1e-3 }, { 100, 1.5e-3 } } } do
+  r = fabric.export.card { card = blend:with { bending = { warp = warp, weft = 1e-5, twist = 5e-6 } }, to = "ls-dyna" }
+  assert(r.report:gsub("%s+", " "):find("(the card's rigidity: warp 2e-05 and changing with the curvature, weft 1e-05, twist 5e-06 N.m)", 1, true), r.report)
+end
+
+-- The comparison laws follow their path: they are loaded in steps, and unload from there with the card's modulus, to a residual strain.
+for _, law in ipairs { "incremental", "thesis" } do
+  local card = blend:with { law = law }
+  for _, to in ipairs { { "ls-dyna", "MAT_034" }, { "openradioss", "LAW58" }, { "openradioss", "LAW158" }, { "abaqus", "FABRIC" } } do
+    r = fabric.export.card { card = card, to = to[1], material = to[2] }
+    near(("%s law, %s: warp, per cent"):format(law, to[2]), r.lost.warp.worst, 0, 2)
+    assert(r.report:find(("law: the card's '%s' law was sampled"):format(law), 1, true), r.report)
+  end
+  local meet, back = r.parameters.warp.meet, r.parameters.warp
+  local stretch = 1 + meet[1]
+  local residual = card.tested.warp - meet[2] / stretch / card.warp.unloading
+  check(law .. " law: residual strain of the warp", back.residual, residual, 1e-2)
+end
 
 -- A St. Venant-Kirchhoff card goes to *ELASTIC whole, to LAW19 but for the measure.
 local svk = fabric.svk { warp = 8e6, weft = 37e6, shear = 1e6, poisson = { 0.25, 0.42 }, density = 590, thickness = 0.38e-3 }
@@ -211,4 +301,7 @@ wrong("field 'card': ls-dyna takes no card of the law 'svk'", { card = svk, to =
 wrong("field 'units': expected 'mm-t-s' or 'mm-kg-ms' or 'SI', got 'inch'", { card = blend, to = "ls-dyna", units = "inch" })
 wrong("/proc/nowhere", { card = blend, to = "abaqus", file = "/proc/nowhere/card.inp" })
 wrong("field 'card'", { card = "blend", to = "abaqus" })
+for _, axis in ipairs { { 0, 0, 0 }, { 1, 0 }, { 1, 2, 3, 4 } } do
+  wrong(("card: field 'axis': expected a direction {x, y, z} other than zero, got {%s}"):format(table.concat(axis, ", ")), { card = blend, to = "ls-dyna", axis = axis })
+end
 fabric.expect(rows)

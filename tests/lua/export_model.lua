@@ -119,9 +119,60 @@ check("stroke, mm", fields(rad["/FUNCT/101"][3], 20)[2], 10, 1e-12)
 assert(rad["/IMPDISP/1"][2]:sub(11, 20):match "Y" and rad["/BCS/1"][2]:sub(1, 10) == "   001 111", rad["/BCS/1"][2])
 check("gravity, mm/ms2", fields(rad["/FUNCT/103"][3], 20)[2], -9.81e-3, 1e-9)
 r = fabric.export.model { model = m, warp = { 0, 2, 0 }, to = "openradioss", material = "LAW19" }
-assert(r.text:find("/PROP/TYPE9/1", 1, true))
+assert(r.text:find("/PROP/TYPE9/1", 1, true) and r.text:find("\n      2022         0\n", 1, true))
+r = fabric.export.model { model = m, warp = 90, to = "openradioss", material = "LAW158" } -- the format of 2023 is the first that has it
+assert(r.material == "LAW158" and r.text:find("/MAT/LAW158/1", 1, true) and r.text:find("/PROP/TYPE16/1", 1, true) and r.text:find("\n      2023         0\n", 1, true))
 r = fabric.export.model { model = m, warp = 90, to = "abaqus" }
 assert(r.material == "FABRIC" and r.text:find "M3D4R" and r.text:find "%*DYNAMIC, EXPLICIT" and r.text:find "%*MEMBRANE SECTION")
+
+-- A force is shared among its nodes as the model shares it: by area, by length or evenly. Held everywhere, each node reacts with its share.
+for _, triangles in ipairs { false, true } do
+  local graded = fabric.mesh.rectangle { width = 0.02, height = 0.03, nx = 3, ny = 4, triangles = triangles }
+    :map(function(x, y) return x * (1 + 20 * x), y + 0.3 * x, 10 * x * y end)
+  graded:set("patch", { 1, 2, 3, 5, 6, 7, 14 })
+  graded:set("two", { 1, 20 })
+  for _, set in ipairs { "all", "top", "patch", "two" } do
+    local loaded = fabric.model { mesh = graded, card = svk, warp = { 1, 0, 0 } }:fix("all", "x y z rotation"):force(set, { x = 0.001 })
+    local reaction = fabric.static({ model = loaded, duration = 1, step = 1 }):solve():field "reaction"
+    local text, worst, given = fabric.export.model({ model = loaded, warp = 0, to = "abaqus", units = "SI" }).text, 0, {}
+    for n, value in text:match("%*CLOAD\n(.-)\n%*"):gmatch "(%d+), 1, (%S+)" do given[tonumber(n)] = tonumber(value) end
+    for n = 1, #graded.nodes do worst = math.max(worst, math.abs((given[n] or 0) + reaction[n][1])) end
+    near(("shares of '%s'%s, N"):format(set, triangles and ", triangles" or ""), worst, 0, 1e-12)
+  end
+end
+
+-- Names of sets that are no plain words stand in quotes wherever a deck of Abaqus names them; CalculiX finds them.
+do
+  local named = strip()
+  named:set("left edge", { 1, 5, 9 })
+  named:set("123", { 7 })
+  named:set("the top", named:set "top")
+  local model = fabric.model { mesh = named, card = svk, warp = 90 }
+  model:fix("all", "z rotation"):fix("left edge", "x y"):fix("123", "x"):move("the top", { y = fabric.ramp(0.001, 1) })
+  local text = fabric.export.model({ model = model, warp = 90, file = "names.inp" }).text
+  for _, line in ipairs { '*NSET, NSET="left edge"', '"left edge", 1, 1', '"123", 1, 1', '"the top", 2, 2, 1', '*NODE PRINT, NSET="the top", TOTALS=YES', "all, 3, 3" } do
+    assert(text:find("\n" .. line .. "\n", 1, true), line .. "\n" .. text:match "%*BOUNDARY.*")
+  end
+  if there "ccx" then
+    assert(os.execute "OMP_NUM_THREADS=1 ccx names >ccx.txt 2>&1" and not io.open("ccx.txt"):read("a"):find "ERROR", "ccx")
+    local last
+    for line in io.open("names.dat"):read("a"):gmatch "total force[^\n]*\n%s*\n([^\n]*)" do last = line end
+    local _, pull = last:match "(%S+)%s+(%S+)"
+    local a = fabric.static({ model = model, duration = 1, step = 0.1 }):solve()
+    check("pull of a strip with names in quotes, N: CalculiX and ours", tonumber(pull), select(2, a:reaction "the top"), 1e-3)
+  else
+    skip "ccx (calculix-ccx)"
+  end
+end
+
+-- Units, source and losses stand once in a deck, and before the material; notes on the model too.
+for _, to in ipairs { "abaqus", "ls-dyna", "openradioss" } do
+  r = fabric.export.model { model = m, warp = 90, to = to }
+  for _, words in ipairs { "Units: ", "What is lost", "its source: ", "cyclic shear", "written straight from" } do
+    assert(select(2, r.text:gsub(words, "")) == 1, to .. ": " .. words)
+  end
+  assert(r.text:find("What is lost", 1, true) < r.text:find(({ abaqus = "\n*MATERIAL", ["ls-dyna"] = "\n*MAT_FABRIC", openradioss = "\n/MAT/" })[to], 1, true))
+end
 
 -- A drape: a square held at its corners, of triangles too.
 local sheet = fabric.mesh.rectangle { width = 1, height = 1, nx = 4, ny = 4, triangles = true }
@@ -141,6 +192,9 @@ end
 wrong("model: field 'file': expected a name that ends in .inp, .k or .rad, or field 'to', got 'strip.dat'", { model = m, warp = 90, file = "strip.dat" })
 wrong("field 'file': expected a name that ends in .k for ls-dyna, got 'strip.inp'", { model = m, warp = 90, file = "strip.inp", to = "ls-dyna" })
 wrong("field 'warp'", { model = m, file = "strip.inp" })
+for _, warp in ipairs { { 0, 0, 0 }, { 1, 2, 3, 4 }, { 1 } } do
+  wrong(("model: field 'warp': expected a direction {x, y, z} other than zero, got {%s}"):format(table.concat(warp, ", ")), { model = m, warp = warp, to = "abaqus" })
+end
 wrong("/proc/nowhere", { model = m, warp = 90, file = "/proc/nowhere/strip.inp" })
 local sprung = pulled(blend):spring("right", { x = 10 })
 wrong("model: field 'model': a spring ('right') cannot be exported; expected fix, move, force and gravity of one sheet",

@@ -169,6 +169,18 @@ class Module(unittest.TestCase):
         for name, blocks in theirs.cell_data.items():
             numpy.testing.assert_array_equal(ours.cell_data[name][0], blocks[0])
 
+    def test_what_is_not_there(self):
+        pathlib.Path("none.pvd").write_text('<VTKFile type="Collection"><Collection></Collection></VTKFile>')
+        none = fabricsh.read_series("none.pvd")
+        self.assertEqual((len(none), list(none)), (0, []))
+        self.assertEqual(str(self.refused(IndexError, lambda: none.at(1))), "none.pvd: a series without frames")
+        self.assertEqual(str(self.refused(IndexError, lambda: self.series[5])), "out/strip.pvd: frame 5 of 5")
+        self.assertEqual(self.series[-5].time, 0)
+        self.assertIn("none.pvd: not a run.json", str(self.refused(ValueError, lambda: fabricsh.read_run("none.pvd"))))
+        denim = fabricsh.read_card("denim")
+        for strains in ([], [float("nan")], [0.01, float("inf")]):
+            self.assertIn("pull: expected finite strains, one at least, got [", str(self.refused(ValueError, lambda: denim.pull("warp", strains))))
+
     def test_a_card(self):
         denim = fabricsh.read_card("denim")
         self.assertEqual((denim["kind"], denim["name"], denim["density"], denim["thickness"]), ("woven", "denim", 350, 1.12 * 1e-3))

@@ -5,6 +5,7 @@ local units = require "fabric.export.units"
 local targets = require "fabric.export.targets"
 local curves = require "fabric.export.curves"
 local loss = require "fabric.export.loss"
+local gather = require "fabric.export.gather"
 local fail = define.fail
 
 local export = {}
@@ -50,9 +51,9 @@ end
 function export.prepare(t)
   local target = target_of(t)
   local p = target.parameters(t.card)
-  p.axis = t.axis or { 1.0, 0.0, 0.0 }
+  p.axis = t.axis and gather.unit(t.axis, "card: field 'axis'") or { 1.0, 0.0, 0.0 }
   if p.warp and type(p.warp) == "table" then
-    local part, what, where = curves.falling(p)
+    local part, what, where = curves.falling(p, target.elastic and { "loading" } or { "loading", "unloading" })
     if part then
       fail(("card: field 'card': %s needs curves that rise everywhere; the %s of %s falls at %.4g in its measure"):format(
         target.name, what, part, where))
@@ -110,7 +111,7 @@ define {
     { name = "card", of = "card", sentence = "the fabric" },
     { name = "to", kind = "text", choices = targets.solvers, sentence = "the solver" },
     { name = "material", kind = "text", optional = true,
-      sentence = "ls-dyna: MAT_034 (default) or MAT_235; openradioss: LAW58 (default) or LAW19; abaqus: FABRIC, or ELASTIC for svk cards" },
+      sentence = "ls-dyna: MAT_034 (default) or MAT_235; openradioss: LAW58 (default), LAW158 or LAW19; abaqus: FABRIC, or ELASTIC for svk cards" },
     { name = "file", kind = "text", optional = true, sentence = "where the text goes; default: it is only returned" },
     export.arguments[1],
     { name = "id", kind = "integer", low = 1, high = 9999, default = 1, sentence = "of the material; curves are 10 id + 1 and on" },

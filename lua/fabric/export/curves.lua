@@ -82,10 +82,10 @@ local function part_of(card, name, measure, style)
   return { loading = loading, unloading = unloading, meet = meet, residual = residual, slope = loading.y[2] / loading.x[2] }
 end
 
--- Name of the first part whose loading or unloading curve decreases somewhere, which the targets refuse; or nil.
-function curves.falling(parts)
+-- Name of the first part one of whose curves, loading or unloading, decreases somewhere, which the targets refuse; or nil.
+function curves.falling(parts, written)
   for _, name in ipairs { "warp", "weft", "shear" } do
-    for _, what in ipairs { "loading", "unloading" } do
+    for _, what in ipairs(written) do
       local c = parts[name][what]
       for i = 2, #c.x do
         if not (c.x[i] > c.x[i - 1] and c.y[i] > c.y[i - 1]) then return name, what, c.x[i] end

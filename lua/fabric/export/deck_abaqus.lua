@@ -4,6 +4,9 @@ local function amplitude(out, name, corners, ft, scale)
   for _, c in ipairs(corners) do out[#out + 1] = ("%.10g, %.10g"):format(c[1] * ft, c[2] * scale) end
 end
 
+-- The name of a set as the mesh writes it: one that is no plain word stands in quotes.
+local function called(name) return name:find "^%a[%w_.-]*$" and name or '"' .. name .. '"' end
+
 return function(m, material, target, u)
   local membrane = target.name == "FABRIC"
   local out = { (m.mesh:deck_lines("inp", u.length, membrane, "cloth"):gsub("\n$", "")) }
@@ -23,7 +26,7 @@ return function(m, material, target, u)
   if #m.fixed > 0 then out[#out + 1] = "*BOUNDARY" end
   for _, f in ipairs(m.fixed) do
     for _, k in ipairs(f.freedoms) do
-      if not (membrane and k > 3) then out[#out + 1] = ("%s, %d, %d"):format(f.set, k, k) end
+      if not (membrane and k > 3) then out[#out + 1] = ("%s, %d, %d"):format(called(f.set), k, k) end
     end
   end
   local T = m.duration * u.time
@@ -33,7 +36,7 @@ return function(m, material, target, u)
   for i, one in ipairs(m.moved) do
     local varies = type(one.value) == "table"
     out[#out + 1] = "*BOUNDARY" .. (varies and ", AMPLITUDE=motion_" .. i or "")
-    out[#out + 1] = ("%s, %d, %d, %.10g"):format(one.set, one.axis, one.axis, varies and 1 or one.value * u.length)
+    out[#out + 1] = ("%s, %d, %d, %.10g"):format(called(one.set), one.axis, one.axis, varies and 1 or one.value * u.length)
   end
   for i, one in ipairs(m.forces) do
     local varies = type(one.value) == "table"
@@ -52,7 +55,7 @@ return function(m, material, target, u)
   for _, one in ipairs(m.moved) do
     if not told[one.set] and not membrane then
       told[one.set] = true
-      out[#out + 1] = ("*NODE PRINT, NSET=%s, TOTALS=YES"):format(one.set)
+      out[#out + 1] = ("*NODE PRINT, NSET=%s, TOTALS=YES"):format(called(one.set))
       out[#out + 1] = "RF"
     end
   end

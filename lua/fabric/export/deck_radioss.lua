@@ -1,4 +1,5 @@
--- A whole model as an OpenRadioss starter deck (NAME_0000.rad). The engine file, with end time and outputs, is left to the user.
+-- A whole model as an OpenRadioss starter deck (NAME_0000.rad). The engine file, with end time and outputs, is left to the user. The format is that
+-- of 2022, or the first one that has the material.
 local units = require "fabric.export.units"
 
 local names = { ["SI"] = { "kg", "m", "s" }, ["mm-t-s"] = { "Mg", "mm", "s" }, ["mm-kg-ms"] = { "kg", "mm", "ms" } }
@@ -12,15 +13,15 @@ return function(m, material, target, u)
   local function ints(...) return units.line(10, { ... }) end
   local words = names[u.name]
   local unit = ("%20s%20s%20s"):format(words[1], words[2], words[3])
-  local out = { "#RADIOSS STARTER", "/BEGIN", m.name, ints(2022, 0), unit, unit }
+  local out = { "#RADIOSS STARTER", "/BEGIN", m.name, ints(target.format or 2022, 0), unit, unit }
   local function add(keyword, ...)
     out[#out + 1] = keyword
     for _, l in ipairs { ... } do out[#out + 1] = l end
   end
   out[#out + 1] = material
   local t, w = m.thickness * u.length, m.warp
-  local fabric = target.name == "LAW58"
-  add(fabric and "/PROP/TYPE16/1" or "/PROP/TYPE9/1", m.name, "#   ISHELL    ISMSTR     ISH3N", ints(12, fabric and 4 or 11, 2), "#  HM HF HR DM DN", reals(0.0, 0.0, 0.0, 0.0, 0.0),
+  local fabric = target.property == "TYPE16"
+  add(("/PROP/%s/1"):format(target.property), m.name, "#   ISHELL    ISMSTR     ISH3N", ints(12, fabric and 4 or 11, 2), "#  HM HF HR DM DN", reals(0.0, 0.0, 0.0, 0.0, 0.0),
     "#        N   ISTRAIN               THICK              ASHEAR", ints(1, 1) .. reals(t, 0.0) .. ints("", 0, 0))
   if fabric then -- directions of the yarns: warp along V, weft at 90 degrees
     add("#                 VX                  VY                  VZ   SKEW_ID", reals(w[1], w[2], w[3]) .. ints(0, "", 0),

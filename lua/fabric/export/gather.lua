@@ -44,27 +44,51 @@ local function components(row, unit, histories, notes)
   return out
 end
 
--- Shares of a total force by tributary length, for nodes that do not form a row of edges.
+-- Area of an element with the corners {x, y, z}: half the cross product of two sides, or of the diagonals.
+local function area(corners)
+  local n = #corners
+  local p, q, r, s = corners[1], n == 3 and corners[2] or corners[3], n == 3 and corners[1] or corners[2], n == 3 and corners[3] or corners[4]
+  local u, v = { q[1] - p[1], q[2] - p[2], q[3] - p[3] }, { s[1] - r[1], s[2] - r[2], s[3] - r[3] }
+  return math.sqrt((u[2] * v[3] - u[3] * v[2]) ^ 2 + (u[3] * v[1] - u[1] * v[3]) ^ 2 + (u[1] * v[2] - u[2] * v[1]) ^ 2) / 2
+end
+
+-- Shares of the nodes in a total force, as a model shares it: by area where all corners of an element belong to the set, else by the length of its
+-- edges, else evenly.
 local function shares(mesh, nodes)
-  local inside, length, total = {}, {}, 0
-  for _, n in ipairs(nodes) do inside[n], length[n] = true, 0 end
+  local inside, by_area, by_length, areas, lengths = {}, {}, {}, 0, 0
+  for _, n in ipairs(nodes) do inside[n], by_area[n], by_length[n] = true, 0, 0 end
   local seen = {}
   for e = 1, #mesh.elements do
-    local element = mesh.elements[e]
+    local element, corners = mesh.elements[e], {}
     for k = 1, #element do
       local a, b = element[k], element[k % #element + 1]
+      if inside[a] then corners[#corners + 1] = mesh.nodes[a] end
       local key = a < b and a .. " " .. b or b .. " " .. a
       if inside[a] and inside[b] and not seen[key] then
         seen[key] = true
         local p, q = mesh.nodes[a], mesh.nodes[b]
         local l = math.sqrt((p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 + (p[3] - q[3]) ^ 2)
-        length[a], length[b], total = length[a] + l / 2, length[b] + l / 2, total + l
+        by_length[a], by_length[b], lengths = by_length[a] + l / 2, by_length[b] + l / 2, lengths + l
       end
+    end
+    if #corners == #element then
+      local A = area(corners)
+      areas = areas + A
+      for k = 1, #element do by_area[element[k]] = by_area[element[k]] + A / #element end
     end
   end
   local out = {}
-  for _, n in ipairs(nodes) do out[n] = total > 0 and length[n] / total or 1 / #nodes end
+  for _, n in ipairs(nodes) do out[n] = areas > 0 and by_area[n] / areas or lengths > 0 and by_length[n] / lengths or 1 / #nodes end
   return out
+end
+
+-- A direction {x, y, z} of length 1, or an error of that field.
+function gather.unit(given, field)
+  local l = 0
+  for _, x in ipairs(given) do l = l + x * x end
+  if #given ~= 3 or l == 0 then fail(("%s: expected a direction {x, y, z} other than zero, got {%s}"):format(field, table.concat(given, ", "))) end
+  l = math.sqrt(l)
+  return { given[1] / l, given[2] / l, given[3] / l }
 end
 
 -- Direction of the warp, from an angle in degrees to x or from {x, y, z}.
@@ -74,8 +98,7 @@ local function direction(warp)
     local function round(v) return math.abs(v) < 1e-15 and 0.0 or v end
     return { round(math.cos(angle)), round(math.sin(angle)), 0.0 }
   end
-  local l = math.sqrt(warp[1] ^ 2 + warp[2] ^ 2 + (warp[3] or 0) ^ 2)
-  return { warp[1] / l, warp[2] / l, (warp[3] or 0) / l }
+  return gather.unit(#warp == 2 and { warp[1], warp[2], 0 } or warp, "model: field 'warp'")
 end
 
 -- t: fields of fabric.export.model. Returns mesh, sets {name, nodes}, fixed {set, freedoms}, moved and forces {set, axis, value or

@@ -14,22 +14,42 @@ local kinds = {
   abaqus = { read = read.fabric, measure = "nominal_radians", law = laws.fabric, name = "*FABRIC", ending = "inp", shifted = true },
 }
 
--- Points {E, S} of the loading curve in the card's measures, up to `tested`, and beyond as far as the file has data.
+-- Points {E, S} of the loading curve in the card's measures, as far as the file has data. A file's law is straight between its points: of a
+-- curve of few, there are more on those lines, since the card's curve is smooth.
 local function points(back, part)
-  local out = {}
-  for i = 1, #part.loading.x do
-    local E, S = back(part.loading.x[i], part.loading.y[i])
-    out[i] = { E, S }
+  local c, out = part.loading, { { 0, 0 } }
+  local longest = #c.x < 40 and c.x[#c.x] / 200 or math.huge
+  for i = 2, #c.x do
+    local n = math.max(1, math.ceil((c.x[i] - c.x[i - 1]) / longest - 1e-9))
+    for k = 1, n do
+      local s = k / n
+      local E, S = back(c.x[i - 1] + s * (c.x[i] - c.x[i - 1]), c.y[i - 1] + s * (c.y[i] - c.y[i - 1]))
+      out[#out + 1] = { E, S }
+    end
   end
   return out
 end
 
-local function steepest(list, upto)
-  local most = 0
+-- The steepest tangent up to a strain of the smooth curve that a card lays through points. It is asked of a card that unloads more steeply than any
+-- such curve can rise, whose stress in a first pull is that curve; its stresses are scaled to those of a usual cloth.
+local function steepest(name, list, upto)
+  local most, scaled = 0, {}
+  for i = 2, #list do most = math.max(most, (list[i][2] - list[i - 1][2]) / (list[i][1] - list[i - 1][1])) end
+  local usual = 1e7
+  for i, p in ipairs(list) do scaled[i] = { p[1], p[2] * usual / most } end
+  local function part(axis) return { loading = axis == name and scaled or { usual }, unloading = 10 * usual, poisson = axis ~= "shear" and 0 or nil } end
+  local point = fabric.point(fabric.woven { name = name, density = 600, thickness = 1e-3, warp = part "warp", weft = part "weft", shear = part "shear",
+    tested = { [name] = upto } })
+  local slope, E0, S0 = 0, 0, 0
   for i = 2, #list do
-    if list[i - 1][1] < upto then most = math.max(most, (list[i][2] - list[i - 1][2]) / (list[i][1] - list[i - 1][1])) end
+    for k = 1, 8 do
+      local E = list[i - 1][1] + (list[i][1] - list[i - 1][1]) * k / 8
+      if E0 >= upto then return slope * most / usual end
+      local S = name == "shear" and point:strain({ E12 = E }).S12 or point:uniaxial(name, E).S
+      slope, E0, S0 = math.max(slope, (S - S0) / (E - E0)), E, S
+    end
   end
-  return most
+  return slope * most / usual
 end
 
 -- The unloading curve of the file as points {E, S} in the card's measures, from the reversal down to `share` of its stress.
@@ -76,35 +96,47 @@ local function modulus(name, back, part, shifted, least, notes)
   return used
 end
 
--- The card's curve passes smoothly through the points and is a little steeper between them, so the modulus has a margin.
+-- A card's unloading modulus may not lie below any tangent of its loading; between the samples of that there may be a little more.
 local margin = 1.05
 
-local function part_of(name, from, kind, notes)
+-- The part of a card, and the strain up to which it was tested. wanted: its unloading modulus, instead of the file's; nil: not asked for.
+local function part_of(name, from, kind, wanted, notes)
   local measure = curves.measures[kind.measure]
   local back = name == "shear" and measure.shear_back or measure.axis_back
   local list = points(back, from)
   local tested = back(from.meet[1], from.meet[2])
-  local most = steepest(list, tested)
-  local unloading = modulus(name, back, from, kind.shifted, margin * most, notes)
+  local least = margin * steepest(name, list, tested)
+  if wanted then
+    if wanted < least / margin then
+      fail(("card: field 'unloading.%s': expected at least the steepest slope of the loading, %.4g MPa, got %.4g MPa"):format(name, least / margin / 1e6, wanted / 1e6))
+    end
+    return { loading = list, unloading = wanted }, tested
+  end
+  local unloading = modulus(name, back, from, kind.shifted, least, notes)
   if not unloading then
-    unloading = margin * most
-    notes[#notes + 1] = ("%s: the file unloads along its loading curve; the card's unloading modulus is 1.05 times the steepest slope, so some energy is lost that the file keeps"):format(name)
-  elseif unloading < margin * most then
-    notes[#notes + 1] = ("%s: the unloading modulus of %.4g MPa is raised to 1.05 times the steepest slope of the loading, %.4g MPa, below which a card's may not lie")
-      :format(name, unloading / 1e6, margin * most / 1e6)
-    unloading = margin * most
+    unloading = least
+    notes[#notes + 1] = ("%s: the file unloads along its loading curve; the card's unloading modulus is 1.05 times the steepest slope, so some energy is lost that the file keeps; unloading={ %s=... } gives another"):format(name, name)
+  elseif unloading < least then
+    notes[#notes + 1] = ("%s: the unloading modulus of %.4g MPa is raised to 1.05 times the steepest slope of the loading, %.4g MPa, below which a card's may not lie; unloading={ %s=... } gives another")
+      :format(name, unloading / 1e6, least / 1e6, name)
+    unloading = least
   end
   return { loading = list, unloading = unloading }, tested
 end
 
--- The strain (Green-Lagrange, E12 in shear) up to which the curve counts as measured, and at which unloading begins.
-local function turn_at(part, name, E, kind)
+local components = { warp = "E11", weft = "E22", shear = "E12" }
+
+-- The strain (Green-Lagrange, E12 in shear) up to which the curve counts as measured, and at which unloading begins; `said`: where it stands.
+local function turn_at(part, name, E, kind, said)
   local measure = curves.measures[kind.measure]
   local x = (name == "shear" and measure.shear or measure.axis)(E, 0)
+  local last = part.loading.x[#part.loading.x]
+  if x > last * (1 + 1e-6) then
+    local most = (name == "shear" and measure.shear_back or measure.axis_back)(last, 0)
+    fail(("card: %s: expected a strain of the %s on the file's curve, which ends at %s = %.4g, got %.4g"):format(said, name, components[name], most, E))
+  end
   part.meet = { x, laws.value(part.loading, x) }
 end
-
-local components = { warp = "E11", weft = "E22", shear = "E12" }
 
 -- Where the curves of the file do not show by themselves at which strain they were let go: the strains asked for, else those that the file
 -- states in a comment, else the curves' ends, which a note says.
@@ -112,16 +144,16 @@ local function turn_all(t, p, kind, notes)
   local stated, line = read.tested(t.file)
   local ended = {}
   for _, name in ipairs { "warp", "weft", "shear" } do
-    local E = t.tested and t.tested[name] or 0
+    local E, said = t.tested and t.tested[name] or 0, ("field 'tested.%s'"):format(name)
     if p[name].ended and E == 0 and stated then
-      E = stated[name]
+      E, said = stated[name], ("%s:%d"):format(t.file, line)
       if E == 0 then
         E = ours.untested[name]
         notes[#notes + 1] = ("%s: line %d of the file says that it was not tested; its curve was taken as measured up to %s = %.4g, where fabric.export lets such a one go")
           :format(name, line, components[name], E)
       end
     end
-    if p[name].ended and E > 0 then turn_at(p[name], name, E, kind) elseif p[name].ended then ended[#ended + 1] = name end
+    if p[name].ended and E > 0 then turn_at(p[name], name, E, kind, said) elseif p[name].ended then ended[#ended + 1] = name end
   end
   if #ended > 0 then
     notes[#notes + 1] = ("tested: neither the file (in a comment 'Tested up to E11 = ...') nor tested= says up to which strains %s was measured; the ends of the curves were taken, "
@@ -157,11 +189,14 @@ local function run(t)
   local density = t.density or p.density
   if not density or density <= 0 then fail(("card: field 'density': expected a positive number in kg/m^3 (%s has none), got nil"):format(t.file)) end
   local poisson = t.poisson or { 0, 0 }
+  if #poisson ~= 2 or poisson[1] * poisson[2] >= 1 then
+    fail(("card: field 'poisson': expected {nu12, nu21} with a product below 1, got {%s}"):format(table.concat(poisson, ", ")))
+  end
   local fields = { name = t.name or p.name, density = density, thickness = thickness, tested = {},
     source = ("%s of %s"):format(kind.name, t.file:match "[^/]*$") }
   turn_all(t, p, kind, notes)
   for _, name in ipairs { "warp", "weft", "shear" } do
-    fields[name], fields.tested[name] = part_of(name, p[name], kind, notes)
+    fields[name], fields.tested[name] = part_of(name, p[name], kind, t.unloading and t.unloading[name], notes)
   end
   fields.warp.poisson, fields.weft.poisson = poisson[1], poisson[2]
   if not t.poisson then notes[#notes + 1] = "poisson: the file has no ratios; 0 was taken, poisson={nu12, nu21} gives them" end
@@ -194,6 +229,10 @@ define {
       rows = { { name = "warp", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E11; 0: not known, as in a card" },
         { name = "weft", kind = "number", low = 0, high = 10, optional = true, sentence = "largest E22; 0: not known, as in a card" },
         { name = "shear", kind = "number", low = 0, below = 0.5, optional = true, sentence = "largest E12 (tensor); 0: not known" } } },
+    { name = "unloading", kind = "fields", optional = true, sentence = "unloading moduli, Pa, instead of those of the file's curves",
+      rows = { { name = "warp", kind = "number", unit = "Pa", above = 0, optional = true, sentence = "of the warp" },
+        { name = "weft", kind = "number", unit = "Pa", above = 0, optional = true, sentence = "of the weft" },
+        { name = "shear", kind = "number", unit = "Pa", above = 0, optional = true, sentence = "of S12 over E12 (tensor)" } } },
   },
   sentence = "A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and "
     .. "lost (as fabric.export.card, the file's law beside the card's), notes.",

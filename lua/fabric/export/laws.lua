@@ -157,6 +157,74 @@ function laws.law58(p)
   return law
 end
 
+-- LAW158 (OpenRadioss, engine/source/materials/mat/mat158/sigeps158c.F): yarns as in LAW58, elastic along their loading curves. The crimp height of
+-- each direction has a spring of its own, logarithmic in its relative change (FLEX1, FLEX2), and FLEX holds the sum of both heights. At rest the pull
+-- of a yarn across the sheet is in balance with both. No damping; the friction of that law acts in no motion without it.
+function laws.law158(p)
+  local yarns = { { curve = p.warp.loading, K = p.FLEX1, d0 = 1 + p.S1 }, { curve = p.weft.loading, K = p.FLEX2, d0 = 1 + p.S2 } }
+  for _, y in ipairs(yarns) do y.h0 = math.sqrt(y.d0 ^ 2 - 1) end
+  local H = yarns[1].h0 + yarns[2].h0
+  local least = math.log(1e-4) -- the law lets no height become less than a ten thousandth of that at rest
+  -- Imbalance of a yarn of length l and crimp height h0 exp(u), without FLEX; its derivative; its force and length.
+  local function balance(y, l, u)
+    local h = y.h0 * math.exp(u)
+    local d = math.sqrt(l * l + h * h)
+    local x = d - y.d0
+    local F, slope = value(y.curve, x), (value(y.curve, x + 1e-7) - value(y.curve, x - 1e-7)) / 2e-7
+    return F * h / d + y.K * u, slope * h ^ 3 / d ^ 2 + F * h / d * (1 - h * h / (d * d)) + y.K, F, d, h
+  end
+  -- The height at which a yarn is in balance with a pull Q of FLEX, by halving.
+  local function height(y, l, Q)
+    local low, high = least, 12
+    for _ = 1, 60 do
+      local u = (low + high) / 2
+      if balance(y, l, u) + Q > 0 then high = u else low = u end
+    end
+    return (low + high) / 2
+  end
+  local last = { 0, 0 }
+  local function sum(u) return p.FLEX * (yarns[1].h0 * (math.exp(u[1]) - 1) + yarns[2].h0 * (math.exp(u[2]) - 1)) / H end
+  -- The heights of both: Newton's method from those of the last state; where it does not get there, both by turns.
+  local function heights(l)
+    local u = { last[1], last[2] }
+    for _ = 1, 30 do
+      local a, ja, _, _, h1 = balance(yarns[1], l[1], u[1])
+      local b, jb, _, _, h2 = balance(yarns[2], l[2], u[2])
+      local Q = sum(u)
+      a, b = a + Q, b + Q
+      local q1, q2 = p.FLEX * h1 / H, p.FLEX * h2 / H
+      ja, jb = ja + q1, jb + q2
+      local det = ja * jb - q1 * q2
+      local du, dv = -(a * jb - b * q2) / det, -(b * ja - a * q1) / det
+      local most = math.max(math.abs(du), math.abs(dv))
+      if not (ja > 0 and jb > 0 and det > 0 and most < 1e3) then break end
+      local t = math.min(1, 1 / most)
+      u[1], u[2] = math.max(least, u[1] + t * du), math.max(least, u[2] + t * dv)
+      if most < 1e-12 then return u end
+    end
+    local low, high = -p.FLEX, 1e3 * p.FLEX
+    for _ = 1, 60 do
+      local Q = (low + high) / 2
+      u[1], u[2] = height(yarns[1], l[1], Q), height(yarns[2], l[2], Q)
+      if sum(u) > Q then low = Q else high = Q end
+    end
+    return u
+  end
+  local law = {}
+  function law:stress(E11, E22, E12)
+    local l1, l2, sine = kinematics(E11, E22, E12)
+    local u = heights { l1, l2 }
+    last = u
+    local _, _, F1, d1 = balance(yarns[1], l1, u[1])
+    local _, _, F2, d2 = balance(yarns[2], l2, u[2])
+    local angle = math.deg(math.asin(sine))
+    local S12 = value(p.shear.loading, math.abs(angle))
+    return F1 / d1, F2 / d2, angle < 0 and -S12 or S12
+  end
+  function law:commit() end
+  return law
+end
+
 -- LAW19 (OpenRadioss, engine/source/materials/mat/mat019/sigeps19c.F): linear orthotropic, Cauchy stress over logarithmic strain; principal
 -- stresses in compression are reduced by RE.
 function laws.law19(p)

@@ -1,5 +1,6 @@
 -- The loss of an export: the target's law compared with the card's own, path by path.
 local ours = require "fabric.export.ours"
+local registry = require("fabric.define").registry
 local laws = require "fabric.export.laws"
 local loss = {}
 
@@ -56,6 +57,45 @@ function loss.lines(rows)
   return out
 end
 
+-- The groups of a card of which other sentences speak, or of which nothing has to be said.
+local told = { warp = true, weft = true, shear = true, tested = true, biaxial = true, bending = true, bands = true, estimate = true }
+
+-- The numbers of a group by its rows, such as "shear modulus 1e+05 Pa, shear time 10 s".
+local function numbers(rows, group, before, out)
+  for _, row in ipairs(rows) do
+    local value = group[row.name]
+    if type(value) == "table" then
+      numbers(row.rows, value, before .. row.name .. " ", out)
+    elseif value ~= nil then
+      out[#out + 1] = (("%s%s %s %s"):format(before, row.name, type(value) == "number" and ("%.4g"):format(value) or tostring(value), row.unit or ""):gsub(" $", ""))
+    end
+  end
+  return out
+end
+
+-- What else acts beside the springs of a woven card: the groups that its constructor takes, whatever they are.
+local function beside(card, add)
+  for _, row in ipairs(registry.rows()) do
+    if row.name == "fabric.woven" then
+      for _, argument in ipairs(row.arguments) do
+        local group = not told[argument.name] and #argument.rows > 0 and card[argument.name]
+        if group then
+          add(("%s: %s, is lost (%s); what is written is the answer to a pull too quick for time to matter"):format(argument.name,
+            argument.sentence:match "^[^,;]*", table.concat(numbers(argument.rows, group, "", {}), ", ")))
+        end
+      end
+    end
+  end
+end
+
+-- A rigidity in words; one that changes with the curvature by that of the flat sheet: its first coefficient, or its first measured slope.
+local function rigidity(given)
+  if type(given) == "number" then return ("%.3g"):format(given) end
+  local first = given[1]
+  if type(first) == "table" then first = given[2][2] / given[2][1] end
+  return ("%.3g and changing with the curvature"):format(first)
+end
+
 -- Losses that the paths do not show, as sentences.
 function loss.sentences(card, target)
   local out = {}
@@ -69,24 +109,26 @@ function loss.sentences(card, target)
     local linear = target.measure ~= nil -- a law of constants, which takes secants at the tested strains and no curves
     for _, axis in ipairs(ours.axes) do
       local l = card[axis].loop
-      if l and linear then
+      if l and target.elastic then
+        add(("curved loops: the %s unloads along its loading curve there; the card's loop (friction %.4g, reach %.4g, curve %.4g) is lost"):format(axis, l.friction, l.reach, l.curve))
+      elseif l and linear then
         add(("curved loops: the %s loads and unloads along one straight line there; the card's loop (friction %.4g, reach %.4g, curve %.4g) is lost"):format(axis, l.friction, l.reach, l.curve))
       elseif l then
         add(("curved loops: of the %s the card's curve from the tested strain to zero stress is written; its loop (friction %.4g, reach %.4g, curve %.4g), and those inside it, are lost: going up again is the target's")
           :format(axis, l.friction, l.reach, l.curve))
       end
     end
-    local f, v = card.shear.friction, card.viscous and card.viscous.shear
+    local f = card.shear.friction
     if f then
       add(("shear friction: the card's loop, which slips at %.4g Pa, and by %.4g Pa more over a strain of 1, is lost; %s")
-        :format(f.stress, f.growth, linear and "only the secant at the tested shear is written" or "its ways up and down from the tested shear are written"))
+        :format(f.stress, f.growth, linear and "only the secant at the tested shear is written" or target.elastic and "only its way up is written" or "its ways up and down from the tested shear are written"))
     end
-    if v then add(("relaxation: the part of shear that relaxes (%.4g Pa in %.4g s) is lost; what is written is shear too quick for any of it to relax"):format(v.modulus, v.time)) end
+    beside(card, add)
     if card.law ~= "potential" then add(("law: the card's '%s' law was sampled; its path dependence beyond one axis at a time is lost"):format(card.law)) end
   end
   local bending = card.bending
   if bending then
-    add("bending: " .. target.bending .. (" (the card's rigidity: warp %.3g, weft %.3g, twist %.3g N.m)"):format(bending.warp, bending.weft, bending.twist))
+    add("bending: " .. target.bending .. (" (the card's rigidity: warp %s, weft %s, twist %.3g N.m)"):format(rigidity(bending.warp), rigidity(bending.weft), bending.twist))
     if bending.friction_warp or bending.friction_weft then add "bending friction: lost" end
   else
     add("bending: " .. target.bending)

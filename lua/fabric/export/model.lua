@@ -23,9 +23,7 @@ local function run(t)
   local r = card.run { card = m.card, to = to, material = t.material, units = t.units, id = 1, axis = m.warp }
   local target, u = targets.find(to, r.material, m.card.kind), units.of(t.units)
   m.name = card.name(m.card)
-  local head = {}
-  for line in (r.report .. "\n"):gmatch "(.-)\n" do head[#head + 1] = line end
-  local notes = target.comment(table.move(m.notes, 1, #m.notes, #head + 1, head)) .. "\n"
+  local notes = #m.notes > 0 and target.comment(m.notes) .. "\n" or ""
   local text = writers[to](m, notes .. r.body, target, u)
   if t.file then fabric.write(t.file, text) end
   return { text = text, to = to, material = r.material, notes = m.notes, card = r, file = t.file }

@@ -37,22 +37,40 @@ function ours.shear(card, reach, n)
   return E, S
 end
 
+-- A point of the card loaded to a strain in many steps, since the comparison laws follow their path; its stress; and what drives it on.
+local function loaded(card, part, from)
+  local p, S = fabric.point(card), nil
+  local function drive(E) return part == "shear" and p:strain({ E12 = E }).S12 or p:uniaxial(part, E).S end
+  for i = 1, 64 do S = drive(from * i / 64) end
+  return S, drive
+end
+
+-- The strain at which the stress has come to zero on the way down, which of the potential law is one straight line (of a curved loop: its chord).
+local function residual_of(card, part, from)
+  local value, drive = loaded(card, part, from)
+  local loop = part ~= "shear" and card.kind == "woven" and card[part].loop
+  if loop then return from - value / card[part].unloading end
+  if card.kind ~= "woven" or card.law == "potential" then
+    local probe = 1e-4 * from
+    return from - value * probe / (value - drive(from - probe))
+  end
+  local steps, before = 400, value
+  for i = 1, steps do
+    local S = drive(from * (1 - i / steps))
+    if S <= 0 then return from * (1 - (i - 1 + before / (before - S)) / steps) end
+    before = S
+  end
+  return 0
+end
+
 -- {E, S} of unloading from the virgin strain `from` to zero stress, in descending strain, down to the residual strain.
 function ours.unloading(card, part, from, n)
-  local modulus, value, residual
-  local loop = part ~= "shear" and card.kind == "woven" and card[part].loop
-  local function drive(p, E) return part == "shear" and p:strain({ E12 = E }).S12 or p:uniaxial(part, E).S end
-  local p = fabric.point(card)
-  drive(p, from)
-  value = drive(p, from)
-  local probe = 1e-4 * from
-  modulus = loop and card[part].unloading or (value - drive(p, from - probe)) / probe -- of a curved loop: the secant
-  residual = from - value / modulus
-  local again, E, S = fabric.point(card), {}, {}
-  drive(again, from)
-  for i = 0, n do
+  local residual = residual_of(card, part, from)
+  local value, drive = loaded(card, part, from)
+  local E, S = { from }, { value }
+  for i = 1, n do
     E[i + 1] = from + (residual - from) * i / n
-    S[i + 1] = i == n and 0 or drive(again, E[i + 1])
+    S[i + 1] = i == n and 0 or drive(E[i + 1])
   end
   return E, S, residual
 end
@@ -66,7 +84,10 @@ local function visit(corners)
   last = 0
   for _, c in ipairs(corners) do
     local n = math.max(4, math.ceil(steps * math.abs(c - last) / length * (#corners > 1 and 3 or 1)))
-    for i = 1, n do out[#out + 1] = last + (c - last) * i / n end
+    for i = 1, n do
+      local x = last + (c - last) * i / n
+      out[#out + 1] = math.abs(x) > 1e-12 * length and x or 0
+    end
     last = c
   end
   return out

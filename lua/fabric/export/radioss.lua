@@ -1,4 +1,4 @@
--- Text of OpenRadioss starter decks: LAW58 and LAW19. A line has ten fields of 10 columns; a real number takes two.
+-- Text of OpenRadioss starter decks: LAW58, LAW158 and LAW19. A line has ten fields of 10 columns; a real number takes two.
 local units = require "fabric.export.units"
 local radioss = {}
 
@@ -55,6 +55,28 @@ function radioss.law58(card, name, p, u, id)
       local c = p[part][what]
       out[#out + 1] = funct(base + k + 3 * (j - 1), part .. ", " .. what, part == "shear" and odd(c) or c, 1, s)
     end
+  end
+  return table.concat(out, "\n")
+end
+
+-- /MAT/LAW158 [OpenRadioss, starter hm_read_mat158.F and law158_upd.F, columns of mat_158_fabric.cfg (format 2023)]. The engine does not apply the
+-- scales of the functions, so they are 1 and the functions hold the stresses themselves.
+function radioss.law158(card, name, p, u, id)
+  local s, base = u.stress, 10 * id
+  local function ids(...) return units.line(10, { ... }) end
+  local out = {
+    ("/MAT/LAW158/%d"):format(id), name,
+    head "RHO_I", reals(card.density * u.density),
+    head("S1", "S2", "FLEX", "FLEX1", "FLEX2"), reals(p.S1, p.S2, p.FLEX * s, p.FLEX1 * s, p.FLEX2 * s),
+    "#         ZEROSTRESS             SENS_ID", reals(0.0) .. ids("", 0),
+    "#  FCT_ID1                       FSCALE1", ids(base + 1, "") .. reals(1.0),
+    "#  FCT_ID2                       FSCALE2", ids(base + 2, "") .. reals(1.0),
+    "#  FCT_ID3                       FSCALE3", ids(base + 3, "") .. reals(1.0),
+    "#  FCT_ID4   FCT_ID5", ids(0, 0),
+  }
+  for k, part in ipairs { "warp", "weft", "shear" } do
+    local c = p[part].loading
+    out[#out + 1] = funct(base + k, part .. ", loading", part == "shear" and odd(c) or c, 1, s)
   end
   return table.concat(out, "\n")
 end

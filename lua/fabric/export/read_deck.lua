@@ -6,10 +6,14 @@ local read = {}
 
 local function lines_of(path)
   local file, why = io.open(path, "r")
-  if not file then fail("card: cannot read '" .. path .. "': " .. why:gsub("^.-: ", "")) end
+  local text
+  if file then
+    text, why = file:read "a" -- a folder opens, and fails here
+    file:close()
+  end
+  if not text then fail("card: cannot read '" .. path .. "': " .. why:gsub("^.-: ", "")) end
   local out = {}
-  for l in file:lines() do out[#out + 1] = (l:gsub("\r$", "")) end
-  file:close()
+  for l in (text:find "\n$" and text or text .. "\n"):gmatch "(.-)\r?\n" do out[#out + 1] = l end
   return out
 end
 read.lines_of = lines_of
@@ -39,10 +43,47 @@ local function commented(path, line, text)
   return by_name or by_words
 end
 
--- The units that a deck states: in a comment "Units: ... (mm-t-s)", which fabric.export writes, or in Radioss' /BEGIN (the third line below it,
--- in fields of 20 columns: mass, length, time). Returns the system and the words found, or nil; then the words that were not understood, if any.
+-- The system in a line of Radioss' words for mass, length and time, and how to name that line; or nil and the same.
+local function radioss_system(l, i, what)
+  local words = {}
+  for word in l:gmatch "%S+" do words[#words + 1] = word end
+  local got = #words == 3 and units.of_words(table.unpack(words)) or nil
+  return got, ("line %d: %s with %s"):format(i, what, got and table.concat(words, ", ") or "'" .. l .. "'")
+end
+
+-- What a starter deck states: the system of /BEGIN, and those of its /UNIT/n by their number {system, words}; the first key of a material LAW58 and of
+-- its section, with their lines: they may name a /UNIT/n.
+local function radioss_units(path)
+  local begin, blocks, unit, below, material, section = nil, {}, nil, nil, nil, nil
+  for i, l in ipairs(lines_of(path)) do
+    if l:sub(1, 1) == "/" then
+      unit, below = l:match "^/UNIT/(%d+)" or (l:find "^/BEGIN" and "begin") or nil, 0
+      local key = { key = l:match "^%S+", line = i }
+      if l:find "^/MAT/LAW58/" or l:find "^/MAT/FABR_A/" then material = material or key end
+      if l:find "^/PROP/TYPE16/" or l:find "^/PROP/SH_FABR/" then section = key end
+    elseif unit and l:sub(1, 1) ~= "#" then
+      below = below + 1
+      if unit == "begin" and below == 3 then
+        begin = { radioss_system(l, i, "/BEGIN") }
+      elseif unit ~= "begin" and below == 2 then
+        blocks[tonumber(unit)] = { radioss_system(l, i, "/UNIT/" .. unit) }
+      end
+    end
+  end
+  -- The system of a block: that of the /UNIT that it names, else that of /BEGIN.
+  local function of(key)
+    local id = tonumber(key and key.key:match "^/%a+/[%w_]+/%d+/(%d+)$" or 0)
+    if id == 0 then return begin end
+    return blocks[id] or { nil, ("line %d: %s names /UNIT/%d, which is not there"):format(key.line, key.key, id) }
+  end
+  return of(material), of(section)
+end
+
+-- The units that a deck states: in a comment "Units: ... (mm-t-s)", which fabric.export writes, or in Radioss' /BEGIN (the third line below it: mass,
+-- length, time) or in the /UNIT/n that the material names. Returns the system and the words found, or nil; then the words that were not understood,
+-- if any; then the system of Radioss' section, where it is stated.
 function read.units(path)
-  local begin, system, where, unclear
+  local system, where, unclear
   local function take(found, words)
     if not found then
       unclear = unclear or words
@@ -55,20 +96,11 @@ function read.units(path)
   for i, l in ipairs(lines_of(path)) do
     local text = l:match "^[#$*]+ *Units: *(.-)%s*$"
     if text then take(commented(path, i, text), ("line %d: Units: %s"):format(i, text)) end
-    if l:find "^/UNIT/" then take(nil, ("line %d: %s"):format(i, l)) end
-    if l:find "^/BEGIN" then
-      begin = 0
-    elseif begin and l:sub(1, 1) ~= "#" then
-      begin = begin + 1
-      if l:sub(1, 1) == "/" then begin = nil end
-      if begin == 3 then
-        local words = { l:sub(1, 20):match "%S+", l:sub(21, 40):match "%S+", l:sub(41, 60):match "%S+" }
-        local got = #words == 3 and units.of_words(table.unpack(words))
-        take(got or nil, ("line %d: /BEGIN with %s"):format(i, got and table.concat(words, ", ") or "'" .. l .. "'"))
-      end
-    end
   end
-  return system, where, unclear
+  local material, section = radioss_units(path)
+  if material then take(material[1], material[2]) end
+  if section and not section[1] then unclear = unclear or section[2] end
+  return system, where, unclear, section and section[1]
 end
 
 -- The tested strains {warp, weft, shear} that the first comment "Tested up to E11 = ..." of a deck states, as fabric.export writes it, and its
@@ -118,12 +150,12 @@ end
 local function funct(path, blocks, id, scale, stress)
   for _, b in ipairs(blocks) do
     if b.key == "/FUNCT/" .. id then
-      local c = { x = {}, y = {} }
+      local c = { x = {}, y = {}, line = {} }
       for i = 2, #b do
         local f = columns(path, b[i], { 20, 20 })
         local n = #c.x
         if n > 0 and f[1] <= c.x[n] then trouble(path, b[i][2], ("expected an abscissa above %g, got %g"):format(c.x[n], f[1])) end
-        c.x[n + 1], c.y[n + 1] = f[1], f[2] * scale / stress
+        c.x[n + 1], c.y[n + 1], c.line[n + 1] = f[1], f[2] * scale / stress, b[i][2]
       end
       if #c.x < 2 then trouble(path, b.line, "expected a function of at least two points") end
       return c
@@ -132,11 +164,15 @@ local function funct(path, blocks, id, scale, stress)
   fail(("card: %s: there is no /FUNCT/%d, which LAW58 names"):format(path, id))
 end
 
--- The half of a curve for x >= 0.
+-- The half of a curve for x >= 0, on which the stress has to rise.
 local function positive(path, c)
   local out = { x = { 0 }, y = { 0 } }
   for i = 1, #c.x do
-    if c.x[i] > 0 then out.x[#out.x + 1], out.y[#out.y + 1] = c.x[i], c.y[i] end
+    if c.x[i] > 0 then
+      local n = #out.x
+      if c.y[i] <= out.y[n] then trouble(path, c.line[i], ("expected a stress that rises with the strain: above %g MPa, got %g MPa"):format(out.y[n] / 1e6, c.y[i] / 1e6)) end
+      out.x[n + 1], out.y[n + 1] = c.x[i], c.y[i]
+    end
   end
   if #out.x < 2 then fail(("card: %s: a curve has no points above 0"):format(path)) end
   return out
@@ -183,7 +219,7 @@ function read.law58(path, u, value)
   local blocks, mat, thickness = read.blocks(path), nil, nil
   for _, b in ipairs(blocks) do
     if b.key:find "^/MAT/LAW58/" or b.key:find "^/MAT/FABR_A/" then mat = mat or b end
-    if (b.key:find "^/PROP/TYPE16/" or b.key:find "^/PROP/SH_FABR/") and b[4] then thickness = columns(path, b[4], { 10, 10, 20 })[3] / u.length end
+    if (b.key:find "^/PROP/TYPE16/" or b.key:find "^/PROP/SH_FABR/") and b[4] then thickness = columns(path, b[4], { 10, 10, 20 })[3] / (select(4, read.units(path)) or u).length end
   end
   if not mat then fail(("card: %s: there is no /MAT/LAW58 (or /MAT/FABR_A)"):format(path)) end
   if #mat < 6 then trouble(path, mat.line, "expected a title and at least five lines of LAW58") end
@@ -235,14 +271,14 @@ function read.fabric(path, u)
       elseif keyword == "LOADING DATA" and part then
         direction = (parameter(l, "DIRECTION") or "TENSION"):match "%S+"
         if direction == "TENSION" then
-          out[part] = { loading = { x = {}, y = {} }, elastic = true }
+          out[part] = { loading = { x = {}, y = {}, line = {} }, elastic = true }
           wants = out[part].loading
         end
       elseif keyword == "UNLOADING DATA" and part then
         local definition = parameter(l, "DEFINITION") or ""
         if not definition:find "^SHIFTED CURVE" then trouble(path, i, ("expected DEFINITION=SHIFTED CURVE, got '%s'"):format(definition)) end
         if direction == "TENSION" then
-          out[part].unloading, out[part].elastic = { x = {}, y = {} }, false
+          out[part].unloading, out[part].elastic = { x = {}, y = {}, line = {} }, false
           wants = out[part].unloading
         end
       elseif keyword:find "SECTION$" then wants = "thickness"
@@ -257,7 +293,7 @@ function read.fabric(path, u)
         if not (x and y) then trouble(path, i, "expected a stress and a strain, got '" .. l .. "'") end
         local n = #wants.x
         if n > 0 and x <= wants.x[n] then trouble(path, i, ("expected a strain above %g, got %g"):format(wants.x[n], x)) end
-        wants.x[n + 1], wants.y[n + 1] = x, y / u.stress
+        wants.x[n + 1], wants.y[n + 1], wants.line[n + 1] = x, y / u.stress, i
       end
     end
   end
