@@ -130,6 +130,44 @@ TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
     CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;" + wrong + "\n").ends_with("got '" + wrong + "'"));
 }
 
+TEST_CASE("what stands in quotes is one cell, commas and doubled quotes in it") {
+  const Table t = parse_table("a",
+                              "\"Extension, total (mm)\",\"Load \"\"raw, set\"\" (N)\",Note\n0,0.5,\"a, b\"\n"
+                              "1,2,\"a, \"\"b\"\", c\"\n2,3,d\n3,4,e\n4,5,f\n");
+  REQUIRE(t.columns.size() == 3);
+  CHECK(t.columns[0].name == "Extension, total");
+  CHECK(t.columns[0].unit == "mm");
+  CHECK(t.columns[1].name == "Load \"raw, set\"");
+  CHECK(t.columns[1].values == std::vector<double>{0.5, 2, 3, 4, 5});
+  CHECK(t.columns[2].text);
+}
+
+TEST_CASE("decimal commas in quotes between commas", "[files]") {
+  const Table t = parse_table("a", "u,P\n\"0,0\",\"0,5\"\n1,\"2,5\"\n\"1,5\",\"1,500\"\n");
+  CHECK(t.form.decimal == ',');
+  CHECK(t.columns[0].values == std::vector<double>{0, 1, 1.5});
+  CHECK(t.columns[1].values == std::vector<double>{0.5, 2.5, 1.5});
+  // also if the first rows do not tell
+  const Table late = parse_table("b", "u,P\n0,0\n1,1\n2,2\n3,3\n4,\"4,5\"\n");
+  CHECK(late.columns[1].values == std::vector<double>{0, 1, 2, 3, 4.5});
+  CHECK(parse_table("c", "u,P\n0,\"1,000\"\n1,\"2,000\"\n", {0, ','}).columns[1].values ==
+        std::vector<double>{1, 2});
+  for (const char* rows : {"0,\"1,000\"\n1,\"2,000\"\n", "0,1\n1,1\n2,2\n3,3\n4,\"1,000\"\n"})
+    CHECK(trouble(std::string("u,P\n") + rows)
+              .ends_with(
+                  "column 'P': expected a finite number, got '1,000': its comma may be a decimal sign or "
+                  "stand between thousands; give decimal=',', or write such numbers without it"));
+  // a column that nobody needs does not spoil the others
+  const Table other = parse_table("d", "u,P,n\n0,0.5,\"1,000\"\n1,1.5,\"2,000\"\n", {0, 0, true});
+  CHECK(other.columns[1].values == std::vector<double>{0.5, 1.5});
+  CHECK_FALSE(other.columns[2].trouble.empty());
+}
+
+TEST_CASE("a first row with too many or too few cells is not taken for text above the table", "[files]") {
+  CHECK(trouble("note,u,P\nx \"a, b\",0,0\ny,1,2\ny,2,4\n") == "pull.csv:2: expected 3 cells, got 4");
+  CHECK(trouble("t,u,P\n0,0\n1,2,3\n2,4,5\n") == "pull.csv:2: expected 3 cells, got 2");
+}
+
 TEST_CASE("a million rows are read", "[files]") {
   const ScratchFolder folder;
   {
