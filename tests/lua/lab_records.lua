@@ -58,10 +58,30 @@ for unit, newton in pairs { daN = 10, DaN = 10, cN = 0.01, gf = 9.80665e-3, kgf 
   close(read(("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit)).force[2] / newton, 100, 1e-12)
 end
 for unit, newton in pairs { ["daN/5cm"] = 200, ["daN/5 cm"] = 200, ["N/5 cm"] = 20, ["kgf/5cm"] = 196.133, ["lbf/in"] = 4.4482216152605 / 0.0254, ["lb/in"] = 4.4482216152605 / 0.0254,
-  ["mN/mm"] = 1, ["cN/cm"] = 1, ["gf/cm"] = 0.980665 } do
+  ["mN/mm"] = 1, ["cN/cm"] = 1, ["gf/cm"] = 0.980665, ["kgf/2.5 cm"] = 9.80665 / 0.025, ["ozf / in."] = 4.4482216152605 / 16 / 0.0254, ["N / 30 mm"] = 1 / 0.03,
+  ["kN/m"] = 1e3 } do
   close(read(("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit), { width = 0.5 }).force[2] / newton, 50, 1e-12)
 end
-fails("expected the unit of the force (one of N, cN, daN, gf, kN, kgf, lbf, mN, ozf; per width N/50mm,", read, "Extension (mm),Force (cN/tex)\n0,0\n2,100\n4,210\n")
+fails("expected the unit of the force (one of N, cN, daN, gf, kN, kgf, lbf, mN, ozf; per width one of these over a length, as N/mm or kgf/5cm), got 'cN/tex'", read, "Extension (mm),Force (cN/tex)\n0,0\n2,100\n4,210\n")
+for _, unit in ipairs { "N/0cm", "N/1.2.3cm", "N/", "/mm", "N/kg", "N/mm/mm" } do
+  fails(("got '%s'"):format(unit), read, ("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit), { width = 0.5 })
+end
+-- a user's unit composes too, and a user's own pound is no guess
+close(read("Extension (mm),Load (pdl/cm)\n0,0\n2,100\n4,210\n", { width = 0.5, vocabulary = { units = { force = { pdl = 0.138254954 } } } }).force[2], 100 * 0.138254954 * 50, 1e-12)
+-- pounds and ounces of a force column are told to be taken for forces, lbf and ozf are not
+local told, warn = {}, fabric.warn
+fabric.warn = function(words) told[#told + 1] = words end
+for _, unit in ipairs { "lbf", "ozf", "lbf/in", "N" } do read(("Extension (mm),Load (%s)\n0,0\n2,100\n"):format(unit), { width = 0.5 }) end
+read("Extension (mm),Load (lb)\n0,0\n2,100\n", { vocabulary = { units = { force = { lb = 4.5 } } } })
+assert(#told == 0, told[1])
+for i, pair in ipairs { { "lb", "lbf" }, { "lbs", "lbf" }, { "oz", "ozf" }, { "lb/in", "lbf" } } do
+  read(("Extension (mm),Load (%s)\n0,0\n2,100\n"):format(pair[1]), { width = 0.5 })
+  local words = ("column 'Load': '%s' is a unit of mass; it is taken for the force %s"):format(pair[1]:match "^%a+", pair[2])
+  assert(told[i] and told[i]:find(words, 1, true), told[i])
+end
+read("Extension,Load\n0,0\n2,100\n", { units = { displacement = "mm", force = "lb" } })
+assert(#told == 5)
+fabric.warn = warn
 fails("a strain but no displacement: expected field 'gauge_length' in m", read, "Dehnung (%),Kraft (N)\n0,0\n2,100\n4,210\n")
 fails("column 'Load' is a force per width: expected field 'width' of the specimen in m", read, "Extension (mm),Load (N/mm)\n0,0\n2,100\n4,210\n")
 -- the extension in mm is the displacement, the one in per cent the strain

@@ -34,6 +34,8 @@ local function unit_of(vocabulary, quantity, unit)
     local factor = vocabulary.units[meant][unit] or vocabulary.units[meant][vocabulary.aliases[unit] or unit]
     if factor then return factor, meant end
   end
+  local factor = quantity == "force" and house.per_width(vocabulary, unit)
+  if factor then return factor, "force per width" end
 end
 
 -- Splits a unit without brackets from a name: "Extension mm", "displacement_mm".
@@ -122,7 +124,18 @@ end
 -- The units that a quantity may have, in words.
 local function choice(vocabulary, quantity)
   local all = keys(vocabulary.units[quantity])
-  return quantity == "force" and all .. "; per width " .. keys(vocabulary.units["force per width"]) or all
+  if quantity ~= "force" then return all end
+  local own = keys(vocabulary.units["force per width"])
+  return all .. "; per width one of these over a length, as N/mm or kgf/5cm" .. (own == "" and "" or ", and " .. own)
+end
+
+-- Says that a unit of mass was taken for the force of its weight.
+local function tell_mass(vocabulary, t, column, unit)
+  local _, force = house.per_width(vocabulary, unit)
+  force = force or unit
+  if house.masses[force] and not vocabulary.units.force[force] then
+    fabric.warn(("read: %s: column '%s': '%s' is a unit of mass; it is taken for the force %s"):format(t.file, column.name, force, house.aliases[force]))
+  end
 end
 
 local function factor_of(vocabulary, t, quantity, column)
@@ -196,6 +209,10 @@ end
 local function take(vocabulary, t, record, quantity, column)
   local factor, meant = factor_of(vocabulary, t, quantity, column)
   if column.trouble then fail("read: " .. column.trouble) end
+  if quantity == "force" then
+    local unit = (t.units or {}).force or column.unit
+    tell_mass(vocabulary, t, column, unit ~= "" and unit or (t.default_units or {}).force)
+  end
   if meant == "force per width" then
     if not t.width then
       fail(("read: %s: column '%s' is a force per width: expected field 'width' of the specimen in m"):format(t.file, column.name))
