@@ -41,7 +41,7 @@ end
 do
   local text = "local c = require 'fabric'.columns { E = { 0, 1 } }\nlocal function top() return c.E.max() end\nlocal function all() return c:column(3) end\n"
   for last, words in pairs { ["return c.E.max()"] = ":4: column:max: expected a column in front of a colon",
-    ["local f = coroutine.wrap(function() return c.E.max() end)\nreturn f()"] = ":4: column:max: expected a column in front of a colon",
+    ["local _, told = coroutine.resume(coroutine.create(function() return c.E.max() end))\nerror(told, 0)"] = ":4: column:max: expected a column in front of a colon",
     ["local x = top() return x"] = ":2: column:max: expected a column in front of a colon", ["local x = all() return x"] = ":3: columns: expected the name of a column",
     ["return c:map(3)"] = ":4: curve:map: expected a function", ["return c.E + c"] = ":4: column +: expected a number or a column, got a curve; one of its columns is meant" } do
     local ok, message = pcall(assert(load(text .. last, "@deck.lua")))
