@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "format/plain_text.hpp"
 #include "format/source.hpp"
 #include "format/table_line.hpp"
 
@@ -337,10 +338,8 @@ Table read_as(Source source, const Reading& reading, const TableForm& asked, std
 }  // namespace
 
 Table parse_table(const std::string& name, std::string_view bytes, const TableForm& form) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    throw Error(name + ":1: expected plain text (UTF-8), got UTF-16; save it as UTF-8");
-  const Source source(name, bytes);
+  std::string made;
+  const Source source(name, plain_text(name, bytes, made));
   // Reads rows of numbers only, unless rows with text or gaps of the same form begin earlier.
   auto readings = find_readings(source, form, false);
   auto wider = find_readings(source, form, true);

@@ -43,7 +43,7 @@ words.names = {
   strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
 }
 -- Names that consist of one of these only.
-words.letters = { u = "displacement", dl = "displacement", p = "force", f = "force", t = "time" }
+words.letters = { u = "displacement", ext = "displacement", disp = "displacement", elong = "displacement", dl = "displacement", p = "force", f = "force", t = "time" }
 
 words.quantities = { "displacement", "force", "time", "strain" }
 
