@@ -13,19 +13,20 @@ local function told(value) return type(value) == "string" and "'" .. value .. "'
 -- Methods are called with a colon; c.S.max() and c.max("S") have no column or curve of their own.
 local function with_colon(name, method)
   local kind, rest = name:match "^(%a+):(.*)"
-  return function(self, ...)
+  return define.keep_caller(function(self, ...)
     if getmetatable(self) ~= "fabric." .. kind then
       fail(("%s: expected a %s in front of a colon, as in %s:%s, got %s"):format(name, kind, kind == "curve" and "c" or "c.S",
         kind == "curve" and rest .. "('S')" or rest .. "()", self == nil and "none" or type(self)))
     end
     return method(self, ...)
-  end
+  end)
 end
 
 -- The operand for each row: a number is the same for all, a list has one value per row.
 local function operand(value, count, sign)
   if type(value) == "number" then return function() return value end end
   if type(value) ~= "table" then fail(("column %s: expected a number or a list of numbers, got %s"):format(sign, type(value))) end
+  if getmetatable(value) == "fabric.curve" then fail(("column %s: expected a number or a column, got a curve; one of its columns is meant, as in c.S"):format(sign)) end
   if #value ~= count then fail(("column %s: expected lists of equal length, got %d and %d numbers"):format(sign, count, #value)) end
   return function(i)
     if type(value[i]) ~= "number" then fail(("column %s: expected numbers, got %s at place %d"):format(sign, told(value[i]), i)) end
@@ -70,17 +71,23 @@ end
 function Column:max() return extreme(self, function(a, b) return a > b end, "column:max") end
 function Column:min() return extreme(self, function(a, b) return a < b end, "column:min") end
 
+-- The sum of the numbers, and how many there are; gaps (nan) are skipped.
 local function sum(values, name)
-  local total = 0
-  for i in ipairs(values) do total = total + number_at(values, i, name) end
-  return total
+  local total, count = 0, 0
+  for i in ipairs(values) do
+    local value = number_at(values, i, name)
+    if value == value then total, count = total + value, count + 1 end
+  end
+  if count == 0 and #values > 0 then fail(name .. ": expected at least one number, the column has none") end
+  return total, count
 end
 
-function Column:sum() return sum(self, "column:sum") end
+function Column:sum() return (sum(self, "column:sum")) end
 
 function Column:mean()
   if #self == 0 then fail "column:mean: expected at least one number, the column has none" end
-  return sum(self, "column:mean") / #self
+  local total, count = sum(self, "column:mean")
+  return total / count
 end
 
 function Column:map(change)
@@ -219,7 +226,7 @@ define {
   positional = true,
   arguments = { { name = "rows", kind = "table", sentence = "of a test, a record, or a fabric.table; or lists of equal length with names" } },
   sentence = "Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), "
-    .. ":map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), "
+    .. ":map(f), of which all but map skip gaps (nan); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), "
     .. "curve:map(f) a column of f(row).",
   example = "local c = require 'fabric'.columns{ E={0, 0.1, 0.2}, S={0, 1e6, 3e6} }\n"
     .. "assert((c.S / 1e6):max() == 3 and math.abs(c:interpolate('S', 'E', 0.15) - 2e6) < 1)",
@@ -310,4 +317,30 @@ define {
 -- An empty curve, to be filled with rows.
 local function made() return setmetatable({}, curve_kind) end
 
-return { made = made }
+-- What help says of a curve or a column; nil of anything else.
+local function about(value)
+  local kind = getmetatable(value)
+  if kind == "fabric.curve" then
+    local names = names_of(value)
+    return {
+      ("a curve of %d rows: %s"):format(#value, #names > 0 and table.concat(names, ", ") or "no columns yet"),
+      "  c.S                          the column S, to calculate with: + - * / ^ with numbers and columns",
+      "  c[3]                         a row",
+      "  c:column('S')                the column S, also where a method has its name",
+      "  c:names()                    of the columns",
+      "  c:max('S'), c:min('S')       the value and its row",
+      "  c:interpolate('S', 'E', 0.1) S where E first passes 0.1; nil and the reason where it never does",
+      "  c:map(f)                     the column of f(row)",
+      "  fabric.show(c)               prints it as a table",
+    }
+  elseif kind == "fabric.column" then
+    return {
+      ("a column of %d numbers, to calculate with: + - * / ^ with numbers and columns"):format(#value),
+      "  c:max(), c:min()             the value and its place",
+      "  c:mean(), c:sum()            gaps (nan) are skipped, as by max and min",
+      "  c:map(f)                     the column of f(value)",
+    }
+  end
+end
+
+return { made = made, about = about }

@@ -289,6 +289,8 @@ local function about(topic)
   local module = module_named(topic)
   if module == "fabric" then return overview() end
   if module and #below(registry.rows(), module) > 0 then return search(module) end
+  local curve = type(topic) == "table" and require("fabric.columns").about(topic)
+  if curve then return curve end
   return { registry.show(topic), "this is a plain " .. type(topic) .. " of Lua" }
 end
 

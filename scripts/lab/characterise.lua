@@ -35,8 +35,10 @@ for _, further in ipairs(result.further) do print(("to settle %s: %s; %s"):forma
 for _, target in ipairs { { "ls-dyna", "k" }, { "openradioss", "rad" }, { "abaqus", "inp" } } do
   local file = out .. "/card." .. target[2]
   local e = fabric.export.card { card = result.card, to = target[1], units = "mm-t-s", file = file }
-  print(("%s: %s of %s, along the yarns within %.1f %%, both at once %.0f %%, pulled to and fro %.0f %%"):format(file, e.material, target[1],
-    math.max(e.lost.warp.worst, e.lost.weft.worst), e.lost.biaxial.worst, math.max(e.lost["cyclic warp"].worst, e.lost["cyclic weft"].worst)))
+  local most = e.losses[1]
+  for _, row in ipairs(e.losses) do most = row.worst > most.worst and row or most end
+  print(("%s: %s of %s, along the yarns within %.1f %%; most is lost in %s, up to %.0f %% of the peak"):format(file, e.material, target[1],
+    math.max(e.lost.warp.worst, e.lost.weft.worst), most.path, most.worst))
 end
 print("written: " .. out .. "/report.html, " .. out .. "/card.lua")
 fabric.expect(expected)

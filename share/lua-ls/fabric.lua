@@ -242,6 +242,10 @@ function analysis:write(file, options) end
 ---@return table[]
 function card:check(element_size) end
 
+---Thickness of the cloth that nothing presses, m, at which contact begins: where its measured compression runs out to no pressure, or without one its own; second, what the fibres alone fill, m, below which nothing is pressed.
+---@return any
+function card:free_thickness() end
+
 ---Cards drawn from the card's confidence bands, for the uncertainty of any answer; cards with impossible values are drawn again.
 ---@param n integer of cards
 ---@param seed? integer of the draw (default 1)
@@ -274,7 +278,7 @@ function fabric.cards() end
 ---@return boolean
 function fabric.checking() end
 
----Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), :map(f); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), curve:map(f) a column of f(row).
+---Rows as columns that can be calculated with, as the curves of virtual tests are: curve.S / MPa, curve.S:max(), :min(), :mean(), :sum(), :map(f), of which all but map skip gaps (nan); curve:max('S') gives the row too, curve:interpolate('S', 'E', 0.1) is S where E first passes 0.1 (nil and the reason where it never does), curve:map(f) a column of f(row).
 ---@param rows table of a test, a record, or a fabric.table; or lists of equal length with names
 ---@return any
 function fabric.columns(rows) end
@@ -918,6 +922,7 @@ function fabric.lab.kes_bending(fields) end
 ---@field shear fabric_lab_kes_card_fields.shear with 2HG5 elastic shear with friction that grows with the angle
 ---@field bending? fabric_lab_kes_card_fields.bending without it as of the thickness
 ---@field compression? fabric_lab_kes_card_fields.compression what contact presses with; RC is kept in the card's source, since contact gives back all
+---@field fibre_density? number kg/m^3: of what the yarns are made of, as in fabric.woven: cloth is pressed no thinner than its fibres
 ---@field poisson fabric_lab_kes_card_fields.poisson KES does not measure them
 
 ---A card that reproduces the given KES numbers; its source says which it represents, and which not. fabric.lab.kes_sheet reads them back.

@@ -104,10 +104,11 @@ repl::Result run_all(script::Session& session, const app::CommandLine& command) 
   return check_restart(session, result);
 }
 
-// Without a user at the prompt, the session reads all input and then fails as a deck would.
+// Without a user at the prompt, the session reads all input and then fails as a deck would; Ctrl-C ends it.
 int converse(script::Session& session, Speaker& speaker) {
   const bool terminal = isatty(STDIN_FILENO) != 0;
-  const repl::InterruptGuard guard(session, terminal ? repl::Attended::yes : repl::Attended::no);
+  const auto attended = terminal ? repl::Attended::yes : repl::Attended::no;
+  const repl::InterruptGuard guard(session, attended);
   if (terminal) std::cout << app::headline() << "\n" << repl::greeting << "\n";
   const auto lines =
       terminal
@@ -116,9 +117,10 @@ int converse(script::Session& session, Speaker& speaker) {
           : repl::stream_lines(std::cin);
   speaker.lines = lines.get();
   const Outcome first =
-      repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)});
+      repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)}, attended);
   speaker.lines = nullptr;
-  if (session.terminated() != 0) return code_of_signal(session);
+  if (session.terminated() != 0 || (!terminal && session.stopped_by_interrupt()))
+    return code_of_signal(session);
   if (terminal || first == Outcome::done) return 0;
   return first == Outcome::numerical_failure ? 3 : 1;
 }

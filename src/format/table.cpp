@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "format/plain_text.hpp"
 #include "format/source.hpp"
 #include "format/table_line.hpp"
 
@@ -77,7 +78,6 @@ std::vector<Reading> find_readings(const Source& source, const TableForm& given,
     if (given.separator != 0 && given.separator != separator) continue;
     for (const char decimal : {'.', ','}) {
       if (given.decimal != 0 && given.decimal != decimal) continue;
-      if (separator == decimal) continue;
       const Reading reading = try_form(source, {separator, decimal}, text);
       if (reading.columns == 0) continue;
       const auto rank = [](const Reading& r) {
@@ -136,8 +136,11 @@ std::size_t first_row(const std::vector<std::string_view>& above, const std::vec
     split_row(above[i], reading.form.separator, reading.columns, cells);
     const bool some = std::any_of(cells.begin(), cells.end(),
                                   [&](auto cell) { return parse_cell(cell, reading.form.decimal, value); });
-    if (!some && !(cells.size() == reading.columns && std::all_of(cells.begin(), cells.end(), is_missing)))
+    if (!some && !(cells.size() == reading.columns && std::all_of(cells.begin(), cells.end(), is_missing))) {
+      // What stands between the heading and the rows is a row, with too few cells or too many.
+      if (cells.size() == reading.columns && i + 1 < above.size()) first = places[i + 1];
       break;
+    }
     if (cells.size() == reading.columns) first = places[i];
   }
   return first;
@@ -170,9 +173,14 @@ std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
 // Error message, with file and line, for a cell that is not a number.
 std::string trouble_of(const Source& source, const TableForm& form, const std::string& column,
                        std::string_view cell) {
+  const bool unclear = form.separator == ',' && may_be_thousands(cell);
   try {
     source.fail("column '" + column + "': expected a finite number" +
-                (form.decimal == ',' ? " with a decimal comma" : "") + ", got " + in_quotes(cell));
+                (form.decimal == ',' && !unclear ? " with a decimal comma" : "") + ", got " +
+                in_quotes(cell) +
+                (unclear ? ": its comma may be a decimal sign or stand between thousands; give decimal=',', "
+                           "or write such numbers without it"
+                         : ""));
   } catch (const Error& error) {
     return error.what();
   }
@@ -239,11 +247,53 @@ bool only_words_follow(Source ahead, std::string_view line, const Table& table) 
   return false;
 }
 
+// Numbers in quotes of a file with commas between the cells have a decimal comma, unless none of them shows
+// that its comma does not stand between thousands: then they are no numbers.
+class CommaCells {
+ public:
+  explicit CommaCells(const TableForm& form) : counts_(form.separator == ',' && form.decimal == ',') {}
+
+  void take(std::string_view cell, std::size_t column, std::size_t row, const std::string& name,
+            const Source& source, const TableForm& form) {
+    if (!counts_ || decided_ || cell.find(',') == cell.npos) return;
+    decided_ = !may_be_thousands(cell);
+    if (decided_) return;
+    unclear_.push_back({column, row,
+                        unclear_.empty() || unclear_.back().column != column
+                            ? trouble_of(source, form, name, cell)
+                            : std::string()});
+  }
+
+  // Returns the number of cells taken back.
+  std::size_t settle(Table& table) const {
+    if (decided_) return 0;
+    for (const Cell& cell : unclear_) {
+      TableColumn& column = table.columns[cell.column];
+      column.values[cell.row] = std::numeric_limits<double>::quiet_NaN();
+      if (!column.trouble.empty() && column.trouble_row < cell.row) continue;
+      if (cell.trouble.empty()) continue;
+      column.trouble = cell.trouble;
+      column.trouble_row = cell.row;
+    }
+    return unclear_.size();
+  }
+
+ private:
+  struct Cell {
+    std::size_t column, row;
+    std::string trouble;
+  };
+  bool counts_, decided_ = false;
+  std::vector<Cell> unclear_;
+};
+
 // Reads the rows; returns the number of cells that are not numbers.
-std::size_t read_rows(Table& table, Source& source, const std::vector<std::string_view>& heading) {
+std::size_t read_rows(Table& table, Source& source, const std::vector<std::string_view>& heading,
+                      const TableForm& asked) {
   Cells cells;
   std::string_view line;
   std::size_t bad = 0;
+  CommaCells commas(table.form);
   while (source.next_line(line)) {
     if (!carries_data(line)) continue;
     split_row(line, table.form.separator, table.columns.size(), cells);
@@ -259,6 +309,7 @@ std::size_t read_rows(Table& table, Source& source, const std::vector<std::strin
       double value = 0;
       if (parse_cell(cells[i], table.form.decimal, value)) {
         column.text = false;
+        commas.take(cells[i], i, column.values.size(), column.name, source, table.form);
       } else {
         value = std::numeric_limits<double>::quiet_NaN();
         ++bad;
@@ -270,27 +321,25 @@ std::size_t read_rows(Table& table, Source& source, const std::vector<std::strin
       column.values.push_back(value);
     }
   }
-  return bad;
+  return asked.decimal == 0 ? bad + commas.settle(table) : bad;
 }
 
 // Reads the table in one form; bad: number of cells that are not numbers.
-Table read_as(Source source, const Reading& reading, std::size_t& bad) {
+Table read_as(Source source, const Reading& reading, const TableForm& asked, std::size_t& bad) {
   Table table;
   table.form = reading.form;
   const std::size_t begin = read_preamble(table, source, reading);
   const auto heading = heading_lines(source, reading, begin);
   source.move_to(begin);
-  bad = read_rows(table, source, heading);
+  bad = read_rows(table, source, heading, asked);
   return table;
 }
 
 }  // namespace
 
 Table parse_table(const std::string& name, std::string_view bytes, const TableForm& form) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    throw Error(name + ":1: expected plain text (UTF-8), got UTF-16; save it as UTF-8");
-  const Source source(name, bytes);
+  std::string made;
+  const Source source(name, plain_text(name, bytes, made));
   // Reads rows of numbers only, unless rows with text or gaps of the same form begin earlier.
   auto readings = find_readings(source, form, false);
   auto wider = find_readings(source, form, true);
@@ -303,10 +352,10 @@ Table parse_table(const std::string& name, std::string_view bytes, const TableFo
                 ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
                 "blanks; decimal point or comma), found none in the first 200 lines");
   std::size_t bad = 0;
-  Table table = read_as(source, readings[0], bad);
+  Table table = read_as(source, readings[0], form, bad);
   if (bad > 0 && readings.size() > 1) {  // later rows determine the decimal sign
     std::size_t other = 0;
-    Table comma = read_as(source, readings[1], other);
+    Table comma = read_as(source, readings[1], form, other);
     if (other < bad) table = std::move(comma);
   }
   if (!form.lenient) check(table);

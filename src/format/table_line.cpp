@@ -26,7 +26,9 @@ namespace {
 std::size_t cell_end(std::string_view line, std::size_t from, char separator) {
   const auto word = line.find_first_not_of(" \t", from);
   if (word != line.npos && line[word] == '"') {
-    const auto quote = line.find('"', word + 1);
+    auto quote = line.find('"', word + 1);
+    while (quote != line.npos && quote + 1 < line.size() && line[quote + 1] == '"')  // two stand for one
+      quote = line.find('"', quote + 2);
     if (quote != line.npos) from = quote + 1;
   }
   return std::min(line.find(separator, from), line.size());
@@ -108,8 +110,18 @@ bool parse_cell(std::string_view cell, char decimal, double& value) {
   return !joined.empty() && parse_plain(joined, decimal, value);
 }
 
+bool may_be_thousands(std::string_view cell) {
+  const auto comma = cell.find(',');
+  if (comma == cell.npos) return false;
+  const auto digits = cell.find_first_of("0123456789");
+  const bool group = cell.size() == comma + 4 && cell.find_first_not_of("0123456789", comma + 1) == cell.npos;
+  return group && digits <= 1 && comma > digits && comma - digits <= 3 && cell[digits] != '0';
+}
+
 TableColumn heading(std::string_view cell) {
-  cell = trimmed(cell);
+  std::string once(trimmed(cell));
+  for (auto at = once.find("\"\""); at != once.npos; at = once.find("\"\"", at + 1)) once.erase(at, 1);
+  cell = once;
   for (const auto& [open, close] : {std::pair{'(', ')'}, {'[', ']'}, {'<', '>'}, {'{', '}'}}) {
     const auto at = cell.rfind(open);
     if (!cell.ends_with(close) || at == cell.npos) continue;

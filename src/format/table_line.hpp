@@ -17,6 +17,8 @@ bool is_missing(std::string_view cell);
 // Reads a whole cell as a finite number with this decimal sign. The other sign may separate
 // thousands if it cannot be meant as the decimal sign: 1,234.5 and 1,234,567, but not 1,234.
 bool parse_cell(std::string_view cell, char decimal, double& value);
+// Whether a number with a comma may be one without decimals: 1,234, but not 0,5 or 0,123.
+bool may_be_thousands(std::string_view cell);
 // Name and unit of a heading: "Load [N]", "load (N)", "load / N".
 TableColumn heading(std::string_view cell);
 

@@ -162,8 +162,9 @@ std::vector<Candidate> fit_backbones(const std::vector<Tension>& loading, const 
   std::vector<Weights> weights;
   for (const Tension& t : loading) {
     if (t.E.size() < static_cast<std::size_t>(richest) + 2)
-      throw Error("fit: expected at least " + std::to_string(richest + 2) +
-                  " loading points of every specimen, got " + std::to_string(t.E.size()));
+      throw Error("expected at least " + std::to_string(richest + 2) +
+                  " loading points of every specimen, got " + std::to_string(t.E.size()) + " of specimen " +
+                  std::to_string(weights.size() + 1));
     weights.push_back(weights_of(t, richest, options.find_slack));
   }
   std::vector<Candidate> out;

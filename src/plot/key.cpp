@@ -37,12 +37,14 @@ class Cover {
     if (!c.y.empty() && by_line(c.x, c.y, !marks)) return true;
     for (const Ends* ends : {&c.band, &c.error}) {
       if (ends->empty()) continue;
-      if (by_line(c.x, ends->low, ends == &c.band) || by_line(c.x, ends->high, ends == &c.band)) return true;
+      std::vector<double> low = ends->low;
+      for (double& value : low) value = panel_.y.held(value);
+      if (by_line(c.x, low, ends == &c.band) || by_line(c.x, ends->high, ends == &c.band)) return true;
       for (std::size_t i = 0; i < c.x.size(); ++i)
-        if (hits(spot(c.x[i], ends->low[i]), spot(c.x[i], ends->high[i]))) return true;
+        if (hits(spot(c.x[i], low[i]), spot(c.x[i], ends->high[i]))) return true;
     }
     for (std::size_t i = 0; i < c.x_error.low.size() && i < c.y.size(); ++i)
-      if (hits(spot(c.x_error.low[i], c.y[i]), spot(c.x_error.high[i], c.y[i]))) return true;
+      if (hits(spot(panel_.x.held(c.x_error.low[i]), c.y[i]), spot(c.x_error.high[i], c.y[i]))) return true;
     return false;
   }
 

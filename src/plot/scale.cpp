@@ -12,6 +12,8 @@ namespace fabricsh::plot {
 
 namespace {
 
+constexpr double kSmallest = 1e-290, kLargest = 1e290;  // beyond them steps and powers of ten are lost
+
 const std::string times = "\u00d7", minus = "\u2212";
 
 std::string with_decimals(double value, int decimals) {
@@ -64,7 +66,7 @@ double room_of(const Scale& s, double letter, bool upright) {
 Scale with_round_steps(const Axis& axis, double low, double high, double length, double letter,
                        bool upright) {
   const double range = axis.high.value_or(high) - axis.low.value_or(low);
-  if (!std::isfinite(range) || range < 1e-290)
+  if (!std::isfinite(range) || range < kSmallest)
     throw Error("figure: the values from " + number(low) + " to " + number(high) +
                 " can't be shown on one axis");
   const double decade = std::pow(10, std::floor(std::log10(range)) - 1);
@@ -85,6 +87,11 @@ void add_decade(Scale& s, int power, bool numbered) {
 }
 
 Scale decades(const Axis& axis, double low, double high, double length, double letter, bool upright) {
+  const double first_shown = axis.low.value_or(low), last_shown = axis.high.value_or(high);
+  if (first_shown < kSmallest || last_shown > kLargest)
+    throw Error("figure: a logarithmic axis has room for values from " + number(kSmallest) + " to " +
+                number(kLargest) + ", got " + number(first_shown) + " to " + number(last_shown) +
+                "; give a range of the axis");
   Scale s;
   s.logarithmic = true;
   s.low = axis.low.value_or(std::min(low, std::pow(10, std::floor(std::log10(low) + 1e-9))));
@@ -112,6 +119,8 @@ Scale decades(const Axis& axis, double low, double high, double length, double l
 double Scale::part(double value) const {
   return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
 }
+
+double Scale::held(double value) const { return logarithmic && value <= 0 ? low : value; }
 
 double Scale::at(double part) const {
   return logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);

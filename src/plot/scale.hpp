@@ -19,6 +19,7 @@ struct Scale {
 
   double part(double value) const;  // position: 0 at the lower end, 1 at the upper end
   double at(double part) const;     // the value at a position
+  double held(double value) const;  // the value; on a logarithmic scale its lower end for zero and below
 };
 
 // A scale for values from low to high with steps of 1, 2 or 5 times a power of ten. Ends that the

@@ -16,11 +16,52 @@ namespace {
 
 constexpr double kLine = 1, kAxis = 0.5, kMark = 0.8;  // line widths, points
 constexpr double kMarkSize = 0.55;                     // in units of gnuplot; about 3.3 points
+constexpr double kDot = 0.35;                          // likewise: a point of a line without neighbours
 
 std::string fixed(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.4f", value);
   return text;
+}
+
+// The rows of which the axes can show every value.
+using Rows = std::vector<bool>;
+Rows shown_rows(const Figure& f, const std::vector<double>& x,
+                const std::vector<const std::vector<double>*>& columns) {
+  Rows out(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    out[i] = shows(f.x, x[i]) && std::all_of(columns.begin(), columns.end(),
+                                             [&](const auto* column) { return shows(f.y, (*column)[i]); });
+  return out;
+}
+
+// A band that reaches zero or below on a logarithmic axis begins at the frame's edge.
+Ends held_band(Ends band, const Scale& y) {
+  for (std::size_t i = 0; i < band.low.size(); ++i)
+    if (band.high[i] > y.low) band.low[i] = y.held(band.low[i]);
+  return band;
+}
+
+// Those without a neighbour, to which no line leads.
+Rows lone_rows(const Rows& shown) {
+  Rows out(shown.size());
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    out[i] = shown[i] && (i == 0 || !shown[i - 1]) && (i + 1 == shown.size() || !shown[i + 1]);
+  return out;
+}
+bool any(const Rows& rows) { return std::find(rows.begin(), rows.end(), true) != rows.end(); }
+
+// A row that is not shown becomes an empty line, which interrupts the curve.
+std::string block(const std::string& name, const Rows& shown,
+                  const std::vector<const std::vector<double>*>& columns) {
+  std::string text = name + " << END_OF_CURVE\n";
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    std::string row;
+    for (const auto* column : columns)
+      if (shown[i]) row += (row.empty() ? "" : " ") + full_number((*column)[i]);
+    text += row + "\n";
+  }
+  return text + "END_OF_CURVE\n";
 }
 
 class Script {
@@ -128,21 +169,39 @@ class Script {
              coloured(l) + "\n";
   }
 
-  // A row with a value that is not finite becomes an empty line, which interrupts the curve.
-  std::string block(const std::string& name, const std::vector<const std::vector<double>*>& columns) {
+  // Upright lines across a band at places without a neighbour.
+  static std::string lone_bands(const std::string& name, const Rows& lone, const std::vector<double>& x,
+                                const Ends& band) {
     std::string text = name + " << END_OF_CURVE\n";
-    for (std::size_t i = 0; i < columns[0]->size(); ++i) {
-      std::string row;
-      for (const auto* column : columns) {
-        if (!std::isfinite((*column)[i])) {
-          row.clear();
-          break;
-        }
-        row += (row.empty() ? "" : " ") + full_number((*column)[i]);
-      }
-      text += row + "\n";
-    }
+    for (std::size_t i = 0; i < lone.size(); ++i)
+      if (lone[i])
+        text += full_number(x[i]) + " " + full_number(band.low[i]) + "\n" + full_number(x[i]) + " " +
+                full_number(band.high[i]) + "\n\n";
     return text + "END_OF_CURVE\n";
+  }
+
+  // A bar from `from` to `to`, each {x, y}, with caps that reach from a to b along the other axis. A bar that
+  // reaches zero or below on a logarithmic axis is drawn from the frame's edge, without a cap there.
+  using Place = std::array<double, 2>;
+  static std::string bar_lines(Place from, Place to, std::size_t along, double a, double b,
+                               const Scale& scale) {
+    const bool cut = scale.held(from[along]) != from[along];
+    from[along] = scale.held(from[along]);
+    if (cut && to[along] <= from[along]) return "";  // all of it lies below the frame
+    std::string text;
+    const auto line = [&text](const Place& p, const Place& q) {
+      text += full_number(p[0]) + " " + full_number(p[1]) + "\n" + full_number(q[0]) + " " +
+              full_number(q[1]) + "\n\n";
+    };
+    const auto cap = [&](Place p) {
+      Place q = p;
+      p[1 - along] = a, q[1 - along] = b;
+      line(p, q);
+    };
+    line(from, to);
+    if (!cut) cap(from);
+    cap(to);
+    return text;
   }
 
   // Vertical lines with a cap at each end, as wide as a mark.
@@ -152,10 +211,7 @@ class Script {
     for (std::size_t i = 0; i < c.x.size(); ++i) {
       const double low = c.error.low[i], high = c.error.high[i], part = p.x.part(c.x[i]);
       if (!std::isfinite(low + high + part)) continue;
-      const std::string x = full_number(c.x[i]), a = full_number(p.x.at(part - half)),
-                        b = full_number(p.x.at(part + half)), l = full_number(low), h = full_number(high);
-      for (const auto& [x0, y0, x1, y1] : {std::array{x, l, x, h}, {a, l, b, l}, {a, h, b, h}})
-        text += x0 + " " + y0 + "\n" + x1 + " " + y1 + "\n\n";
+      text += bar_lines({c.x[i], low}, {c.x[i], high}, 1, p.x.at(part - half), p.x.at(part + half), p.y);
     }
     return text + "END_OF_CURVE\n";
   }
@@ -167,10 +223,7 @@ class Script {
     for (std::size_t i = 0; i < c.x.size(); ++i) {
       const double low = c.x_error.low[i], high = c.x_error.high[i], part = p.y.part(c.y[i]);
       if (!std::isfinite(low + high + part)) continue;
-      const std::string y = full_number(c.y[i]), a = full_number(p.y.at(part - half)),
-                        b = full_number(p.y.at(part + half)), l = full_number(low), h = full_number(high);
-      for (const auto& [x0, y0, x1, y1] : {std::array{l, y, h, y}, {l, a, l, b}, {h, a, h, b}})
-        text += x0 + " " + y0 + "\n" + x1 + " " + y1 + "\n\n";
+      text += bar_lines({low, c.y[i]}, {high, c.y[i]}, 0, p.y.at(part - half), p.y.at(part + half), p.x);
     }
     return text + "END_OF_CURVE\n";
   }
@@ -191,26 +244,37 @@ class Script {
       const Look l = look_of(f, i);
       const std::string number_of = std::to_string(i);
       const std::string title = c.label.empty() ? " notitle" : " title " + quoted(c.label);
+      const std::string thin = " with lines linewidth " + fabricsh::number(kMark) + coloured(l) + " notitle";
       if (!c.band.empty()) {
-        text_ += block("$band" + number_of, {&c.x, &c.band.low, &c.band.high});
+        const Ends band = held_band(c.band, p.y);
+        const Rows shown = shown_rows(f, c.x, {&band.low, &band.high}), lone = lone_rows(shown);
+        text_ += block("$band" + number_of, shown, {&c.x, &band.low, &band.high});
+        if (any(lone)) {
+          text_ += lone_bands("$lone_band" + number_of, lone, c.x, band);
+          bars += ", $lone_band" + number_of + " using 1:2" + thin;
+        }
         bands.push_back({width_of(c.band), ", $band" + number_of + " using 1:2:3 with filledcurves" +
                                                shade(l) + (c.y.empty() ? title : " notitle")});
       }
       if (!c.error.empty()) {
         text_ += error_block("$error" + number_of, c, p);
-        bars += ", $error" + number_of + " using 1:2 with lines linewidth " + fabricsh::number(kMark) +
-                coloured(l) + " notitle";
+        bars += ", $error" + number_of + " using 1:2" + thin;
       }
       if (c.y.empty()) continue;
       if (!c.x_error.empty()) {
         text_ += x_error_block("$across" + number_of, c, p);
-        bars += ", $across" + number_of + " using 1:2 with lines linewidth " + fabricsh::number(kMark) +
-                coloured(l) + " notitle";
+        bars += ", $across" + number_of + " using 1:2" + thin;
       }
-      text_ += block("$curve" + number_of, {&c.x, &c.y});
+      const Rows shown = shown_rows(f, c.x, {&c.y}), lone = lone_rows(shown);
+      text_ += block("$curve" + number_of, shown, {&c.x, &c.y});
       if (l.line) lines += ", $curve" + number_of + " using 1:2 with lines" + line(l) + title;
       if (l.marker > 0)
         lines += ", $curve" + number_of + " using 1:2 with points" + mark(l) + (l.line ? " notitle" : title);
+      if (l.marker == 0 && any(lone)) {
+        text_ += block("$lone" + number_of, lone, {&c.x, &c.y});
+        lines += ", $lone" + number_of + " using 1:2 with points pointtype 7 pointsize " +
+                 fabricsh::number(kDot) + coloured(l) + " notitle";
+      }
     }
     if (opaque_)
       std::stable_sort(bands.begin(), bands.end(),
@@ -235,15 +299,11 @@ std::string letters_axis(const std::string& name, const Axis& a) {
          end(a.high) + "]\n" + (a.logarithmic ? "set logscale " + name + "\n" : "");
 }
 
-std::string letters_style(CurveStyle style) {
-  if (style == CurveStyle::points) return "points pointtype 'o'";
-  return style == CurveStyle::line_points ? "linespoints pointtype 'o'" : "lines";
-}
+constexpr const char* letters_points = "points pointtype 'o'";
 
-// A row of numbers, or an empty line if one is not finite.
-std::string letters_row(double x, double y) {
-  const bool finite = std::isfinite(x) && std::isfinite(y);
-  return (finite ? full_number(x) + " " + full_number(y) : "") + "\n";
+std::string letters_style(CurveStyle style) {
+  if (style == CurveStyle::points) return letters_points;
+  return style == CurveStyle::line_points ? "linespoints pointtype 'o'" : "lines";
 }
 
 }  // namespace
@@ -255,26 +315,33 @@ std::string script_of(const Page& page, const Layout& layout, double canvas_widt
 
 // In text mode each line type has a different mark. A band is shown by two lines; error bars are not shown.
 std::string letters_script(const Figure& f) {
-  visible_span(f);
+  const Span span = visible_span(f);
+  const Scale y_scale = scale_of(f.y, span.y_low, span.y_high, 100, 8, true);
+  scale_of(f.x, span.x_low, span.x_high, 100, 8, false);  // says so if the values have no room on one axis
   std::string script = "set encoding utf8\nset title " + quoted(f.title) + "\n" + letters_axis("x", f.x) +
                        letters_axis("y", f.y) + "set tics nomirror\nset border 3\n" +
                        (f.key == Key::none ? "unset key\n" : "set key below Left reverse\n");
   std::string plot;
-  const auto add = [&](std::size_t i, const std::string& name, const std::vector<double>& y,
-                       const std::string& with, bool named) {
+  const auto add_rows = [&](std::size_t i, const std::string& name, const Rows& shown,
+                            const std::vector<double>& y, const std::string& with, bool named) {
     const Curve& c = f.curves[i];
-    script += name + " << END_OF_CURVE\n";
-    for (std::size_t k = 0; k < c.x.size(); ++k) script += letters_row(c.x[k], y[k]);
-    script += "END_OF_CURVE\n";
+    script += block(name, shown, {&c.x, &y});
     plot += (plot.empty() ? "plot " : ", ") + name + " using 1:2 with " + with + " linetype " +
             std::to_string(i + 1) + (named && !c.label.empty() ? " title " + quoted(c.label) : " notitle");
+  };
+  const auto add = [&](std::size_t i, const std::string& name, const std::vector<double>& y,
+                       const std::string& with, bool named) {
+    const Rows shown = shown_rows(f, f.curves[i].x, {&y}), lone = lone_rows(shown);
+    add_rows(i, name, shown, y, with, named);
+    if (with == "lines" && any(lone)) add_rows(i, name + "_lone", lone, y, letters_points, false);
   };
   for (std::size_t i = 0; i < f.curves.size(); ++i) {
     const Curve& c = f.curves[i];
     const std::string place = std::to_string(i);
     if (!c.band.empty()) {
-      add(i, "$low" + place, c.band.low, "lines", c.y.empty());
-      add(i, "$high" + place, c.band.high, "lines", false);
+      const Ends band = held_band(c.band, y_scale);
+      add(i, "$low" + place, band.low, "lines", c.y.empty());
+      add(i, "$high" + place, band.high, "lines", false);
     }
     if (!c.y.empty()) add(i, "$curve" + place, c.y, letters_style(c.style), true);
   }

@@ -10,11 +10,11 @@
 
 namespace fabricsh::plot {
 
-namespace {
-
 bool shows(const Axis& axis, double value) {
   return std::isfinite(value) && (value > 0 || !axis.logarithmic);
 }
+
+namespace {
 
 bool in_range(const Axis& axis, double value) {
   return value >= axis.low.value_or(value) && value <= axis.high.value_or(value);
@@ -97,17 +97,22 @@ std::size_t too_low(const Axis& axis, const std::vector<double>& values) {
 
 std::string left_out(const Figure& f, const Curve& c) {
   std::string what;
-  const auto add = [&](std::size_t count, std::size_t all, const char* of) {
+  bool points = false, edges = false;
+  const auto add = [&](std::size_t count, std::size_t all, const char* of, bool& any) {
     if (count == 0) return;
+    any = true;
     what += (what.empty() ? "" : ", ") + std::to_string(count) + " of " + std::to_string(all) + " " + of;
   };
-  add(too_low(f.x, c.x), c.x.size(), "x");
-  add(too_low(f.y, c.y), c.y.size(), "y");
+  add(too_low(f.x, c.x), c.x.size(), "x", points);
+  add(too_low(f.y, c.y), c.y.size(), "y", points);
   for (const auto& [axis, ends, of] :
        {std::tuple{&f.y, &c.band, "ends of its band"}, std::tuple{&f.y, &c.error, "ends of error bars"},
         std::tuple{&f.x, &c.x_error, "ends of error bars along x"}})
-    add(too_low(*axis, ends->low) + too_low(*axis, ends->high), 2 * ends->low.size(), of);
-  return what;
+    add(too_low(*axis, ends->low) + too_low(*axis, ends->high), 2 * ends->low.size(), of, edges);
+  if (what.empty()) return what;
+  return what + " are zero or below, for which a logarithmic axis has no place; " +
+         (points ? "such points are not drawn" : "") + (points && edges ? ", " : "") +
+         (edges ? "what reaches there is drawn to the frame's edge" : "");
 }
 
 }  // namespace
@@ -118,8 +123,7 @@ std::vector<std::string> left_out(const Page& page) {
     for (std::size_t i = 0; i < f.curves.size(); ++i)
       if (const std::string what = left_out(f, f.curves[i]); !what.empty()) {
         const std::string& label = f.curves[i].label;
-        out.push_back("curve " + (label.empty() ? std::to_string(i + 1) : "'" + label + "'") + ": " + what +
-                      " are zero or below, for which a logarithmic axis has no place; they are not drawn");
+        out.push_back("curve " + (label.empty() ? std::to_string(i + 1) : "'" + label + "'") + ": " + what);
       }
   return out;
 }

@@ -11,6 +11,9 @@ struct Span {
   double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
 };
 
+// Whether an axis has a place for this value: it is finite, and above zero on a logarithmic axis.
+bool shows(const Axis& axis, double value);
+
 // Range of the points, bands and error bars within the fixed ranges. Error: a figure that cannot be drawn.
 Span visible_span(const Figure& figure);
 

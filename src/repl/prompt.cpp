@@ -77,7 +77,7 @@ std::string advice(const std::string& input) {
          (names.size() > 1 ? "them" : "it") + " leave 'local' out";
 }
 
-Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
+Outcome converse(script::Session& session, Lines& lines, const Voice& voice, Attended attended) {
   if (!session.options().deck.empty()) keep(session, deck_call(session.options().deck), voice);
   Outcome first = Outcome::done;
   OwnNames own(session);
@@ -86,10 +86,16 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice) {
     own.look(voice);
     if (first == Outcome::done) first = outcome;
   };
+  const auto called_off = [&] {
+    if (attended == Attended::no && ctrl_c_between_lines()) session.set_stopped_by_interrupt();
+    return attended == Attended::no && session.stopped_by_interrupt();
+  };
   std::string input, line;
-  while (session.terminated() == 0) {
-    const auto state =
-        (ctrl_c_between_lines() && !input.empty()) ? Lines::State::interrupted : lines.next(input, line);
+  while (session.terminated() == 0 && !called_off()) {
+    const auto state = (attended == Attended::yes && ctrl_c_between_lines() && !input.empty())
+                           ? Lines::State::interrupted
+                           : lines.next(input, line);
+    if (called_off()) break;
     if (state == Lines::State::end && input.empty()) break;
     if (state == Lines::State::interrupted) {
       input.clear();

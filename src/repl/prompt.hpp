@@ -4,6 +4,7 @@
 
 #include "repl/editor.hpp"
 #include "repl/evaluator.hpp"
+#include "repl/interrupt.hpp"
 #include "script/session.hpp"
 
 namespace fabricsh::repl {
@@ -15,7 +16,10 @@ struct Voice {
 };
 
 // Errors are shown on err and do not end the session. Returns the outcome of the first input that failed.
-Outcome converse(script::Session& session, Lines& lines, const Voice& voice);
+// Ctrl-C ends the input that is running; without a user at the prompt it ends the session, too, as it ends a
+// deck.
+Outcome converse(script::Session& session, Lines& lines, const Voice& voice,
+                 Attended attended = Attended::yes);
 
 // Advice on input with an effect that is rarely intended; empty: none.
 std::string advice(const std::string& input);

@@ -23,14 +23,17 @@ inline std::string content_of(const std::filesystem::path& path) {
 
 class Program {
  public:
-  // Its output goes to the file `log`.
-  explicit Program(std::vector<std::string> words, const std::string& log = "/dev/null") {
+  // Its output goes to the file `log`, its input comes from the file `in` (from that of the test if it is
+  // empty).
+  explicit Program(std::vector<std::string> words, const std::string& log = "/dev/null",
+                   const std::string& in = "") {
     words.insert(words.begin(), FABRICSH_PROGRAM);
     process_ = fork();
     if (process_ != 0) return;
     const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     dup2(out, STDOUT_FILENO);
     dup2(out, STDERR_FILENO);
+    if (!in.empty()) dup2(open(in.c_str(), O_RDWR), STDIN_FILENO);  // a pipe so stays open
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

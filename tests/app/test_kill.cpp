@@ -1,5 +1,7 @@
 // kill -9 at random moments of runs with all outputs on: each file opens, a restart goes on, and the results
 // are those of the undisturbed run, bit for bit.
+#include <sys/stat.h>
+
 #include <chrono>
 #include <cmath>
 #include <random>
@@ -234,4 +236,32 @@ TEST_CASE("a signal ends what does not come to an answer, with its exit code and
   program.signal(SIGTERM);  // as a shell hands on what came to its job
   sleep(3);
   CHECK(program.end(SIGTERM) == 128 + SIGTERM);
+}
+
+TEST_CASE("Ctrl-C while statements come from a pipe ends the session as it ends a deck") {
+  write_deck("piped.lua",
+             "io.stderr:write 'busy' while true do end\nio.stderr:write 'next'\nio.stderr:write 'last'\n");
+  fs::remove("piped.log");
+  Program running({"--quiet"}, "piped.log", "piped.lua");
+  REQUIRE(says("piped.log", "busy"));
+  CHECK(running.end(SIGINT) == 128 + SIGINT);
+  CHECK(content_of("piped.log").find("interrupted") != std::string::npos);
+  CHECK(content_of("piped.log").find("next") == std::string::npos);
+  // also where a pcall has caught it
+  write_deck("piped.lua",
+             "pcall(function() io.stderr:write 'busy' while true do end end)\nio.stderr:write 'next'\n");
+  fs::remove("piped.log");
+  Program caught({"--quiet"}, "piped.log", "piped.lua");
+  REQUIRE(says("piped.log", "busy"));
+  CHECK(caught.end(SIGINT) == 128 + SIGINT);
+  CHECK(content_of("piped.log").find("next") == std::string::npos);
+  // and while it waits for the next statement
+  fs::remove("piped");
+  REQUIRE(mkfifo("piped", 0600) == 0);
+  fs::remove("piped.log");
+  Program waiting({"--quiet"}, "piped.log", "piped");
+  std::ofstream("piped") << "io.stderr:write 'ready'" << std::endl;
+  REQUIRE(says("piped.log", "ready"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  CHECK(waiting.end(SIGINT) == 128 + SIGINT);
 }

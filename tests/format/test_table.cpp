@@ -65,8 +65,6 @@ TEST_CASE("a wrong table names file, line, column and what was expected", "[file
         "pull.csv:3: column 'P': expected a finite number, got 'x'");
   CHECK(trouble("u,P\n0,x\n2,3\n3,4\n4,5\n") == "pull.csv:2: column 'P': expected a finite number, got 'x'");
   CHECK(trouble("only words\n").starts_with("pull.csv:1: expected lines of numbers"));
-  CHECK(trouble("").starts_with("pull.csv:1: expected lines of numbers"));
-  CHECK(trouble(std::string("\xFF\xFE") + "1").find("UTF-16") != std::string::npos);
   CHECK(message_of([] { read_table("/no/such.csv"); }).find("/no/such.csv") != std::string::npos);
 }
 
@@ -128,6 +126,86 @@ TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
   CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;1,234\n").ends_with("got '1,234'"));
   for (const std::string wrong : {"1,23.5", "1234,567.5", ",234.5", "1,2345.5", "1,,234.5"})
     CHECK(trouble("0.5;1\n0.5;1\n0.5;1\n0.5;1\n0.5;" + wrong + "\n").ends_with("got '" + wrong + "'"));
+}
+
+TEST_CASE("what stands in quotes is one cell, commas and doubled quotes in it") {
+  const Table t = parse_table("a",
+                              "\"Extension, total (mm)\",\"Load \"\"raw, set\"\" (N)\",Note\n0,0.5,\"a, b\"\n"
+                              "1,2,\"a, \"\"b\"\", c\"\n2,3,d\n3,4,e\n4,5,f\n");
+  REQUIRE(t.columns.size() == 3);
+  CHECK(t.columns[0].name == "Extension, total");
+  CHECK(t.columns[0].unit == "mm");
+  CHECK(t.columns[1].name == "Load \"raw, set\"");
+  CHECK(t.columns[1].values == std::vector<double>{0.5, 2, 3, 4, 5});
+  CHECK(t.columns[2].text);
+}
+
+TEST_CASE("decimal commas in quotes between commas", "[files]") {
+  const Table t = parse_table("a", "u,P\n\"0,0\",\"0,5\"\n1,\"2,5\"\n\"1,5\",\"1,500\"\n");
+  CHECK(t.form.decimal == ',');
+  CHECK(t.columns[0].values == std::vector<double>{0, 1, 1.5});
+  CHECK(t.columns[1].values == std::vector<double>{0.5, 2.5, 1.5});
+  // also if the first rows do not tell
+  const Table late = parse_table("b", "u,P\n0,0\n1,1\n2,2\n3,3\n4,\"4,5\"\n");
+  CHECK(late.columns[1].values == std::vector<double>{0, 1, 2, 3, 4.5});
+  CHECK(parse_table("c", "u,P\n0,\"1,000\"\n1,\"2,000\"\n", {0, ','}).columns[1].values ==
+        std::vector<double>{1, 2});
+  for (const char* rows : {"0,\"1,000\"\n1,\"2,000\"\n", "0,1\n1,1\n2,2\n3,3\n4,\"1,000\"\n"})
+    CHECK(trouble(std::string("u,P\n") + rows)
+              .ends_with(
+                  "column 'P': expected a finite number, got '1,000': its comma may be a decimal sign or "
+                  "stand between thousands; give decimal=',', or write such numbers without it"));
+  // a column that nobody needs does not spoil the others
+  const Table other = parse_table("d", "u,P,n\n0,0.5,\"1,000\"\n1,1.5,\"2,000\"\n", {0, 0, true});
+  CHECK(other.columns[1].values == std::vector<double>{0.5, 1.5});
+  CHECK_FALSE(other.columns[2].trouble.empty());
+}
+
+TEST_CASE("a first row with too many or too few cells is not taken for text above the table", "[files]") {
+  CHECK(trouble("note,u,P\nx \"a, b\",0,0\ny,1,2\ny,2,4\n") == "pull.csv:2: expected 3 cells, got 4");
+  CHECK(trouble("t,u,P\n0,0\n1,2,3\n2,4,5\n") == "pull.csv:2: expected 3 cells, got 2");
+}
+
+namespace {
+
+std::string utf16(const std::string& text, bool high_first) {
+  std::string out = high_first ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : text) out += high_first ? std::string{'\0', c} : std::string{c, '\0'};
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("UTF-16 and lines that end with carriage returns are read") {
+  const std::string text = "Weg (mm);Kraft (N)\r\n0;0,5\r\n1;2,5\r\n";
+  const std::vector<std::string> forms = {utf16(text, false), utf16(text, true),
+                                          "Weg (mm);Kraft (N)\r0;0,5\r1;2,5\r"};
+  for (const std::string& bytes : forms) {
+    const Table t = parse_table("a", bytes);
+    CHECK(t.columns[0].name == "Weg");
+    CHECK(t.columns[1].values == std::vector<double>{0.5, 2.5});
+  }
+  // letters beyond ASCII, and beyond 16 bits: e with acute, the sign for per mille, a clef
+  const std::string other(
+      "\xFF\xFE\xE9\0\x30\x20\x34\xD8\x1E\xDD;\0P\0\n\0"
+      "1\0;\0"
+      "2\0\n\0",
+      24);
+  CHECK(parse_table("b", other).columns[0].name == "\u00e9\u2030\U0001d11e");
+}
+
+TEST_CASE("files that are no text say what they are") {
+  CHECK(trouble("") == "pull.csv:1: expected plain text, got an empty file");
+  CHECK(trouble("\r\n \n") == "pull.csv:1: expected plain text, got an empty file");
+  CHECK(trouble("PK\x03\x04rest") ==
+        "pull.csv:1: expected plain text, got a spreadsheet (.xlsx, .ods) or another archive; save the sheet "
+        "as CSV");
+  CHECK(trouble("\xD0\xCF\x11\xE0rest") ==
+        "pull.csv:1: expected plain text, got a spreadsheet (.xls); save the sheet as CSV");
+  CHECK(
+      trouble(utf16("0;1\n", false).substr(2)) ==
+      "pull.csv:1: expected plain text, got bytes of value zero: a binary file, or UTF-16 without its mark; "
+      "save it as text, UTF-8");
 }
 
 TEST_CASE("a million rows are read", "[files]") {

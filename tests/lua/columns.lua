@@ -28,6 +28,45 @@ for _, c in ipairs { fabric.columns(rows), fabric.columns(lists) } do
 end
 assert(fabric.columns(rows) == rows, "the rows themselves become a curve")
 assert(fabric.columns { E = { 0, 0 / 0, 2 } }.E:max() == 2, "a gap is passed over")
+do
+  local gaps = fabric.columns { E = { 0 / 0, 1, 3 }, S = { 0 / 0, 0 / 0, 0 / 0 } }
+  assert(gaps.E:max() == 3 and gaps.E:min() == 1 and gaps.E:mean() == 2 and gaps.E:sum() == 4, "by all of them")
+  for _, name in ipairs { "max", "min", "mean", "sum" } do
+    local ok, message = pcall(function() local x = gaps.S[name](gaps.S) return x end)
+    assert(not ok and message:find("column:" .. name .. ": expected at least one number, the column has none", 1, true), message)
+  end
+end
+
+-- a wrong call whose result is only passed on names its line in the deck
+do
+  local text = "local c = require 'fabric'.columns { E = { 0, 1 } }\nlocal function top() return c.E.max() end\nlocal function all() return c:column(3) end\n"
+  for last, words in pairs { ["return c.E.max()"] = ":4: column:max: expected a column in front of a colon",
+    ["local _, told = coroutine.resume(coroutine.create(function() return c.E.max() end))\nerror(told, 0)"] = ":4: column:max: expected a column in front of a colon",
+    ["local x = top() return x"] = ":2: column:max: expected a column in front of a colon", ["local x = all() return x"] = ":3: columns: expected the name of a column",
+    ["return c:map(3)"] = ":4: curve:map: expected a function", ["return c.E + c"] = ":4: column +: expected a number or a column, got a curve; one of its columns is meant" } do
+    local ok, message = pcall(assert(load(text .. last, "@deck.lua")))
+    assert(not ok and message:sub(1, 8 + #words) == "deck.lua" .. words, message)
+  end
+  -- a function that waits may be called by map
+  local steps = coroutine.wrap(function() return fabric.columns({ E = { 1, 2 } }).E:map(function(v) return v + coroutine.yield(v) end) end)
+  assert(steps() == 1 and steps(10) == 2)
+  local after = steps(20)
+  assert(after[1] == 11 and after[2] == 22)
+end
+
+-- help says what a curve and a column are
+do
+  local said, print_ = {}, print
+  print = function(text) said[#said + 1] = text end
+  local c = fabric.columns { E = { 0, 1, 2 }, S = { 0, 1, 4 } }
+  fabric.help(c)
+  fabric.help(c.S)
+  fabric.help { 1, 2 }
+  print = print_
+  assert(said[1]:find "^a curve of 3 rows: E, S\n" and said[1]:find("c:interpolate", 1, true), said[1])
+  assert(said[2]:find "^a column of 3 numbers" and said[2]:find("c:mean()", 1, true), said[2])
+  assert(said[3]:find "this is a plain table of Lua", said[3])
+end
 
 -- an end missed by rounding; gaps
 do

@@ -107,7 +107,23 @@ says(part, "warp.unloading", "assumed: 4 times the steepest tangent")
 says(part, "shear.loading", "fitted to 1 specimen")
 assert(part.card:check().ok and part.shear.fit.tested <= math.sin(math.rad(30)) / 2 + 1e-9)
 local report = require "fabric.lab.report"
+local drawn, plot = {}, fabric.plot
+fabric.plot = function(t)
+  drawn[t.file:match "[^/]*$"] = t
+  return plot(t)
+end
 local figures, rows = report.write(part, place .. "/out")
+fabric.plot = plot
+-- the words of the axes, and a frame on which no mark lies
+assert(drawn["shear.svg"].xlabel == "shear strain E12" and drawn["shear-residual.svg"].xlabel == "shear strain E12" and drawn["warp.svg"].xlabel == "Green-Lagrange strain E")
+for _, name in ipairs { "warp.svg", "shear.svg" } do
+  for _, axis in ipairs { "x", "y" } do
+    local low, high = table.unpack(drawn[name][axis .. "range"])
+    for _, c in ipairs(drawn[name].curves) do
+      for _, v in ipairs(c[axis] or {}) do assert(v > low + 0.01 * (high - low) and v < high - 0.01 * (high - low), name) end
+    end
+  end
+end
 assert(figures.warp.residual < 0.02 and figures.shear and not figures.weft and #report.contradictions(figures) == 0)
 local html = io.open(place .. "/out/report.html"):read "a"
 for _, words in ipairs { "What further tests would settle", "weft.loading<td>pulls along the weft", "assumed: as the warp's", "specimens to E = " } do

@@ -58,10 +58,56 @@ for unit, newton in pairs { daN = 10, DaN = 10, cN = 0.01, gf = 9.80665e-3, kgf 
   close(read(("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit)).force[2] / newton, 100, 1e-12)
 end
 for unit, newton in pairs { ["daN/5cm"] = 200, ["daN/5 cm"] = 200, ["N/5 cm"] = 20, ["kgf/5cm"] = 196.133, ["lbf/in"] = 4.4482216152605 / 0.0254, ["lb/in"] = 4.4482216152605 / 0.0254,
-  ["mN/mm"] = 1, ["cN/cm"] = 1, ["gf/cm"] = 0.980665 } do
+  ["mN/mm"] = 1, ["cN/cm"] = 1, ["gf/cm"] = 0.980665, ["kgf/2.5 cm"] = 9.80665 / 0.025, ["ozf / in."] = 4.4482216152605 / 16 / 0.0254, ["N / 30 mm"] = 1 / 0.03,
+  ["kN/m"] = 1e3 } do
   close(read(("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit), { width = 0.5 }).force[2] / newton, 50, 1e-12)
 end
-fails("expected the unit of the force (one of N, cN, daN, gf, kN, kgf, lbf, mN, ozf; per width N/50mm,", read, "Extension (mm),Force (cN/tex)\n0,0\n2,100\n4,210\n")
+fails("expected the unit of the force (one of N, cN, daN, gf, kN, kgf, lbf, mN, ozf; per width one of these over a length, as N/mm or kgf/5cm), got 'cN/tex'", read, "Extension (mm),Force (cN/tex)\n0,0\n2,100\n4,210\n")
+for _, unit in ipairs { "N/0cm", "N/1.2.3cm", "N/", "/mm", "N/kg", "N/mm/mm" } do
+  fails(("got '%s'"):format(unit), read, ("Extension (mm),Load (%s)\n0,0\n2,100\n4,210\n"):format(unit), { width = 0.5 })
+end
+-- a user's unit composes too, and a user's own pound is no guess
+close(read("Extension (mm),Load (pdl/cm)\n0,0\n2,100\n4,210\n", { width = 0.5, vocabulary = { units = { force = { pdl = 0.138254954 } } } }).force[2], 100 * 0.138254954 * 50, 1e-12)
+-- pounds and ounces of a force column are told to be taken for forces, lbf and ozf are not
+local told, warn = {}, fabric.warn
+fabric.warn = function(words) told[#told + 1] = words end
+for _, unit in ipairs { "lbf", "ozf", "lbf/in", "N" } do read(("Extension (mm),Load (%s)\n0,0\n2,100\n"):format(unit), { width = 0.5 }) end
+read("Extension (mm),Load (lb)\n0,0\n2,100\n", { vocabulary = { units = { force = { lb = 4.5 } } } })
+assert(#told == 0, told[1])
+for i, pair in ipairs { { "lb", "lbf" }, { "lbs", "lbf" }, { "oz", "ozf" }, { "lb/in", "lbf" } } do
+  read(("Extension (mm),Load (%s)\n0,0\n2,100\n"):format(pair[1]), { width = 0.5 })
+  local words = ("column 'Load': '%s' is a unit of mass; it is taken for the force %s"):format(pair[1]:match "^%a+", pair[2])
+  assert(told[i] and told[i]:find(words, 1, true), told[i])
+end
+read("Extension,Load\n0,0\n2,100\n", { units = { displacement = "mm", force = "lb" } })
+assert(#told == 5)
+fabric.warn = warn
+-- short words; columns by a place that is none; decimal commas between commas; lengths in mm; files that are no text; other line ends and UTF-16
+for _, heading in ipairs { "ext_mm,load_N", "Disp (mm),F (N)", "Elong. (mm),Load (N)" } do close(read(heading .. "\n0,0\n2,100\n").displacement[2], 2e-3, 1e-15) end
+fails("expected a place from 1 to 2 for the force, there are 'Extension', 'Load', got 7", read, "Extension (mm),Load (N)\n0,0\n2,100\n", { columns = { force = 7 } })
+fails("there are 1, 2, 3, 4 (the line above has 2 words for 4 cells: are there decimal commas between commas?", read, "Extension (mm),Load (N)\n0,0,0,0\n1,5,2,5\n")
+close(read('Extension (mm),Load (N)\n"0,0","0,0"\n"1,5","2,5"\n').force[2], 2.5, 1e-15)
+fails("expected plain text, got an empty file", read, "")
+fails("expected plain text, got a spreadsheet (.xlsx, .ods) or another archive; save the sheet as CSV", read, "PK\3\4\20\0")
+for _, text in ipairs { "Extension (mm),Load (N)\r0,0\r2,100\r", "\xff\xfe" .. ("Extension (mm)\tLoad (N)\r\n0\t0\r\n2\t100\r\n"):gsub(".", "%0\0") } do close(read(text).force[2], 100, 1e-15) end
+do
+  local asked, warn_ = {}, fabric.warn
+  fabric.warn = function(words) asked[#asked + 1] = words end
+  read("Extension (mm),Load (N/mm)\n0,0\n2,100\n", { width = 25 })
+  read("Strain (%),Load (N)\n0,0\n2,100\n", { gauge_length = 100 })
+  read("Extension (mm),Load (N)\n0,0\n2,100\n", { gauge_length = 100, width = 25 }) -- neither is used
+  fabric.warn = warn_
+  assert(#asked == 2 and asked[1] == "read: field 'width': 25 m is far from what cloth is: is it in m?" and asked[2]:find("'gauge_length': 100 m", 1, true), asked[1])
+end
+-- a record that does not move, and one test in the place of a list
+local function pull(displacement, force)
+  return lab.tensile { record = { displacement = displacement, force = force }, gauge_length = 0.1, width = 0.025, thickness = 4e-4, plies = 1 }
+end
+fails("tensile: displacement stays at 0 m in the only row: expected the rows of a pull", pull, { 0 }, { 0 })
+fails("tensile: displacement stays at 0.001 m in all 3 rows", pull, { 1e-3, 1e-3, 1e-3 }, { 0, 1, 2 })
+fails("tensile: force stays at 0 N in all 2 rows", pull, { 0, 1e-3 }, { 0, 0 })
+fails("fit: field 'tests': expected at least one test, got one test: write tests={ test }", lab.fit, { tests = pull({ 0, 1e-3, 2e-3 }, { 0, 1, 2 }) })
+fails("expected at least 6 loading points of every specimen, got 3 of specimen 1", lab.fit, { tests = { pull({ 0, 1e-3, 2e-3 }, { 0, 1, 2 }) } })
 fails("a strain but no displacement: expected field 'gauge_length' in m", read, "Dehnung (%),Kraft (N)\n0,0\n2,100\n4,210\n")
 fails("column 'Load' is a force per width: expected field 'width' of the specimen in m", read, "Extension (mm),Load (N/mm)\n0,0\n2,100\n4,210\n")
 -- the extension in mm is the displacement, the one in per cent the strain

@@ -24,6 +24,7 @@ end
 
 -- quotients of units, as laboratories write them
 fails("field 'yunit': unknown unit 'N/5furlong'", { yunit = "N/5furlong", curves = { { x = { 1 }, y = { 1 } } } })
+fails("field 'yunit': unknown unit 'N/1.2.3cm'", { yunit = "N/1.2.3cm", curves = { { x = { 1 }, y = { 1 } } } })
 fails("field 'yunit': unknown unit 'N/0mm'", { yunit = "N/0mm", curves = { { x = { 1 }, y = { 1 } } } })
 for unit, top in pairs { ["N/5cm"] = 20, ["daN/5cm"] = 200, ["cN/tex"] = 1e4, daN = 10 } do
   local drawn = fabric.plot { ylabel = "pull", yunit = unit, yrange = { 0, 7 * top }, curves = { { x = { 0, 1 }, y = { 0, 6 * top } } } }

@@ -89,6 +89,12 @@ for field, words in pairs(bare.provenance) do assert(again.provenance[field] == 
 local other = bare:with { weft = { poisson = 0.25 }, name = "other" }
 says(other, "weft.poisson", "typed: changed by card:with")
 says(other, "warp.unloading", "assumed: 4 times")
+-- a part that is gone has no origin
+local bent = fabric.card("denim", { bending = "estimated" })
+assert(bent.bending and bent.provenance.bending:find "estimated")
+says(bent:with { bending = { twist = 1e-6 } }, "bending", "typed: changed by card:with")
+says(bent:with { bending = false }, "bending", "nothing")
+assert(not bent:with({ bending = false }).source:find("bending typed", 1, true))
 says(bare:with { warp = { unloading = 1e9 }, provenance = { ["warp.unloading"] = "measured by hand" } }, "warp.unloading", "measured by hand")
 says(card { warp = bare.warp }, "warp.unloading", "copied from the card 'mine' (there assumed: 4 times")
 assert(next(fabric.card "denim".provenance) == "bending" and next(fabric.card "denim".provenance, "bending") == nil)

@@ -82,7 +82,11 @@ local card = fabric.svk { name = "sheet", young = 5e6, poisson = 0, density = 50
   local disc = "fabric.lab.cusick{ card=card, cells=3, around=24, contact=false, by='relaxation', steps=1, "
   told("cusick says what relaxation does not use", disc .. "lowering=0.3, damping=5, window=0.2 }",
     'cusick: lowering, window: no effect with by = "relaxation", which knows no time', "damping")
-  told("cusick says what does nothing without contact", disc .. "friction=0.2, side=0.1 }", "cusick: side, friction: no effect with contact = false")
+  told("cusick says what does nothing without contact", disc .. "edge=0.06, friction=0.2, side=0.1 }",
+    "cusick: edge, side, friction: no effect with contact = false")
+  told("cusick says that one seed is not shared out", disc .. "processes=2 }", "cusick: processes: no effect with one seed")
+  told("a duration that has no effect is not checked", disc .. "duration=0.5 } print 'done'", "done", "expected more than")
+  told("but told", disc .. "duration=0.5 }", 'cusick: duration: no effect with by = "relaxation"')
   told("cusick says nothing without cause", disc .. "lowering=1.5 } print 'done'", "done", "no effect")
   local strip = "local model = fabric.model{ mesh=fabric.mesh.rectangle{ width=0.02, height=0.02, nx=1, ny=1 }, card=card, warp=0 }:fix('bottom', 'x y z rotation')\n"
     .. "fabric.static{ model=model, duration=1, step=1, "

@@ -1,9 +1,14 @@
 #include <cstdlib>
+#include <functional>
 #include <limits>
+#include <sstream>
 
+#include "base/number.hpp"
 #include "message_of.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/layout.hpp"
+#include "plot/script.hpp"
 #include "scratch.hpp"
 
 using namespace fabricsh;
@@ -94,12 +99,93 @@ TEST_CASE("what a logarithmic axis cannot show is counted", "[files]") {
   REQUIRE(words.size() == 2);
   CHECK(
       words[0] ==
-      "curve 'k': 2 of 4 y are zero or below, for which a logarithmic axis has no place; they are not drawn");
-  CHECK(words[1].starts_with("curve 2: 1 of 4 ends of error bars are zero or below"));
+      "curve 'k': 2 of 4 y are zero or below, for which a logarithmic axis has no place; such points are not "
+      "drawn");
+  CHECK(
+      words[1] ==
+      "curve 2: 1 of 4 ends of error bars are zero or below, for which a logarithmic axis has no place; what "
+      "reaches there is drawn to the frame's edge");
   f.y.logarithmic = false;
   CHECK(draw(folder / "a.svg", f).empty());
   f.x.logarithmic = true;
   CHECK(draw(folder / "a.svg", f).at(0).starts_with("curve 'k': 1 of 4 x are zero or below"));
+}
+
+namespace {
+
+// The lines of data of a block in the script that gnuplot gets; none: there is no such block.
+std::vector<std::string> block_of(const Figure& f, const std::string& name) {
+  Page page;
+  page.panels = {f};
+  const Layout layout = layout_of(page);
+  std::istringstream script(script_of(page, layout, layout.width, layout.height, false));
+  std::vector<std::string> out;
+  bool inside = false;
+  for (std::string line; std::getline(script, line);) {
+    if (line == "END_OF_CURVE") inside = false;
+    if (inside) out.push_back(line);
+    if (line == name + " << END_OF_CURVE") inside = true;
+  }
+  return out;
+}
+using Lines = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE(
+    "bands and error bars that reach zero begin at the frame's edge, whether they end at zero or below it") {
+  Figure f{"", {"", 0, 4}, {"", 0.01, 100, true}, {{"", {1, 2, 3}, {1, 1, 1}}}};
+  f.curves[0].band = {{0, -1, 0.5}, {2, 2, 2}};
+  CHECK(block_of(f, "$band0") == Lines{"1 0.01 2", "2 0.01 2", "3 0.5 2"});
+  f.curves[0].band = {{0, -2, 0.5}, {2, -1, 2}};  // all of the second lies below
+  CHECK(block_of(f, "$band0") == Lines{"1 0.01 2", "", "3 0.5 2"});
+  CHECK(block_of(f, "$lone_band0") == Lines{"1 0.01", "1 2", "", "3 0.5", "3 2", ""});
+  f.curves[0].error = {{0, -1, -2}, {2, 2, -1}};
+  const Lines bars = block_of(f, "$error0");
+  REQUIRE(bars.size() == 12);  // two bars, each with the cap above alone
+  CHECK(Lines(bars.begin(), bars.begin() + 2) == Lines{"1 0.01", "1 2"});
+  CHECK(Lines(bars.begin() + 6, bars.begin() + 8) == Lines{"2 0.01", "2 2"});
+  f.curves[0].error = {{0.5, 0.5, 0.5}, {2, 2, 2}};
+  CHECK(block_of(f, "$error0").size() == 27);  // three bars, each with both caps
+  Figure across{"", {"", 0.01, 100, true}, {"", 0, 2}, {{"", {1, 2}, {1, 1}, CurveStyle::points}}};
+  across.curves[0].x_error = {{0, -1}, {3, 3}};
+  const Lines level = block_of(across, "$across0");
+  REQUIRE(level.size() == 12);
+  CHECK(Lines(level.begin(), level.begin() + 2) == Lines{"0.01 1", "3 1"});
+  CHECK(Lines(level.begin() + 6, level.begin() + 8) == Lines{"0.01 1", "3 1"});
+}
+
+TEST_CASE("a point of a line to which no line leads is drawn as a dot", "[files]") {
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  Figure f{"", {"", 0, 10}, {"", 0.1, 10, true}, {{"", {1, 2, 3, 4, 5, 6}, {1, gap, 2, 3, -1, 4}}}};
+  CHECK(block_of(f, "$curve0") == Lines{"1 1", "", "3 2", "4 3", "", "6 4"});
+  CHECK(block_of(f, "$lone0") == Lines{"1 1", "", "", "", "", "6 4"});
+  f.curves[0].style = CurveStyle::line_points;
+  CHECK(block_of(f, "$lone0").empty());
+  f.curves = {{"", {1, 2}, {1, 2}}};
+  CHECK(block_of(f, "$lone0").empty());
+  const Figure one{"", {"", 0, 2}, {"", 0, 2}, {{"", {1}, {1}}}};
+  CHECK(block_of(one, "$lone0") == Lines{"1 1"});
+  CHECK(drawn_in_letters(one, 40, 12).find('o') != std::string::npos);
+  const ScratchFolder folder;
+  draw(folder / "one.svg", one);
+  CHECK(content_of(folder / "one.svg").find("<use") != std::string::npos);
+}
+
+TEST_CASE("values beyond those of a logarithmic axis are named, and gnuplot is not asked", "[files]") {
+  const ScratchFolder folder;
+  for (const double tiny : {1e-308, 5e-324}) {
+    const Figure f{"", {""}, {"", {}, {}, true}, {{"k", {1, 2, 3}, {tiny, 1, 1}}}};
+    for (const auto& drawn : {std::function<void()>([&] { draw(folder / "a.svg", f); }),
+                              std::function<void()>([&] { drawn_in_letters(f, 60, 20); })})
+      says(message_of(drawn), "figure: a logarithmic axis has room for values from 1e-290 to 1e+290, got " +
+                                  number(tiny) + " to 1; give a range of the axis");
+  }
+  Figure large{"", {""}, {"", {}, {}, true}, {{"k", {1, 2, 3}, {1, 1, 1e308}}}};
+  says(message_of([&] { draw(folder / "a.svg", large); }), "got 1 to 1e+308");
+  large.y.high = 100;
+  draw(folder / "a.svg", large);
+  CHECK(folder.listing() == Names{"a.svg"});
 }
 
 TEST_CASE("axes: ranges, logarithms; letters for a terminal", "[files]") {

@@ -5,8 +5,8 @@ local check = {}
 
 -- Asks about a specimen's width or length that no cloth has.
 function check.lengths(call, t)
-  for _, name in ipairs { "width", "length" } do
-    if t[name] < 1e-3 or t[name] > 2 then fabric.warn(("%s: field '%s': %g m is far from what cloth is: is it in m?"):format(call, name, t[name])) end
+  for _, name in ipairs { "width", "length", "gauge_length" } do
+    if t[name] and (t[name] < 1e-3 or t[name] > 2) then fabric.warn(("%s: field '%s': %g m is far from what cloth is: is it in m?"):format(call, name, t[name])) end
   end
 end
 
@@ -36,6 +36,13 @@ function check.pull(call, field, forces, rows)
     fail(("%s: field '%s': force runs from %.4g to %.4g N (the least at place %d): a pull counts positive; change the sign of the record, or take off its offset"):format(
       call, field, low, high + 0.0, place))
   end
+end
+
+-- A list of tests, at least one.
+function check.tests(call, tests)
+  if #tests > 0 then return end
+  local got = tests.E and tests.S and "one test: write tests={ test }" or "none"
+  fail(("%s: field 'tests': expected at least one test, got %s"):format(call, got))
 end
 
 -- A test: lists E, S of equal length, with branches within them.

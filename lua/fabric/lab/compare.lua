@@ -5,7 +5,7 @@ local check = require "fabric.lab.check"
 local curve = require "fabric.lab.curve"
 local fail = define.fail
 
-local labels = { E = "Green-Lagrange strain E", E12 = "E12", E12_centre = "E12", displacement = "displacement", S = "second Piola-Kirchhoff stress",
+local labels = { E = "Green-Lagrange strain E", E12 = "shear strain E12", E12_centre = "shear strain E12", displacement = "displacement", S = "second Piola-Kirchhoff stress",
   S12 = "S12", force = "force" }
 local units = { displacement = "mm", S = "MPa", S12 = "MPa", force = "N" }
 

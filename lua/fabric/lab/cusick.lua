@@ -36,17 +36,9 @@ local function cloth(t, draw)
   return mesh
 end
 
--- Thickness of cloth that nothing presses, m: a measured compression runs out as a parabola beyond its lightest pressure.
-local function loose(card)
-  local c = card.compression
-  if not c then return card.thickness end
-  local light, next = c[#c], c[#c - 1]
-  return light[1] + 2 * light[2] * (light[1] - next[1]) / (next[2] - light[2])
-end
-
 -- The cloth's middle surface lies where contact with the face begins.
 local function pedestal(t, model)
-  local top = -loose(t.card) / 2
+  local top = -t.card:free_thickness() / 2
   local disc = fabric.rigid.disc { radius = t.support / 2, centre = { 0, 0, top - t.edge }, normal = { 0, 0, 1 }, edge = t.edge, name = "pedestal" }
   model:contact { between = { disc, "all" }, friction = t.friction }
   if t.side > 0 then
@@ -115,10 +107,12 @@ local function reading(t, mesh, x, y)
   return (area - ground) / (whole - ground), nodes, amplitude, outline
 end
 
+local usual -- values of fields that are not given
+
 -- Without contact: whether the cloth hangs where the pedestal is.
 local function inside(t, x, y, z)
   for i = 1, #x do
-    if z[i] < -2 * t.edge and x[i] ^ 2 + y[i] ^ 2 < (0.995 * t.support / 2) ^ 2 then return true end
+    if z[i] < -2 * usual.edge and x[i] ^ 2 + y[i] ^ 2 < (0.995 * t.support / 2) ^ 2 then return true end
   end
   return false
 end
@@ -218,8 +212,6 @@ local function draw_contours(t, result)
   fabric.write(t.file, table.concat(out, "\n") .. "\n")
 end
 
-local usual -- values of fields that are not given
-
 -- Says which of the given fields do nothing in this test, so that nobody compares two discs that are the same.
 local function tell_idle(t)
   local function tell(condition, names, why)
@@ -233,14 +225,15 @@ local function tell_idle(t)
   tell(t.by == "motion", { "steps" }, 'with by = "motion": they are the shares of the weight of relaxation')
   tell(t.by == "motion" and t.shakes == 0, { "shake", "period" }, "without shakes")
   tell(t.by == "motion" and not t.out, { "every" }, "without out, the folder of the VTK series")
-  tell(not t.contact, { "side", "friction", "self" }, "with contact = false")
+  tell(not t.contact, { "edge", "side", "friction", "self" }, "with contact = false")
+  tell(t.seeds == 1, { "processes" }, "with one seed")
 end
 
 local function check(t)
   local function refuse(field, expected, got) define.fail(("cusick: field '%s': expected %s, got %s"):format(field, expected, got)) end
   if t.support >= t.disc then refuse("support", ("a diameter below that of the disc, %g m"):format(t.disc), ("%g m"):format(t.support)) end
   if t.disc > 5 then refuse("disc", "a diameter in m, 5 m at most (write 300*mm)", ("%g m"):format(t.disc)) end
-  if 4 * t.edge > t.support then refuse("edge", ("at most a quarter of the support, %g m"):format(t.support / 4), ("%g m"):format(t.edge)) end
+  if t.contact and 4 * t.edge > t.support then refuse("edge", ("at most a quarter of the support, %g m"):format(t.support / 4), ("%g m"):format(t.edge)) end
   if t.file and not t.file:find "%.svg$" then refuse("file", "a name that ends in .svg", "'" .. t.file .. "'") end
   t.held = t.held or t.support
   if t.held > t.support then refuse("held", ("at most the diameter of the support, %g m"):format(t.support), ("%g m"):format(t.held)) end
@@ -252,6 +245,7 @@ local function check(t)
   end
   tell_idle(t)
   t.side = t.side or t.disc / 2
+  if t.by == "relaxation" then return end
   t.duration = t.duration or t.lowering + t.shakes * t.period + 4
   if t.duration <= t.lowering then refuse("duration", ("more than the lowering, %g s"):format(t.lowering), ("%g s"):format(t.duration)) end
 end

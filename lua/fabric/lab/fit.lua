@@ -267,7 +267,7 @@ end
 
 local function fit(t)
   local curves, out = {}, { level = t.level, unloading_of = {} }
-  if #t.tests == 0 then fail "fit: field 'tests': expected at least one test, got none" end
+  check.tests("fit", t.tests)
   for i = 1, #t.tests do
     local test = t.tests[i]
     check.test("fit", i, test)

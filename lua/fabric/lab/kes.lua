@@ -288,13 +288,12 @@ end
 -- KES presses from 0.5 to 50 gf/cm^2; T is the thickness at the former.
 local light, heavy = 0.5 * gf / cm ^ 2, 50 * gf / cm ^ 2
 
--- Points {gap, pressure} with the work WC and the linearity LC: from T on a toe and a straight line.
-local function compression_of(c, thickness)
-  if not c then return end
+-- Points {gap, pressure} with the work WC and the linearity LC: from T on a toe and a straight line. fibres: what they alone fill, m.
+local function compression_of(c, thickness, fibres)
   local way = 2 * c.WC * gf / cm / (c.LC * heavy)
-  if way >= thickness then
-    define.fail(("kes_card: field 'compression.WC': expected less than %.3g, at which LC %.3g and T %.4g mm leave nothing between the plates, got %.3g"):format(
-      c.LC * heavy * thickness / 2 * cm / gf, c.LC, thickness * 1e3, c.WC))
+  if thickness - way <= fibres then
+    define.fail(("kes_card: field 'compression.WC': expected less than %.3g, at which LC %.3g leaves of T %.4g mm the %.3g mm that the fibres alone fill (W over fibre_density), got %.3g"):format(
+      c.LC * heavy * (thickness - fibres) / 2 * cm / gf, c.LC, thickness * 1e3, fibres * 1e3, c.WC))
   end
   local start = light / heavy
   local mean = (c.LC / 2 - start) / (1 - start)
@@ -307,6 +306,15 @@ local function compression_of(c, thickness)
     end
   end
   define.fail(("kes_card: field 'compression.LC': expected a linearity that a toe and a straight line from 0.5 to 50 gf/cm^2 can have, got %.3g"):format(c.LC))
+end
+
+-- Below the lightest pressure nothing is measured, and a soft beginning runs out far beyond T.
+local function tell_far(card, c)
+  local free, T = card:free_thickness(), card.thickness
+  if free > 1.5 * T then
+    fabric.warn(("kes_card: field 'compression': contact begins at %.3g mm, %.2g times T: as soft as LC %.3g and WC %.3g have it at 0.5 gf/cm^2, pressure runs out only there"):format(
+      free * 1e3, free / T, c.LC, c.WC))
+  end
 end
 
 -- WC and LC of a card whose measured points span the instrument's pressures; nil otherwise. Contact gives back all of it.
@@ -356,6 +364,7 @@ define {
         row("twist", "N.m", "rigidity; default: half of the mean", { optional = true }), row("build_up", "1/m", "curvature over which friction builds up", { default = 10 }) } },
     { name = "compression", kind = "fields", optional = true, sentence = "what contact presses with; RC is kept in the card's source, since contact gives back all",
       rows = { row("LC", "", "linearity"), row("WC", "gf cm/cm^2", "work"), row("RC", "per cent", "of the work that is recovered", { high = 100 }) } },
+    row("fibre_density", "kg/m^3", "of what the yarns are made of, as in fabric.woven: cloth is pressed no thinner than its fibres", { optional = true }),
     { name = "poisson", kind = "fields", sentence = "KES does not measure them",
       rows = { { name = "warp", kind = "number", sentence = "as in fabric.woven" }, { name = "weft", kind = "number", sentence = "as in fabric.woven" } } },
   },
@@ -374,9 +383,16 @@ define {
     local warp, warp_reach = yarn_of(t.warp, t.thickness, t.poisson.warp, "warp")
     local weft, weft_reach = yarn_of(t.weft, t.thickness, t.poisson.weft, "weft")
     local shear, shear_reach, loop_words = shear_of(t.shear, t.thickness)
-    return fabric.woven { name = t.name, source = "from KES numbers; Poisson ratios given; " .. loop_words .. compression_words(t.compression), density = t.density, thickness = t.thickness, warp = warp,
+    local fields = { name = t.name, source = "from KES numbers; Poisson ratios given; " .. loop_words .. compression_words(t.compression), density = t.density, thickness = t.thickness, warp = warp,
       weft = weft, shear = shear, tested = { warp = warp_reach, weft = weft_reach, shear = shear_reach }, bending = t.bending and bending_of(t.bending),
-      compression = compression_of(t.compression, t.thickness) }
+      fibre_density = t.fibre_density }
+    local card = fabric.woven(fields)
+    if not t.compression then return card end
+    local _, fibres = card:free_thickness()
+    fields.compression = compression_of(t.compression, t.thickness, fibres)
+    card = fabric.woven(fields)
+    tell_far(card, t.compression)
+    return card
   end,
 }
 

@@ -499,7 +499,7 @@ end
 
 local function loops(t)
   local tests = t.tests
-  if #tests == 0 then fail "loops: field 'tests': expected at least one test, got none" end
+  check.tests("loops", tests)
   for i = 1, #tests do
     check.test("loops", i, tests[i])
     check_stress(i, tests[i])

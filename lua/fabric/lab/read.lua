@@ -3,6 +3,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local fail = define.fail
 
+local check = require "fabric.lab.check"
 local house = require "fabric.lab.words"
 local plain = house.plain
 
@@ -19,7 +20,8 @@ local function quantity_of(vocabulary, name)
   for _, own in ipairs(vocabulary.own or {}) do
     if name:find(own[1], 1, true) then return own[2] end
   end
-  if vocabulary.letters[name] then return vocabulary.letters[name] end
+  local short = vocabulary.letters[(name:gsub("%.$", ""))]
+  if short then return short end
   for _, quantity in ipairs(vocabulary.quantities) do
     for _, word in ipairs(vocabulary.names[quantity]) do
       if name:find(word, 1, true) then return quantity end
@@ -34,6 +36,8 @@ local function unit_of(vocabulary, quantity, unit)
     local factor = vocabulary.units[meant][unit] or vocabulary.units[meant][vocabulary.aliases[unit] or unit]
     if factor then return factor, meant end
   end
+  local factor = quantity == "force" and house.per_width(vocabulary, unit)
+  if factor then return factor, "force per width" end
 end
 
 -- Splits a unit without brackets from a name: "Extension mm", "displacement_mm".
@@ -56,7 +60,7 @@ end
 local function others(vocabulary, column)
   local count, quantity = 0, quantity_of(vocabulary, column.bare or column.name)
   for word in plain(column.bare or column.name):gmatch "[^%s_%-]+" do
-    local known = vocabulary.letters[word] == quantity
+    local known = vocabulary.letters[(word:gsub("%.$", ""))] == quantity
     for _, w in ipairs(vocabulary.names[quantity]) do known = known or word:find(w, 1, true) end
     if not known then count = count + 1 end
   end
@@ -91,7 +95,9 @@ local function named_column(t, file, quantity, wanted)
     end
   end
   if found then return file[found] end
-  fail(("read: %s: expected a column '%s' for the %s, there are %s"):format(t.file, wanted, quantity, table.concat(names, ", ")))
+  local place = math.type(wanted) == "integer" and ("a place from 1 to %d"):format(#file) or ("a column '%s'"):format(wanted)
+  fail(("read: %s: expected %s for the %s, there are %s%s"):format(t.file, place, quantity, table.concat(names, ", "),
+    math.type(wanted) == "integer" and (", got %d"):format(wanted) or ""))
 end
 
 -- The column of a quantity. needed: an error if there is none, or if two are possible.
@@ -122,7 +128,18 @@ end
 -- The units that a quantity may have, in words.
 local function choice(vocabulary, quantity)
   local all = keys(vocabulary.units[quantity])
-  return quantity == "force" and all .. "; per width " .. keys(vocabulary.units["force per width"]) or all
+  if quantity ~= "force" then return all end
+  local own = keys(vocabulary.units["force per width"])
+  return all .. "; per width one of these over a length, as N/mm or kgf/5cm" .. (own == "" and "" or ", and " .. own)
+end
+
+-- Says that a unit of mass was taken for the force of its weight.
+local function tell_mass(vocabulary, t, column, unit)
+  local _, force = house.per_width(vocabulary, unit)
+  force = force or unit
+  if house.masses[force] and not vocabulary.units.force[force] then
+    fabric.warn(("read: %s: column '%s': '%s' is a unit of mass; it is taken for the force %s"):format(t.file, column.name, force, house.aliases[force]))
+  end
 end
 
 local function factor_of(vocabulary, t, quantity, column)
@@ -196,10 +213,15 @@ end
 local function take(vocabulary, t, record, quantity, column)
   local factor, meant = factor_of(vocabulary, t, quantity, column)
   if column.trouble then fail("read: " .. column.trouble) end
+  if quantity == "force" then
+    local unit = (t.units or {}).force or column.unit
+    tell_mass(vocabulary, t, column, unit ~= "" and unit or (t.default_units or {}).force)
+  end
   if meant == "force per width" then
     if not t.width then
       fail(("read: %s: column '%s' is a force per width: expected field 'width' of the specimen in m"):format(t.file, column.name))
     end
+    check.lengths("read", { width = t.width })
     factor = factor * t.width
   end
   if quantity == "strain" then check_strain(t, column) end
@@ -212,13 +234,19 @@ local function from_strain(t, record)
   if not t.gauge_length then
     fail(("read: %s: a strain but no displacement: expected field 'gauge_length' in m, from which the displacement follows"):format(t.file))
   end
+  check.lengths("read", { gauge_length = t.gauge_length })
   record.displacement, record.from_strain = {}, true
   for i, e in ipairs(record.strain) do record.displacement[i] = e * t.gauge_length end
 end
 
 local function missing(t, record, quantity)
-  fail(("read: %s:1: expected a column of the %s, there are %s; give columns={ %s=name or place }"):format(
-    t.file, quantity, table.concat(record.names, ", "), quantity))
+  -- the line above the numbers names half as many columns: each comma of a decimal was taken for one between cells
+  local above = record.preamble[#record.preamble] or ""
+  local commas = select(2, above:gsub(",", "")) + 1
+  local hint = commas > 1 and #record.names == 2 * commas
+    and (" (the line above has %d words for %d cells: are there decimal commas between commas? put such numbers in quotes, or save with semicolons)"):format(commas, #record.names) or ""
+  fail(("read: %s:1: expected a column of the %s, there are %s%s; give columns={ %s=name or place }"):format(
+    t.file, quantity, table.concat(record.names, ", "), hint, quantity))
 end
 
 -- Displacement (or strain), force and the columns given by the deck must exist; time and strain are optional.

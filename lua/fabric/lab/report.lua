@@ -152,6 +152,25 @@ local function thinned(E, S)
   return e, s
 end
 
+-- The range of what curves show in x or y, a fiftieth wider on either side, so that no mark lies on the frame.
+local function with_room(curves, axis)
+  local low, high = math.huge, -math.huge
+  local function look(list)
+    for _, v in ipairs(list or {}) do
+      if v == v then low, high = math.min(low, v), math.max(high, v) end
+    end
+  end
+  for _, c in ipairs(curves) do
+    look(c[axis])
+    if axis == "y" and c.band then
+      look(c.band.low)
+      look(c.band.high)
+    end
+  end
+  local room = (high - low) / 50
+  if room > 0 and room < math.huge then return { low - room, high + room } end
+end
+
 local function overlay(result, name, out)
   local part = result[name]
   local run, E, S = pcall(simulate, result, part, name)
@@ -176,10 +195,11 @@ local function overlay(result, name, out)
   local function plot(fields)
     if fabric.plot(fields) then files[#files + 1] = fields.file end
   end
-  plot { file = out .. "/" .. name .. ".svg", curves = curves, key = "below",
-    xlabel = name == "shear" and "E12" or "Green-Lagrange strain E", ylabel = "second Piola-Kirchhoff stress, MPa", size = { 120 * u.mm, 90 * u.mm } }
+  local strain = name == "shear" and "shear strain E12" or "Green-Lagrange strain E"
+  plot { file = out .. "/" .. name .. ".svg", curves = curves, key = "below", xrange = with_room(curves, "x"), yrange = with_room(curves, "y"),
+    xlabel = strain, ylabel = "second Piola-Kirchhoff stress, MPa", size = { 120 * u.mm, 90 * u.mm } }
   local rest, differences = residual(part, E, S)
-  plot { file = out .. "/" .. name .. "-residual.svg", curves = differences, key = "below", xlabel = name == "shear" and "E12" or "Green-Lagrange strain E",
+  plot { file = out .. "/" .. name .. "-residual.svg", curves = differences, key = "below", xlabel = strain,
     ylabel = "measured less simulated, % of the peak", size = { 120 * u.mm, 90 * u.mm } }
   return { files = files, residual = rest, outside = outside_of(part.spread, E, S), trouble = trouble }
 end

@@ -81,6 +81,10 @@ local function check_record(record, t)
     for _, v in ipairs(values) do low, high = math.min(low, v), math.max(high, v) end
     local unit = name == "force" and "N" or "m"
     local from = t.file and (t.file .. ": ") or ""
+    if high == low then
+      fail(("tensile: %s%s stays at %.4g %s%s: expected the rows of a pull"):format(from, name, low, unit,
+        #values == 1 and " in the only row" or (" in all %d rows"):format(#values)))
+    end
     if high <= 0 or -low > 2 * high then
       fail(("tensile: %s%s runs from %.4g to %.4g %s: a pull counts positive; change the sign of the record"):format(from, name, low, high, unit))
     end

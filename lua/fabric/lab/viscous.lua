@@ -600,7 +600,7 @@ local function card_part(state, t, out)
 end
 
 local function viscous(t)
-  if #t.tests == 0 then fail "viscous: field 'tests': expected at least one test, got none" end
+  check.tests("viscous", t.tests)
   local state = { tests = {}, knots = t.knots, scatter = t.scatter or usual_scatter, given = t.scatter ~= nil, level = 0.01, confidence = t.level,
     quantile = fabric.lab.student(0.5 + t.level / 2, 1e6) }
   local reach, longest, shortest = 0, 0, math.huge

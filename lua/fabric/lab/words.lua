@@ -3,22 +3,32 @@ local words = {}
 
 local inch, pound = 0.0254, 4.4482216152605
 
--- SI sizes of units, by quantity. A force may be given per width of the specimen.
+-- SI sizes of units, by quantity. A force per width of the specimen is composed of a force and a length (words.per_width); the list has what a user adds.
 words.units = {
   displacement = { m = 1, mm = 1e-3, cm = 1e-2, um = 1e-6, ["in"] = inch },
   force = { N = 1, kN = 1e3, daN = 10, mN = 1e-3, cN = 1e-2, gf = 9.80665e-3, kgf = 9.80665, lbf = pound, ozf = pound / 16 },
-  ["force per width"] = { ["N/m"] = 1, ["kN/m"] = 1e3, ["daN/m"] = 10, ["N/mm"] = 1e3, ["mN/mm"] = 1, ["cN/mm"] = 10, ["N/cm"] = 1e2, ["daN/cm"] = 1e3,
-    ["cN/cm"] = 1, ["mN/cm"] = 0.1, ["N/5cm"] = 20, ["N/50mm"] = 20, ["daN/5cm"] = 200, ["daN/50mm"] = 200, ["kN/5cm"] = 2e4, ["gf/cm"] = 0.980665,
-    ["gf/mm"] = 9.80665, ["kgf/cm"] = 980.665, ["kgf/5cm"] = 9.80665 / 0.05, ["kgf/50mm"] = 9.80665 / 0.05, ["lbf/in"] = pound / inch },
+  ["force per width"] = {},
   time = { s = 1, ms = 1e-3, min = 60, h = 3600 },
   strain = { ["-"] = 1, ["%"] = 1e-2, ["mm/mm"] = 1, ["1"] = 1, ["m/m"] = 1, ["in/in"] = 1, ["mm/m"] = 1e-3, ["um/m"] = 1e-6, ["\u{2030}"] = 1e-3 },
 }
 
 words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "in", ['"'] = "in", KN = "kN", kp = "kgf", lb = "lbf", lbs = "lbf", S = "s",
-  sec = "s", Sec = "s", sek = "s", Sek = "s", n = "N", DaN = "daN", dan = "daN", DAN = "daN", CN = "cN", ["N/5 cm"] = "N/5cm", ["N/50 mm"] = "N/50mm", ["daN/5 cm"] = "daN/5cm",
-  ["daN/50 mm"] = "daN/50mm", ["kgf/5 cm"] = "kgf/5cm", ["lb/in"] = "lbf/in", ["lbs/in"] = "lbf/in", ["lbf/inch"] = "lbf/in", ["lb/inch"] = "lbf/in", oz = "ozf", ["\u{79d2}"] = "s",
+  sec = "s", Sec = "s", sek = "s", Sek = "s", n = "N", DaN = "daN", dan = "daN", DAN = "daN", CN = "cN", oz = "ozf", ["\u{79d2}"] = "s",
   ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um", ["\u{b5}m/m"] = "um/m", ["\u{3bc}m/m"] = "um/m", ["\xb5m/m"] = "um/m",
   percent = "%", Percent = "%", pct = "%", Prozent = "%", prozent = "%", ["per cent"] = "%" }
+
+-- Words of a mass that frames write for the force of its weight.
+words.masses = { lb = true, lbs = true, oz = true }
+
+-- SI size of a force over a width, as N/mm, kgf/5 cm, lbf/in; nil for anything else. Second: the force as written.
+function words.per_width(vocabulary, unit)
+  local force, count, length = unit:match "^%s*([^/]-)%s*/%s*([%d.,]*)%s*([^/]-)%s*$"
+  if not force then return end
+  local function size(quantity, word) return vocabulary.units[quantity][word] or vocabulary.units[quantity][vocabulary.aliases[word] or word] end
+  local top, below = size("force", force), size("displacement", length)
+  local times = count == "" and 1 or tonumber((count:gsub(",", ".")))
+  if top and below and times and times > 0 then return top / (times * below), force end
+end
 
 -- Parts of names, in lower case without accents: English, German, French, Italian, Polish, Japanese (UTF-8 and Shift-JIS, whose second bytes
 -- may be letters, here in lower case; frames also write Katakana of half width). The unit decides between a displacement and a strain.
@@ -33,7 +43,7 @@ words.names = {
   strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
 }
 -- Names that consist of one of these only.
-words.letters = { u = "displacement", dl = "displacement", p = "force", f = "force", t = "time" }
+words.letters = { u = "displacement", ext = "displacement", disp = "displacement", elong = "displacement", dl = "displacement", p = "force", f = "force", t = "time" }
 
 words.quantities = { "displacement", "force", "time", "strain" }
 

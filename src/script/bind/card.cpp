@@ -5,6 +5,7 @@
 #include "base/number.hpp"
 #include "card/fields.hpp"
 #include "law/provenance.hpp"
+#include "model/loose.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/call/words.hpp"
 #include "script/sandbox/load.hpp"
@@ -36,7 +37,7 @@ int other_name(lua_State* L) {
   if (lua_rawget(L, -2) != LUA_TNIL) return 1;
   std::string message;
   {
-    std::vector<std::string> known = {"write", "with", "check", "kind"};
+    std::vector<std::string> known = {"write", "with", "check", "free_thickness", "kind"};
     for (const Argument& row : card_rows(card::kind(*card_at(L, 1)))) known.push_back(row.name);
     message = position(L) + "card: " + unknown("field", luaL_tolstring(L, 2, nullptr), known);
   }
@@ -94,7 +95,7 @@ void merge(lua_State* L, int to, int from, const std::vector<Argument>& rows) {
   }
 }
 
-// The provenance of a changed card: values changed by hand are marked as typed.
+// The provenance of a changed card: values changed by hand are marked as typed; a part that is gone has none.
 law::Provenance origins_after(const Card& before, const Card& after) {
   law::Provenance out = law::provenance_of(before.source);
   const auto* a = std::get_if<card::Woven>(&before.law);
@@ -104,12 +105,17 @@ law::Provenance origins_after(const Card& before, const Card& after) {
     for (auto& [name, words] : out)
       if (name == field) words = "typed: changed by card:with";
   };
+  const auto dropped = [&](const std::string& field, bool before_has, bool after_has) {
+    if (before_has && !after_has)
+      std::erase_if(out, [&](const auto& origin) { return origin.first == field; });
+  };
   const auto bending = [](const Card& card) {
     Card only;
     only.bending = card.bending;
     return card::lua_text(only);
   };
   changed("bending", bending(before) == bending(after));
+  dropped("bending", before.bending.has_value(), after.bending.has_value());
   changed("density", before.density == after.density);
   changed("thickness", before.thickness == after.thickness);
   if (a == nullptr || b == nullptr) return out;
@@ -125,11 +131,14 @@ law::Provenance origins_after(const Card& before, const Card& after) {
   const auto loop = [&](const std::string& field, const auto& p, const auto& q) {
     changed(field, p.has_value() == q.has_value() &&
                        (!p || (p->friction == q->friction && p->reach == q->reach && p->curve == q->curve)));
+    dropped(field, p.has_value(), q.has_value());
   };
   loop("warp.loop", a->warp.loop, b->warp.loop);
   loop("weft.loop", a->weft.loop, b->weft.loop);
-  rheology::for_each(
-      [&](auto element, auto given, auto) { changed(element.name, a->beside.*given == b->beside.*given); });
+  rheology::for_each([&](auto element, auto given, auto) {
+    changed(element.name, a->beside.*given == b->beside.*given);
+    dropped(element.name, (a->beside.*given).has_value(), (b->beside.*given).has_value());
+  });
   changed("warp.poisson", a->warp.poisson == b->warp.poisson);
   changed("weft.poisson", a->weft.poisson == b->weft.poisson);
   return out;
@@ -171,6 +180,13 @@ int with(Call& call) {
   if (!told) changed.source = law::with_provenance(changed.source, origins_after(*card, changed));
   tell_old_friction(call, card->bending, changed.bending);
   return push_card(L, std::move(changed));
+}
+
+int free_thickness(Call& call) {
+  const model::Loose loose = model::loose(*call.self<Card>());
+  lua_pushnumber(call.L(), loose.thickness);
+  lua_pushnumber(call.L(), loose.fibres);
+  return 2;
 }
 
 bool is_path(const std::string& name) {
@@ -306,6 +322,15 @@ std::vector<Entry> rows() {
        "A copy of the card with some fields changed.",
        "local c = require 'fabric'.card 'blend':with{ warp={poisson=0.4} }; assert(c.warp.poisson == 0.4)",
        with},
+      {"card:free_thickness",
+       Style::positional,
+       {},
+       "Thickness of the cloth that nothing presses, m, at which contact begins: where its measured "
+       "compression "
+       "runs out to no pressure, or without one its own; second, what the fibres alone fill, m, below which "
+       "nothing is pressed.",
+       "local card = require 'fabric'.card 'blend'\nassert(card:free_thickness() == card.thickness)",
+       free_thickness},
   };
 }
 

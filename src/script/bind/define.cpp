@@ -5,9 +5,9 @@
 //
 // An argument has name, sentence, kind ("number|text"; `of` implies "object"), unit, low, high,
 // above, default, optional, choices, rows. define.fail(message) raises an error with the deck's
-// line; define.registry has rows, name_of, class_of, card_of, nearest and show of
-// bind/registry.cpp. run receives one table with all defaults filled in; with positional=true, the
-// values in order.
+// line; define.keep_caller(f) is f for decks, whose line is known even in `return f()`; define.registry has
+// rows, name_of, class_of, card_of, nearest and show of bind/registry.cpp. run receives one table with all
+// defaults filled in; with positional=true, the values in order.
 #include <cmath>
 
 #include "script/bind/rooms.hpp"
@@ -227,6 +227,24 @@ int fail(lua_State* L) {
   return lua_error(L);
 }
 
+// Calls the Lua function of the upvalue. Lua forgets the line of a function that returns the result of
+// another Lua function; of one that returns that of a C function it keeps it.
+int give_results(lua_State* L, int /*status*/, lua_KContext /*context*/) { return lua_gettop(L); }
+
+int call_kept(lua_State* L) {
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_callk(L, lua_gettop(L) - 1, LUA_MULTRET, 0, give_results);
+  return lua_gettop(L);
+}
+
+int keep_caller(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TFUNCTION);
+  lua_settop(L, 1);
+  lua_pushcclosure(L, call_kept, 1);
+  return 1;
+}
+
 int call_define(lua_State* L) {
   luaL_checkany(L, 1);
   lua_remove(L, 1);
@@ -239,6 +257,8 @@ int open_define(lua_State* L) {
   lua_newtable(L);
   lua_pushcfunction(L, fail);
   lua_setfield(L, -2, "fail");
+  lua_pushcfunction(L, keep_caller);
+  lua_setfield(L, -2, "keep_caller");
   push_registry(L);
   lua_setfield(L, -2, "registry");
   lua_newtable(L);

@@ -267,8 +267,11 @@ double size_of(lua_State* L, const std::string& name, std::vector<std::string>& 
   if (bar != std::string::npos) {
     const std::string below = name.substr(bar + 1);
     const std::size_t letters = std::min(below.find_first_not_of("0123456789."), below.size());
-    const double count = letters == 0 ? 1 : std::strtod(below.substr(0, letters).c_str(), nullptr);
-    const double each = count * one(below.substr(letters));
+    const std::string digits = below.substr(0, letters);
+    char* end = nullptr;
+    const double count = letters == 0 ? 1 : std::strtod(digits.c_str(), &end);
+    const bool whole = letters == 0 || end == digits.c_str() + digits.size();
+    const double each = whole ? count * one(below.substr(letters)) : 0;
     size = each > 0 ? size / each : 0;
   }
   lua_pop(L, 2);
