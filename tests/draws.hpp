@@ -1,6 +1,6 @@
 // How often a test repeats what it draws at random.
 #pragma once
-#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -17,7 +17,7 @@ inline int draws(int all) {
   if (end == given || *end != 0 || !(share > 0 && share <= 1))
     throw std::runtime_error("FABRICSH_TEST_DRAWS: expected a share above 0, at most 1, got " +
                              std::string(given));
-  return std::max(1, static_cast<int>(share * all));
+  return static_cast<int>(std::ceil(share * all));
 }
 
 }  // namespace fabricsh::test

@@ -234,7 +234,7 @@ std::unique_ptr<run::Dynamic> make_cut(const Cut& cut, const DynamicOptions& opt
   return std::make_unique<run::Explicit>(m, options, quiet());
 }
 
-TEST_CASE("half and quarter move as the whole does through 20,000 steps, turned in space too") {
+TEST_CASE("half and quarter move as the whole does through 20,000 steps, turned in space too", "[many]") {
   for (const bool both_ends : {false, true})
     for (const auto& options : {DynamicOptions{.duration = 0.2, .step = 1e-5, .scaled = true},
                                 DynamicOptions{.duration = 0.12, .step = 4e-6, .scaled = false}}) {
