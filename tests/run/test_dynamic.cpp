@@ -149,7 +149,7 @@ TEST_CASE("free flight: momentum and angular momentum to rounding, energy to 1e-
   CHECK(std::abs(e.surplus()) < 1e-8 * e.initial);
 }
 
-TEST_CASE("a taut strip's first frequency; second order in the step, explicit and implicit") {
+TEST_CASE("a taut strip's first frequency; second order in the step, explicit and implicit", "[many]") {
   // w_tt = (S / rho) w_XX; the chain of lumped masses has sin; rotary inertia of directors adds I k^2.
   const int cells = 16;
   const double width = 0.002, h = 1.0 / cells, speed = std::sqrt(kModulus * kGreen / kDensity);
@@ -173,7 +173,7 @@ TEST_CASE("a taut strip's first frequency; second order in the step, explicit an
   CHECK(std::abs(period(Scheme::explicit_steps, 3e-5)) < 2e-5);  // directors are not quite the chain's slopes
 }
 
-TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotary inertia") {
+TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotary inertia", "[many]") {
   const double D = kModulus * std::pow(kPlate, 3) / (12 * (1 - 0.09)),
                k2 = 2 * std::numbers::pi * std::numbers::pi;
   const double shear = 5.0 / 6 * kModulus / 2.6 * kPlate;
