@@ -401,7 +401,8 @@ TEST_CASE("contact: implicit steps of a sheet and a free ball keep momentum") {
   CHECK(run->energy().error < 1e-2);
 }
 
-TEST_CASE("contact: cloth that slides on itself has the same bits for any threads and after a restart") {
+TEST_CASE("contact: cloth that slides on itself has the same bits for any threads and after a restart",
+          "[many]") {
   const auto make = [](bool implicit) {
     const double t = test::svk().thickness;
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{

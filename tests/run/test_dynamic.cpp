@@ -192,7 +192,7 @@ TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotar
   CHECK(std::abs(error[0] / error[1]) < 4.5);
 }
 
-TEST_CASE("explicit and implicit agree on a swinging strip, the closer the smaller the steps") {
+TEST_CASE("explicit and implicit agree on a swinging strip, the closer the smaller the steps", "[many]") {
   const auto end = [](Scheme scheme, double step) {
     const auto a = make_dynamic(make_swing(8),
                                 {.duration = 0.15, .step = step, .scheme = scheme, .scaled = true}, quiet());
