@@ -140,12 +140,13 @@ void limit_process(const script::SafeOptions& limits) {
   action.sa_handler = time_is_over;
   sigaction(SIGXCPU, &action, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);  // so that the write fails instead
-  const rlim_t gigabyte = rlim_t{1} << 30, threads = static_cast<rlim_t>(sysconf(_SC_NPROCESSORS_ONLN));
+  const rlim_t gigabyte = rlim_t{1} << 30;
   set_limit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds), 5);
   limit_computing_time(static_cast<double>(limits.seconds), end_in_time);
   set_limit(RLIMIT_FSIZE, 4 * gigabyte, 0);
   set_limit(RLIMIT_CORE, 0, 0);
 #if !defined(__SANITIZE_ADDRESS__)  // whose shadow memory exceeds any limit
+  const auto threads = static_cast<rlim_t>(sysconf(_SC_NPROCESSORS_ONLN));
   set_limit(RLIMIT_DATA, (static_cast<rlim_t>(limits.megabytes) << 20) + gigabyte + threads * (16 << 20), 0);
 #endif
 }

@@ -5,7 +5,7 @@ set -eu
 program=$1 data=$2 target=$3 seconds=$4
 mkdir -p "fuzz-$target/corpus"
 cd "fuzz-$target"
-cp "$data/corpus/$target"/* corpus/ 2>/dev/null || true
+cp "$data/corpus/$target"/* corpus/
 cp "$data/found/$target"/* corpus/ 2>/dev/null || true
 words=
 if [ "$target" = card ]; then

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "draws.hpp"
 #include "law/bending_point.hpp"
 #include "law/bending_spring.hpp"
 #include "law/law_point.hpp"
@@ -198,7 +199,7 @@ TEST_CASE("closed loops of bending never make energy, and the account closes", "
     const auto springs = law::bending_springs(bent(b));
     test::Random random(memory == card::FrictionMemory::slip ? 3 : 4);
     double worst = 0, account = 0, fall = 0;
-    for (int loop = 0; loop < 2000; ++loop) {
+    for (int loop = 0; loop < test::draws(2000); ++loop) {
       for (const auto& spring : {springs[0], springs[1]}) {
         law::BendingState<double> s;
         double k = 0, W = 0, size = 0, lost = 0;

@@ -4,16 +4,17 @@
 #include <cstdio>
 
 #include "catch.hpp"
+#include "draws.hpp"
 #include "law/loops.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::test;
 
 TEST_CASE("closed loops of the potential law never make energy, whatever the option", "[law][energy]") {
-  for (int f = 0; f < 4; ++f) potential_loops(f, 500);
+  for (int f = 0; f < 4; ++f) potential_loops(f, draws(500));
 }
 
-TEST_CASE("what the comparison laws make of closed loops", "[law][energy]") { comparison_loops(500); }
+TEST_CASE("what the comparison laws make of closed loops", "[law][energy]") { comparison_loops(draws(500)); }
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "catch.hpp"
+#include "draws.hpp"
 #include "law/beside_batches.hpp"
 #include "law/data.hpp"
 #include "law/law_point.hpp"
@@ -281,7 +282,7 @@ Audit audit(const Kernel& kernel) {
     if (one_step) S = kernel(yarn, to, s);
     return std::pair{W, S};
   };
-  for (int loop = 0; loop < 300; ++loop) {
+  for (int loop = 0; loop < draws(300); ++loop) {
     YarnState s;
     double W = 0, size = 0, before = 0;
     const int corners = 3 + random.below(4);

@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "contact/intersect.hpp"
 #include "contact/scene.hpp"
+#include "draws.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "message_of.hpp"
 #include "run/bodies.hpp"
@@ -83,7 +84,7 @@ std::string bits(run::Run& run) { return run.kept(); }
 }  // namespace
 
 TEST_CASE("contact: what is thrown together does not pass, at any step") {
-  for (unsigned seed = 1; seed <= 8; ++seed) {
+  for (unsigned seed = 1; seed <= static_cast<unsigned>(test::draws(8)); ++seed) {
     INFO("seed " << seed);
     const Thrown what = thrown(seed);
     const auto run = explicit_run(what, 1e-3);
@@ -322,7 +323,7 @@ TEST_CASE("contact: what touches is told by the names of the bodies") {
   says(told, "plane on front: from a gap of");
 }
 
-TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and implicit") {
+TEST_CASE("contact: a spinning ball comes to roll as friction asks, explicit and implicit", "[many]") {
   const double t = test::svk().thickness, r = 0.01, spin = 20, mu = 0.3;
   for (const bool implicit : {false, true}) {
     INFO("implicit " << implicit);
@@ -400,7 +401,8 @@ TEST_CASE("contact: implicit steps of a sheet and a free ball keep momentum") {
   CHECK(run->energy().error < 1e-2);
 }
 
-TEST_CASE("contact: cloth that slides on itself has the same bits for any threads and after a restart") {
+TEST_CASE("contact: cloth that slides on itself has the same bits for any threads and after a restart",
+          "[many]") {
   const auto make = [](bool implicit) {
     const double t = test::svk().thickness;
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{

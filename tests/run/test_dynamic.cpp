@@ -149,7 +149,7 @@ TEST_CASE("free flight: momentum and angular momentum to rounding, energy to 1e-
   CHECK(std::abs(e.surplus()) < 1e-8 * e.initial);
 }
 
-TEST_CASE("a taut strip's first frequency; second order in the step, explicit and implicit") {
+TEST_CASE("a taut strip's first frequency; second order in the step, explicit and implicit", "[many]") {
   // w_tt = (S / rho) w_XX; the chain of lumped masses has sin; rotary inertia of directors adds I k^2.
   const int cells = 16;
   const double width = 0.002, h = 1.0 / cells, speed = std::sqrt(kModulus * kGreen / kDensity);
@@ -173,7 +173,7 @@ TEST_CASE("a taut strip's first frequency; second order in the step, explicit an
   CHECK(std::abs(period(Scheme::explicit_steps, 3e-5)) < 2e-5);  // directors are not quite the chain's slopes
 }
 
-TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotary inertia") {
+TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotary inertia", "[many]") {
   const double D = kModulus * std::pow(kPlate, 3) / (12 * (1 - 0.09)),
                k2 = 2 * std::numbers::pi * std::numbers::pi;
   const double shear = 5.0 / 6 * kModulus / 2.6 * kPlate;
@@ -192,7 +192,7 @@ TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotar
   CHECK(std::abs(error[0] / error[1]) < 4.5);
 }
 
-TEST_CASE("explicit and implicit agree on a swinging strip, the closer the smaller the steps") {
+TEST_CASE("explicit and implicit agree on a swinging strip, the closer the smaller the steps", "[many]") {
   const auto end = [](Scheme scheme, double step) {
     const auto a = make_dynamic(make_swing(8),
                                 {.duration = 0.15, .step = step, .scheme = scheme, .scaled = true}, quiet());
@@ -234,7 +234,7 @@ std::unique_ptr<run::Dynamic> make_cut(const Cut& cut, const DynamicOptions& opt
   return std::make_unique<run::Explicit>(m, options, quiet());
 }
 
-TEST_CASE("half and quarter move as the whole does through 20,000 steps, turned in space too") {
+TEST_CASE("half and quarter move as the whole does through 20,000 steps, turned in space too", "[many]") {
   for (const bool both_ends : {false, true})
     for (const auto& options : {DynamicOptions{.duration = 0.2, .step = 1e-5, .scaled = true},
                                 DynamicOptions{.duration = 0.12, .step = 4e-6, .scaled = false}}) {
