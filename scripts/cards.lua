@@ -79,15 +79,15 @@ local function page()
   local lines = { [[
 # The cards
 
-Cloths that a deck takes by name, `fabric.card "worsted"`. This page is written by `scripts/cards.lua` from the cards, and a test compares
-the two. W is the areal mass, t the thickness, B the bending rigidity of the card's own along warp and weft (a card without one bends as
-its thickness does, which is far too stiff for cloth) and 2c the strip that would hang down by 41.5 degrees (ASTM D1388: c the cube root
-of B/(W g); friction in bending, which `broad` and `tropical` have from KES' 2HB, holds it higher: at 14 and 31 degrees); G is the initial shear force per width over the shear angle, and the last columns are the force per width at a stretch of 1 %.
+These cards come with the program and are used by name, `fabric.card "worsted"`. (This page is generated from the cards by `scripts/cards.lua`, and a test compares
+the two.) W is the areal mass, t the thickness, and B the bending rigidity along warp and weft; a card without B bends like
+a solid of its thickness, which is far too stiff for cloth. 2c is the overhang of a strip at 41.5 degrees (ASTM D1388), with the bending length c, the cube root
+of B/(W g). Friction in bending, which `broad` and `tropical` have according to KES 2HB, reduces this angle to 14 and 31 degrees. G is the initial shear force per width divided by the shear angle. The last columns are the force per width at a stretch of 1 %.
 
-**Choosing.** Take the cloth of the same use and mass whose *measured* parts your run leans on: for hanging and draping bending and mass
-(all but the thesis' four), for pulls and membranes warp and weft, for bias and forming shear; what a card assumes is listed below, and
-`card:with{...}` puts a number of your own in its place. All unload along straight lines;
-`card:with{ warp={ loop={ friction=0.3, reach=0.5, curve=0.5 } } }` makes them curved ([law.md](law.md)).
+**Choosing a card.** Take a cloth of similar use and mass whose *measured* properties determine your result: bending and mass for hanging and draping
+(all but the four cards of the thesis), warp and weft for tension and membranes, shear for bias tests and forming. The assumptions of each card are listed below, and
+`card:with{...}` replaces a property by your own value. All cards unload along straight lines;
+`card:with{ warp={ loop={ friction=0.3, reach=0.5, curve=0.5 } } }` makes unloading curved ([law.md](law.md)).
 
 ```lua
 local fabric = require "fabric"
@@ -121,11 +121,11 @@ assert(mine.bending.warp == 7e-6)
   end
   add [[
 
-## What is not here
-A whole KES sheet of one cloth: the published ones that could be reached give bending, or the tension, never all with the loops. The
-measured cloths of Wang, Ramamoorthi and O'Brien (2011) are licensed for scholarly use alone and are not taken over. Bending of `wool`,
-`nylon`, `glass`, `tarpaulin` and `aramid` is a rule, and warp, weft and shear of `broad`, `tropical` and the `cloth...` are those of
-`worsted`: cards for hanging, not for pulling.]]
+## What is missing
+There is no card with a complete KES sheet of one cloth, because the available publications contain either bending or tension, but not all properties with their loops. The
+measured cloths of Wang, Ramamoorthi and O'Brien (2011) are licensed for scholarly use only and are not included. The bending rigidities of `wool`,
+`nylon`, `glass`, `tarpaulin` and `aramid` follow from a rule, and warp, weft and shear of `broad`, `tropical` and the cards `cloth...` are those of
+`worsted`; the latter are cards for drape, not for tension.]]
   return table.concat(lines, "\n") .. "\n"
 end
 

@@ -57,12 +57,16 @@ page_figures() {
   done
 }
 
-# fine_figure <page> <deck on it> <file that it writes> <name in share/doc>: the deck with the argument "fine"
+# fine_figure <page> <deck on it> <file that it writes> <name in share/doc> ...: the deck with the argument "fine"
 fine_figure() {
   mkdir -p "$work/fine"
   (cd "$work/fine" && awk -v deck="$2" '$0 == "```lua " deck { on = 1; next } /^```/ { on = 0 } on' "$root/share/doc/$1.md" >"$2" &&
     "$program" --quiet "$2" fine)
-  cp "$work/fine/$3" "$out/$4"
+  shift 2
+  while [ $# -gt 0 ]; do
+    cp "$work/fine/$1" "$out/$2"
+    shift 2
+  done
 }
 
 contact() { "$program" --quiet scripts/contact/pictures.lua "$work/contact" 16 && cp "$work"/contact/contact_*.png "$out"; }
@@ -75,7 +79,7 @@ pages() {
   page_figures howto/bias-angle out/angle.png howto_angle.png
   page_figures howto/own-csv out/mine/weft.svg howto_own_csv.svg
   page_figures howto/ball-drop out/drop.png howto_ball.png out/drop.svg howto_ball.svg
-  fine_figure howto/drape-coefficient drape.lua out/disc.png howto_drape_coefficient.png
+  fine_figure howto/drape-coefficient drape.lua out/disc.png howto_drape_coefficient.png out/outlines.svg howto_drape_outlines.svg
   fine_figure howto/sleeve sleeve.lua out/sleeve.png howto_sleeve.png
   page_figures howto/plot out/weft.svg howto_weft.svg out/spread.svg howto_spread.svg out/panels.svg howto_plots.svg out/bias.png \
     howto_panels.png out/views.png howto_views.png

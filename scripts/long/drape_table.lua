@@ -144,9 +144,8 @@ if write then
   file:close()
   local before, after = page:match "^(.*\n<!%-%- written by scripts/long/drape_table.lua %-%->\n).-(\n<!%-%- end %-%->.*)$"
   fabric.write(path, before .. "\n" .. text .. "\n" .. after)
-  local r = fabric.lab.cusick { card = fabric.card "worsted", cells = 6 }
-  fabric.render { file = root .. "share/doc/figures/drape_disc.png", run = r.analysis, field = "z", view = { 30, 35 }, width = 640, height = 440, axes = false,
-    title = "worsted, 300 mm on 180 mm" }
+  local r = fabric.lab.cusick { card = fabric.card "worsted", by = "relaxation" }
+  fabric.render { file = root .. "share/doc/figures/drape_disc.png", run = r.analysis, field = "uz", view = { 30, 35 }, size = { 0.085, 0.06 }, dpi = 200 }
 end
 if by_card.cloth440 and by_card.cloth097 then -- the stiffest and the limpest of them
   expected[#expected + 1] = { "the stiff cloth shades more than the limp one (1: yes)",

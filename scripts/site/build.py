@@ -119,10 +119,13 @@ def manual(source, out, version):
     about, *trees = re.split(r"^(?=```\{toctree\})", (out / "index.md").read_text(), flags=re.M)
     about = re.sub(r"\n## Pages\n.*", "\n", about, flags=re.S).replace("](#pages)", "](index.md)")
     (out / "about.md").write_text(re.sub(r"\A# .*", "# What it is for", about))
-    names = [name for tree in trees for name in re.findall(r"^[a-z][\w/-]+$", tree, flags=re.M)]
-    names = ["about", *names]
-    contents = "".join(f"- [](<{name}.md>)\n" for name in names)
-    (out / "index.md").write_text(f"# fabricsh {version}: the manual\n\n{contents}\n" + toctree("", names).replace(":caption: \n", ""))
+    groups = [("", ["about"])]
+    for tree in trees:
+        groups.append((re.search(r"^:caption: (.*)$", tree, flags=re.M).group(1), re.findall(r"^[a-z][\w/-]+$", tree, flags=re.M)))
+    contents = "\n".join((f"**{caption}**\n\n" if caption else "") + "".join(f"- [](<{name}.md>)\n" for name in names) for caption, names in groups)
+    names = [name for _, names in groups for name in names]
+    (out / "index.md").write_text(f"# fabricsh {version}: the manual\n\n<div class=\"contents\">\n\n{contents}\n</div>\n\n" +
+                                  toctree("", names).replace(":caption: \n", ""))
 
 
 def sphinx(builder, source, out, work, version, **more):

@@ -1,5 +1,5 @@
-"""What the pages of share/doc need of Sphinx: formulas in plain letters, sessions at the prompt, KaTeX, pictures in their size on paper, and
-links that show the title of a page in the place of its file's name."""
+"""What the pages of share/doc need of Sphinx: formulas in plain letters, sessions at the prompt, KaTeX, pictures in their size on paper, the sign
+of plus and minus, and links that show the title of a page in the place of its file's name."""
 import os
 import pathlib
 import re
@@ -44,6 +44,12 @@ def titles(app, page, text):
         return f"[]({target})" if a_file else match.group()
 
     text[0] = re.sub(r"\[((?:[\w-]+/)*[\w-]+(?:\.md)?)\]\(((?:[\w.-]+/)*[\w-]+\.md(?:#[\w-]+)?)\)", titled, text[0])
+
+
+def signs(app, page, text):
+    """80.1 +- 1.1 is what decks print; a page shows the sign, except in code."""
+    parts = re.split(r"(^```.*?^```$|`[^`\n]*`)", text[0], flags=re.M | re.S)
+    text[0] = "".join(part if k % 2 else re.sub(r"(?<=[\s(])\+- ?(?=\d)", "± ", part) for k, part in enumerate(parts))
 
 
 PER_MM = {"mm": 1, "cm": 10, "in": 25.4, "pt": 25.4 / 72, "px": 25.4 / 96, "": 25.4 / 96}
@@ -95,5 +101,6 @@ def setup(app):
     app.add_html_math_renderer("katex", (inline, None), (block, None))
     app.connect("source-read", formulas)
     app.connect("source-read", titles)
+    app.connect("source-read", signs)
     app.connect("doctree-read", sizes)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,4 +1,4 @@
--- A very light cloth of 49 g/m2, what it is made of is not told. check() warns of the weft's rigidity, below 1 uN.m:
+-- A very light cloth of 49 g/m2, fibre not stated. check() warns of the weft's rigidity, below 1 uN.m:
 -- it was measured so.
 return require "fabric.lab.hanging" {
   name = "cloth049", mass = 0.0490,

@@ -1,4 +1,4 @@
--- A light cloth of 60 g/m2, stiff along the weft; what it is made of is not told.
+-- A light cloth of 60 g/m2, stiff along the weft; fibre not stated.
 return require "fabric.lab.hanging" {
   name = "cloth060", mass = 0.0602,
   -- Initial rigidity along warp, weft and at 45 degrees; it goes down with the curvature by 34139.2, 22219.7, 16867.3 pN.m2, which the card

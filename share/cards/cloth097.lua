@@ -1,4 +1,4 @@
--- A light, limp cloth of 97 g/m2, what it is made of is not told.
+-- A light, limp cloth of 97 g/m2, fibre not stated.
 return require "fabric.lab.hanging" {
   name = "cloth097", mass = 0.0974,
   -- Initial rigidity along warp, weft and at 45 degrees; it goes down with the curvature by 2864.9, 2786.4, 3769.2 pN.m2, which the card

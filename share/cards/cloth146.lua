@@ -1,4 +1,4 @@
--- A cloth of 146 g/m2, what it is made of is not told.
+-- A cloth of 146 g/m2, fibre not stated.
 return require "fabric.lab.hanging" {
   name = "cloth146", mass = 0.1462,
   -- Initial rigidity along warp, weft and at 45 degrees; it goes down with the curvature by 6854.1, 5906.6, 4065.2 pN.m2, which the card

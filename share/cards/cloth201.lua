@@ -1,4 +1,4 @@
--- A cloth of 201 g/m2, what it is made of is not told.
+-- A cloth of 201 g/m2, fibre not stated.
 return require "fabric.lab.hanging" {
   name = "cloth201", mass = 0.2006,
   -- Initial rigidity along warp, weft and at 45 degrees; it goes down with the curvature by 15861.2, 7032.6, 14059.8 pN.m2, which the card

@@ -1,4 +1,4 @@
--- A heavy, limp cloth of 300 g/m2, what it is made of is not told.
+-- A heavy, limp cloth of 300 g/m2, fibre not stated.
 return require "fabric.lab.hanging" {
   name = "cloth300", mass = 0.2997,
   -- Initial rigidity along warp, weft and at 45 degrees; it goes down with the curvature by 28157.6, 12874.6, 9902.7 pN.m2, which the card

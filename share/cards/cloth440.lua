@@ -1,4 +1,4 @@
--- A heavy, stiff cloth of 440 g/m2, what it is made of is not told. check() warns of the warp's
+-- A heavy, stiff cloth of 440 g/m2, fibre not stated. check() warns of the warp's
 -- rigidity, above 100 uN.m: it was measured so.
 return require "fabric.lab.hanging" {
   name = "cloth440", mass = 0.4404,

@@ -116,7 +116,7 @@ fabric.ramp(value, duration)
   { "help 'daN'", "daN: a unit, 10 in SI; fabric.units.daN" },
   { "help 'python'", [[
 pages of the manual
-  share/doc/howto/python.md              all this from Python: run, read records, series and cards; notebooks]] },
+  share/doc/howto/python.md              to run decks from Python and read their records, series and cards; notebooks]] },
   { "help 'shear angle'", [[
 shear_angle: a field of a run, number of every element, degrees
   90 degrees less the angle between warp and weft; has the sign of E12
