@@ -9,6 +9,7 @@
 -- warns: tangent NOT positive definite
 -- warns: breaks the printed law
 -- warns: the card was tested to
+-- warns: turned inside out
 local here = arg[0]:gsub("[^/]*$", "")
 local chapter = dofile(here .. "chapter.lua")
 local ledger = dofile(here .. "ledger.lua")

@@ -44,7 +44,7 @@ class FabricshKernel(Kernel):
 
     def _start(self):
         # A session of its own: Jupyter's signal reaches this process alone, which passes it on while a cell runs.
-        self._child = subprocess.Popen([fabricsh.find_program(), "--quiet"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        self._child = subprocess.Popen([fabricsh.find_program(), "--quiet", "-i"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, start_new_session=True)
 
     def _hear(self, pipe, name, heard, end):

@@ -17,7 +17,7 @@ const char* const usage =
     "  fabricsh scripts/...     a deck that came with the program is found from any folder\n"
     "options\n"
     "  -e 'chunk'    runs Lua text (the fields of fabric and fabric.units are globals there)\n"
-    "  -i            interactive after the deck\n"
+    "  -i            interactive after the deck; with a pipe, Ctrl-C ends a statement, not the session\n"
     "  -l module     requires a Lua module\n"
     "  -             runs standard input as a deck\n"
     "  --check       validates everything, runs no analysis, writes no file\n"

@@ -105,9 +105,10 @@ repl::Result run_all(script::Session& session, const app::CommandLine& command) 
 }
 
 // Without a user at the prompt, the session reads all input and then fails as a deck would; Ctrl-C ends it.
-int converse(script::Session& session, Speaker& speaker) {
+// -i says that there is one, behind a program that passes on the input.
+int converse(script::Session& session, Speaker& speaker, bool interactive) {
   const bool terminal = isatty(STDIN_FILENO) != 0;
-  const auto attended = terminal ? repl::Attended::yes : repl::Attended::no;
+  const auto attended = terminal || interactive ? repl::Attended::yes : repl::Attended::no;
   const repl::InterruptGuard guard(session, attended);
   if (terminal) std::cout << app::headline() << "\n" << repl::greeting << "\n";
   const auto lines =
@@ -119,7 +120,7 @@ int converse(script::Session& session, Speaker& speaker) {
   const Outcome first =
       repl::converse(session, *lines, {std::cout, std::cerr, repl::Style::of(STDERR_FILENO)}, attended);
   speaker.lines = nullptr;
-  if (session.terminated() != 0 || (!terminal && session.stopped_by_interrupt()))
+  if (session.terminated() != 0 || (attended == repl::Attended::no && session.stopped_by_interrupt()))
     return code_of_signal(session);
   if (terminal || first == Outcome::done) return 0;
   return first == Outcome::numerical_failure ? 3 : 1;
@@ -156,7 +157,7 @@ int main(int count, char** words) {
     }();
     const bool prompt = command.interactive || (!command.has_deck && command.before.empty());
     if (!prompt || session.terminated() != 0) return code;
-    return converse(session, speaker);
+    return converse(session, speaker, command.interactive);
   } catch (const std::exception& error) {
     std::cerr << "fabricsh: " << error.what() << std::endl;
     return 1;

@@ -130,8 +130,6 @@ inline void position_columns(const Kinematics& k, const InPlane& p, const Sample
 
 inline void rotation_columns(const Kinematics& k, const InPlane& p, const Rotations& q, double thickness,
                              int g, Columns4& B) {
-  for (auto& column : B.d)
-    for (Pack& v : column) v = Pack(0.0);
   for (int e = 0; e < 4; ++e) {
     const Pack w(tie(g, e)), h(tie(g, e) * thickness / 2);
     const int along = e / 2;  // for b1 or b2
@@ -139,11 +137,13 @@ inline void rotation_columns(const Kinematics& k, const InPlane& p, const Rotati
     for (int c = 0; c < 4; ++c) {
       const EdgeColumns& column = q.column[e][c];
       Pack* out = B.d[rotation(e, c)];
-      out[kKappaOfD + along] += dot(a[along], column.beta);
-      out[kKappaOfD + 2] += dot(a[1 - along], column.beta);
-      out[kRhoOfD + along] += dot(b[along], column.beta);
-      out[kRhoOfD + 2] += dot(b[1 - along], column.beta);
-      out[kShear + along] += dot(chord, column.mean);
+      out[kKappaOfD + along] = dot(a[along], column.beta);
+      out[kRhoOfD + along] = dot(b[along], column.beta);
+      out[kShear + along] = dot(chord, column.mean);
+      // Each node has one edge of either direction; those along b1 come first.
+      const Pack kappa = dot(a[1 - along], column.beta), rho = dot(b[1 - along], column.beta);
+      out[kKappaOfD + 2] = along == 0 ? kappa : out[kKappaOfD + 2] + kappa;
+      out[kRhoOfD + 2] = along == 0 ? rho : out[kRhoOfD + 2] + rho;
     }
   }
 }

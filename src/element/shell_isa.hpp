@@ -274,10 +274,18 @@ inline void add_tangent(const Response& at_point, Pack weight, Pack z, PlainTang
   }
 }
 
+// Clears what put_tangent() does not write and a symmetric section uses.
+inline void clear_rest(Stiffness& k) {
+  Pack* in_g = &k.in_g[0][0][0];
+  for (unsigned i = 0; i < sizeof k.in_g / sizeof(Pack); ++i) in_g[i] = Pack(0.0);
+  Pack* bending = &k.bending[0][0];
+  for (unsigned i = 0; i < sizeof k.bending / sizeof(Pack); ++i) bending[i] = Pack(0.0);
+}
+
 // The upper half of the tangent of the resultants. shear: the sum of weight times the modulus of transverse
 // shear; volume: the reference volume of a weight of one.
 inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const Transform& t, Stiffness& k) {
-  clear(k);
+  clear_rest(k);
   for (int j = 0; j < 3; ++j) {
     const Pack L[3] = {volume * t.L[0][j], volume * t.L[1][j], volume * t.L[4][j]};
     for (int m = 0; m < 5; ++m) {

@@ -293,10 +293,10 @@ void Dynamic::check() {
   const bool is_implicit = options_.scheme == Scheme::implicit_steps;
   const bool end = is_end(time());
   if (!is_implicit && !is_due(time())) return;
-  watch_shape();
   const bool looks = is_implicit || looks_after(now_.steps, time());
   now_.next_check = duration_ / kChecks * (std::floor(time() / duration_ * kChecks + 1e-9) + 1);
   if (!looks) return;
+  watch_shape();
   now_.looked = now_.steps;
   const Energy e = energy();
   weigh_inertia(e.kinetic, e.scaled);

@@ -112,7 +112,8 @@ std::vector<double> tangent_errors(mechanics::Assembly& a) {
 
 }  // namespace
 
-TEST_CASE("the tangent of a woven law is the derivative of the residual, flat and warped, with several points") {
+TEST_CASE(
+    "the tangent of a woven law is the derivative of the residual, flat and warped, with several points") {
   for (const double height : {0.0, 0.004})
     for (const int points : {2, 3, 5})
       for (const bool bends_apart : {false, true}) {

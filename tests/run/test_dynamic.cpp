@@ -195,7 +195,7 @@ TEST_CASE("a plate's first frequency: Kirchhoff's, corrected for shear and rotar
 TEST_CASE("explicit and implicit agree on a swinging strip, the closer the smaller the steps", "[many]") {
   const auto end = [](Scheme scheme, double step) {
     const auto a = make_dynamic(make_swing(8),
-                                {.duration = 0.15, .step = step, .scheme = scheme, .scaled = true}, quiet());
+                                {.duration = 0.1, .step = step, .scheme = scheme, .scaled = true}, quiet());
     a->solve();
     CHECK(a->energy().error < 2e-3);
     return tip(*a);
@@ -204,8 +204,10 @@ TEST_CASE("explicit and implicit agree on a swinging strip, the closer the small
   const double far = (end(Scheme::implicit_steps, 8e-3) - fine).norm();
   const double near = (end(Scheme::implicit_steps, 2.5e-4) - fine).norm();
   INFO(far << " " << near);
-  CHECK(near < 1e-5);  // m, of a strip of 0.2 m that has fallen about as far
-  CHECK(near < far / 4);
+  // m, of a strip of 0.2 m. By 0.15 s yarns have become slack and taut again so often that the last digits
+  // decide which implicit steps are cut, and the tip differs by up to 6e-5 m for steps from 1e-4 to 2e-3 s.
+  CHECK(near < 2e-6);
+  CHECK(near < far / 25);
 }
 
 // A strip of the blend, 8 x 4 elements, level or turned in space, its left edge or both ends pinned, that
