@@ -93,7 +93,10 @@ repl::Result check_restart(const script::Session& session, repl::Result result) 
 repl::Result run_all(script::Session& session, const app::CommandLine& command) {
   repl::Result result;
   const bool spill = command.interactive || !command.has_deck || !command.before.empty();
-  repl::set_arguments(session, command.line, command.deck_place);
+  // arg[0] is the deck as it was found, so that it finds what lies beside it.
+  auto line = command.line;
+  if (command.has_deck && !command.deck.empty()) line[command.deck_place] = command.deck;
+  repl::set_arguments(session, line, command.deck_place);
   if (spill) result = repl::spill_globals(session);
   for (const auto& [kind, text] : command.before) {
     if (result.outcome != Outcome::done) return result;

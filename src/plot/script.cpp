@@ -35,10 +35,11 @@ Rows shown_rows(const Figure& f, const std::vector<double>& x,
   return out;
 }
 
-// A band that reaches zero or below on a logarithmic axis begins at the frame's edge.
+// A band that reaches zero or below on a logarithmic axis begins at the frame's edge, or where it ends if
+// that is below the frame.
 Ends held_band(Ends band, const Scale& y) {
   for (std::size_t i = 0; i < band.low.size(); ++i)
-    if (band.high[i] > y.low) band.low[i] = y.held(band.low[i]);
+    if (band.high[i] > 0) band.low[i] = std::min(band.high[i], y.held(band.low[i]));
   return band;
 }
 

@@ -221,11 +221,11 @@ void Run::watch_shape() {
   const mesh::Index element = told_inverted_ ? -1 : assembly_->inverted_element();
   if (element < 0) return;
   told_inverted_ = true;
-  notices_->say(
-      "warning: " + std::string(kind()) + ": element " + model_->element_name(element) +
-      " is turned inside out at time " + number(time()) + " s, compressed past zero length: " +
-      (moves() ? "the mesh is too coarse for what happens there, and the results from here on are doubtful"
-               : "the results from here on are not valid"));
+  const char* const means = moves()
+                                ? ": the mesh is too coarse for the fold there, and what follows is doubtful"
+                                : ", compressed past zero length: the results from here on are not valid";
+  notices_->say("warning: " + std::string(kind()) + ": element " + model_->element_name(element) +
+                " is turned inside out at time " + number(time()) + " s" + means);
 }
 
 double Run::elements_beyond() const {

@@ -140,6 +140,9 @@ TEST_CASE(
   f.curves[0].band = {{0, -2, 0.5}, {2, -1, 2}};  // all of the second lies below
   CHECK(block_of(f, "$band0") == Lines{"1 0.01 2", "", "3 0.5 2"});
   CHECK(block_of(f, "$lone_band0") == Lines{"1 0.01", "1 2", "", "3 0.5", "3 2", ""});
+  f.curves[0].band = {{0, 0, 0},
+                      {0.01, 0.001, 2}};  // ends at the frame's edge and below it: the band goes on
+  CHECK(block_of(f, "$band0") == Lines{"1 0.01 0.01", "2 0.001 0.001", "3 0.01 2"});
   f.curves[0].error = {{0, -1, -2}, {2, 2, -1}};
   const Lines bars = block_of(f, "$error0");
   REQUIRE(bars.size() == 12);  // two bars, each with the cap above alone
