@@ -216,6 +216,11 @@ wrong("card: field 'thickness': expected a positive number in m (plain.rad has n
 wrong("card: bad.rad:4: expected a number in columns 1 to 20, got 'heavy'", with(write("bad.rad", plain "heavy")))
 wrong("card: bad.rad:6: expected a number in columns 1 to 20, got 'soft'", with(write("bad.rad", plain("722.5", wide("soft", "1e8", "60", "0")))))
 wrong("there is no /MAT/LAW58 (or /MAT/FABR_A)", with(write("empty.rad", "#RADIOSS STARTER\n/END\n")))
+for _, material in ipairs { "LAW158", "LAW19" } do
+  fabric.export.card { card = fabric.card "blend", to = "openradioss", material = material, file = "own.rad" }
+  local line = require "fabric.export.read_deck".blocks "own.rad"[1].line
+  wrong(("card: own.rad: there is no /MAT/LAW58 (or /MAT/FABR_A); line %d: /MAT/%s is there, which is not read"):format(line, material), { file = "own.rad", thickness = 3e-4 })
+end
 wrong("card: short.rad:1: expected a title and at least five lines of LAW58", with(write("short.rad", "/MAT/LAW58/1\nshort\n")))
 wrong("there is no *FABRIC", with(write("none.inp", "*MATERIAL, NAME=a\n*DENSITY\n600.,\n")))
 wrong("card: field 'units': expected the units that said.inp states, 'SI' (line 3: Units: m, kg, s, N, Pa (SI)), got 'mm-t-s'; without the field they are taken from there",
@@ -246,4 +251,9 @@ do
   local r = fabric.import.card { file = "aramid.rad", thickness = aramid.thickness, poisson = { 0, 0 }, tested = aramid.tested }
   local free = fabric.import.card { file = "aramid.rad", thickness = aramid.thickness, poisson = { 0, 0 } }
   assert(math.abs(r.card.tested.warp / aramid.tested.warp - 1) < 1e-4 and r.card.tested.shear == free.card.tested.shear)
+  -- LAW58's curves cross at 0.2 in shear, where an untested one is let go; the file's comment says that it was not tested.
+  assert(#free.notes == 1 and free.notes[1]:find "^shear: line %d+ of the file says that it was not tested; its curve was taken as measured up to E12 = 0.2,", free.report)
+  local other = write("other.rad", (io.open("aramid.rad"):read("a"):gsub("E11 = 0.02963", "E11 = 0.02")))
+  local told = fabric.import.card { file = other, thickness = aramid.thickness, poisson = { 0, 0 } }
+  assert(#told.notes == 2 and told.notes[1]:find("tested up to E11 = 0.02; its curves of loading and unloading cross at 0.02963, which was taken", 1, true), told.report)
 end

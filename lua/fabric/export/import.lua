@@ -138,6 +138,24 @@ local function turn_at(part, name, E, kind, said)
   part.meet = { x, laws.value(part.loading, x) }
 end
 
+-- What a note says of a part that the file's comment calls untested, although its curve has to be let go somewhere.
+local function not_tested(name, line, E)
+  return ("%s: line %d of the file says that it was not tested; its curve was taken as measured up to %s = %.4g, where fabric.export lets such a one go")
+    :format(name, line, components[name], E)
+end
+
+-- Where loading and unloading of the file cross, it was let go; what its comment says besides is noted if it says something else.
+local function crossed(part, name, kind, stated, line, notes)
+  local measure = curves.measures[kind.measure]
+  local E = (name == "shear" and measure.shear_back or measure.axis_back)(part.meet[1], part.meet[2])
+  if stated == 0 then
+    notes[#notes + 1] = not_tested(name, line, E)
+  elseif math.abs(E / stated - 1) > 0.01 then
+    notes[#notes + 1] = ("%s: line %d of the file says that it was tested up to %s = %.4g; its curves of loading and unloading cross at %.4g, which was taken; "
+      .. "tested={ %s=... } gives another"):format(name, line, components[name], stated, E, name)
+  end
+end
+
 -- Where the curves of the file do not show by themselves at which strain they were let go: the strains asked for, else those that the file
 -- states in a comment, else the curves' ends, which a note says.
 local function turn_all(t, p, kind, notes)
@@ -149,9 +167,10 @@ local function turn_all(t, p, kind, notes)
       E, said = stated[name], ("%s:%d"):format(t.file, line)
       if E == 0 then
         E = ours.untested[name]
-        notes[#notes + 1] = ("%s: line %d of the file says that it was not tested; its curve was taken as measured up to %s = %.4g, where fabric.export lets such a one go")
-          :format(name, line, components[name], E)
+        notes[#notes + 1] = not_tested(name, line, E)
       end
+    elseif not p[name].ended and E == 0 and stated then
+      crossed(p[name], name, kind, stated[name], line, notes)
     end
     if p[name].ended and E > 0 then turn_at(p[name], name, E, kind, said) elseif p[name].ended then ended[#ended + 1] = name end
   end

@@ -221,7 +221,13 @@ function read.law58(path, u, value)
     if b.key:find "^/MAT/LAW58/" or b.key:find "^/MAT/FABR_A/" then mat = mat or b end
     if (b.key:find "^/PROP/TYPE16/" or b.key:find "^/PROP/SH_FABR/") and b[4] then thickness = columns(path, b[4], { 10, 10, 20 })[3] / (select(4, read.units(path)) or u).length end
   end
-  if not mat then fail(("card: %s: there is no /MAT/LAW58 (or /MAT/FABR_A)"):format(path)) end
+  if not mat then
+    local others = {}
+    for _, b in ipairs(blocks) do
+      if b.key:find "^/MAT/" then others[#others + 1] = ("line %d: %s is there, which is not read"):format(b.line, b.key:match "^/MAT/[^/]*") end
+    end
+    fail(("card: %s: there is no /MAT/LAW58 (or /MAT/FABR_A)%s"):format(path, #others > 0 and "; " .. table.concat(others, "; ") or ""))
+  end
   if #mat < 6 then trouble(path, mat.line, "expected a title and at least five lines of LAW58") end
   local young = columns(path, mat[3], { 20, 20, 20, 20, 20 })
   local shear = columns(path, mat[4], { 20, 20, 20, 20 })
