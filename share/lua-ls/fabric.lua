@@ -398,7 +398,7 @@ function fabric.history(points) end
 ---@class fabric_import_card_fields
 ---@field file string a starter deck with LAW58, or an Abaqus deck with *FABRIC test data
 ---@field from? "openradioss"|"abaqus" default: by the file's ending, .rad or .inp
----@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the file is written in; default: those that it states in a comment 'Units: ... (mm-t-s)' or in /BEGIN, else mm-t-s
+---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the file is written in; default: those that it states in a comment 'Units: ... (mm-t-s)', in /BEGIN or in the /UNIT/n that the material names, else mm-t-s
 ---@field name? string of the card; default: the material's
 ---@field thickness? number m: default: that of a section in the file
 ---@field density? number kg/m^3: default: the file's
@@ -680,7 +680,7 @@ function fabric.lab.correlate(fields) end
 ---@field friction? number of cloth on pedestal and on cloth (default 0.3)
 ---@field contact? boolean false: the cloth touches nothing, it is held at the pedestal's rounded edge (default true)
 ---@field self? boolean the cloth may touch itself (default true)
----@field by? "motion"|"relaxation" how it comes to rest: relaxation goes through equilibria under growing shares of the weight, in a fraction of the time where yarns are stiff; limp cloth comes to fewer and deeper folds so, and to a coefficient that is 2 to 6 points lower (default "motion")
+---@field by? "motion"|"relaxation" how it comes to rest: relaxation goes through equilibria under growing shares of the weight, in a fraction of the time where yarns are stiff; limp cloth comes to fewer and deeper folds so, and to a coefficient that is 3 to 7 points lower (default "motion")
 ---@field steps? integer shares of the weight, of relaxation (default 10)
 ---@field lowering? number s: over which the weight comes (default 1.5)
 ---@field shakes? integer up and down of the pedestal, after the lowering: they work against friction (default 0)
@@ -697,7 +697,7 @@ function fabric.lab.correlate(fields) end
 ---@field out? string folder for a VTK series of each seed
 ---@field file? string the outlines as a figure; ends in .svg
 
----Drape test: a disc of cloth is let down over a pedestal, in explicit motion, until it rests; once for each seed, side by side. Returns coefficient (shadow of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.
+---Drape test: a disc of cloth is let down over a pedestal, in motion or by relaxation, until it rests; once for each seed, side by side. Returns coefficient (shadow of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.
 ---@param fields fabric_lab_cusick_fields
 ---@return table<string, any>
 function fabric.lab.cusick(fields) end

@@ -4,7 +4,8 @@ local rows = {}
 local function check(label, got, want, relative) rows[#rows + 1] = { label, got, want, relative = relative } end
 local function near(label, got, want, absolute) rows[#rows + 1] = { label, got, want, absolute = absolute } end
 
-for _, name in ipairs { "blend", "denim", "duck", "muslin" } do
+for _, name in ipairs { "blend", "denim", "duck", "muslin", "wool" } do
+  local close = name == "wool" and 5e-4 or 1e-5 -- the warp of wool stiffens too steeply for the points of the exported curves
   local card = fabric.card(name)
   for _, to in ipairs { "openradioss", "abaqus" } do
     local file = name .. (to == "abaqus" and ".inp" or ".rad")
@@ -14,22 +15,23 @@ for _, name in ipairs { "blend", "denim", "duck", "muslin" } do
     local back, label = r.card, name .. ", " .. to
     assert(back.name == name and back.source:find(file, 1, true) and #r.losses == 7, label)
     check(label .. ": density", back.density, card.density, 1e-9)
-    check(label .. ": warp unloading", back.warp.unloading, card.warp.unloading, 0.02)
-    check(label .. ": weft unloading", back.weft.unloading, card.weft.unloading, 0.02)
-    check(label .. ": shear unloading", back.shear.unloading, card.shear.unloading, 0.08)
+    check(label .. ": warp unloading", back.warp.unloading, card.warp.unloading, 1e-3)
+    check(label .. ": weft unloading", back.weft.unloading, card.weft.unloading, 1e-3)
+    check(label .. ": shear unloading", back.shear.unloading, card.shear.unloading, 1e-3)
     check(label .. ": tested warp", back.tested.warp, card.tested.warp, 1e-3)
     for _, axis in ipairs { "warp", "weft" } do
       local E = 0.7 * card.tested[axis]
-      check(("%s: S at %.3g, %s"):format(label, E, axis), fabric.point(back):uniaxial(axis, E).S, fabric.point(card):uniaxial(axis, E).S, 1e-3)
+      check(("%s: S at %.3g, %s"):format(label, E, axis), fabric.point(back):uniaxial(axis, E).S, fabric.point(card):uniaxial(axis, E).S, close)
     end
-    check(label .. ": S12", fabric.point(back):strain({ E12 = 0.2 }).S12, fabric.point(card):strain({ E12 = 0.2 }).S12, 1e-3)
-    near(label .. ": the file's law beside the card, warp", r.lost.warp.worst, 0, 0.7)
+    local E12 = math.min(0.2, 0.7 * card.tested.shear)
+    check(label .. ": S12", fabric.point(back):strain({ E12 = E12 }).S12, fabric.point(card):strain({ E12 = E12 }).S12, close)
+    near(label .. ": the file's law beside the card, warp", r.lost.warp.worst, 0, name == "wool" and 2.5 or 0.7) -- LAW58's yarns straighten over 1e-4, of wool's 0.014
     assert(r.lost["cyclic shear"].worst > 20 and tostring(r) == r.report)
     -- Without `tested` the strains come from the file's own comment, which has four digits.
     local alone = fabric.import.card { file = file, thickness = card.thickness, poisson = { card.warp.poisson, card.weft.poisson } }
     for _, part in ipairs { "warp", "weft", "shear" } do
       check(("%s: tested %s from the comment"):format(label, part), alone.card.tested[part], card.tested[part], 1e-3)
-      check(("%s: unloading of the %s from there"):format(label, part), alone.card[part].unloading, card[part].unloading, part == "shear" and 0.08 or 0.02)
+      check(("%s: unloading of the %s from there"):format(label, part), alone.card[part].unloading, card[part].unloading, 1e-3)
     end
     assert(not alone.report:find("along a curve", 1, true) and not alone.report:find("tested:", 1, true), alone.report)
   end

@@ -33,6 +33,19 @@ end
 fails("column 'Dehnung': expected the unit of the strain (one of %, -, 1, ", read, "Dehnung [Zoll];Kraft [N]\n0;0\n0,2;3\n0,5;7\n", { gauge_length = 0.1 })
 fails("got 'Zoll'; give units={ strain='...' }", read, "Dehnung [Zoll];Kraft [N]\n0;0\n0,2;3\n0,5;7\n", { gauge_length = 0.1 })
 
+-- a mass is no force, and the remedy is named; a column of the time that cannot be read is left out with a warning
+for mass, force in pairs { kg = "kgf", g = "gf" } do
+  local text = ("Weg (mm);Kraft (%s)\n0;0\n2;3\n"):format(mass)
+  fails(("column 'Kraft': '%s' is a unit of mass, expected one of force; for the weight of that mass give units={ force='%s' }"):format(mass, force), read, text)
+  close(read(text, { units = { force = force } }).force[2], mass == "kg" and 29.41995 or 0.02941995, 1e-12)
+end
+do
+  local before = #said
+  local r = read "Zeit (s);Weg (mm);Kraft (N)\n0.5;0,0;0,0\n1.5;1,5;2,5\n2.5;2,5;3,5\n"
+  assert(r.time == nil and r.force[3] == 3.5 and #said == before + 1)
+  assert(said[#said]:find("the time is left out, since its column cannot be read: .*expected a finite number with a decimal comma, got '0.5'"), said[#said])
+end
+
 -- Zwick, Instron, Shimadzu, Mesdan, in their languages, as UTF-8, Latin 1 and Shift-JIS
 for _, heading in ipairs {
   "Pr\u{fc}fzeit;Standardweg;Standardkraft\ns;mm;N", "Pr\xfcfzeit;Weg;Kraft\ns;mm;N", "Zeit (s);Verl\u{e4}ngerung (mm);Pr\u{fc}fkraft (N)",

@@ -187,7 +187,7 @@ local function units_of(t, notes)
     if unclear then
       fail(("card: field 'units': %s states units that were not understood (%s); expected such as 'Units: mm, t, s (mm-t-s)', or the field"):format(t.file, unclear))
     end
-    if not said then notes[#notes + 1] = "units: the file states none (in a comment 'Units: ... (mm-t-s)' or in /BEGIN); mm, t, s, N, MPa were taken, units= gives others" end
+    if not said then notes[#notes + 1] = "units: the file states none (in a comment 'Units: ... (mm-t-s)', in /BEGIN or in a /UNIT/n that the material names); mm, t, s, N, MPa were taken, units= gives others" end
     return said or units.of "mm-t-s"
   end
   if said and said.name ~= t.units then
@@ -239,7 +239,7 @@ define {
     { name = "file", kind = "text", sentence = "a starter deck with LAW58, or an Abaqus deck with *FABRIC test data" },
     { name = "from", kind = "text", choices = { "openradioss", "abaqus" }, optional = true, sentence = "default: by the file's ending, .rad or .inp" },
     { name = "units", kind = "text", choices = units.names, optional = true,
-      sentence = "that the file is written in; default: those that it states in a comment 'Units: ... (mm-t-s)' or in /BEGIN, else mm-t-s" },
+      sentence = "that the file is written in; default: those that it states in a comment 'Units: ... (mm-t-s)', in /BEGIN or in the /UNIT/n that the material names, else mm-t-s" },
     { name = "name", kind = "text", optional = true, sentence = "of the card; default: the material's" },
     { name = "thickness", kind = "number", unit = "m", above = 0, optional = true, sentence = "default: that of a section in the file" },
     { name = "density", kind = "number", unit = "kg/m^3", above = 0, optional = true, sentence = "default: the file's" },

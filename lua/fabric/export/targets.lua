@@ -86,7 +86,7 @@ targets.list = {
     flips = one_direction, bending = "a membrane (N = 1), without bending" },
   { name = "LAW158", solver = "openradioss", kinds = { woven = true }, comment = radioss.comment, write = radioss.law158, law = laws.law158, property = "TYPE16", format = 2023,
     parameters = curves_158, elastic = true, source = "OpenRadioss, sigeps158c.F, hm_read_mat158.F and mat_158_fabric.cfg (format 2023), /MAT/LAW158 (FABR_NL)",
-    hysteresis = "elastic, none: unloading takes the way of loading",
+    hysteresis = "elastic, none: unloading follows the loading curve",
     coupling = "coupling: yarns are written practically straight (S1 = S2 = 1e-4), so crimp does not tie warp to weft",
     flips = one_direction, bending = "a membrane (N = 1), without bending" },
   { name = "LAW19", solver = "openradioss", kinds = { woven = true, svk = true }, comment = radioss.comment, write = radioss.law19, law = laws.law19, property = "TYPE9",

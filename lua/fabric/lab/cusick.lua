@@ -299,7 +299,7 @@ local definition = {
     { name = "self", kind = "boolean", default = true, sentence = "the cloth may touch itself" },
     { name = "by", kind = "text", choices = { "motion", "relaxation" }, default = "motion", sentence = "how it comes to rest: relaxation goes through equilibria "
       .. "under growing shares of the weight, in a fraction of the time where yarns are stiff; limp cloth comes to fewer and deeper folds so, and to a coefficient that is "
-      .. "2 to 6 points lower" },
+      .. "3 to 7 points lower" },
     { name = "steps", kind = "integer", low = 1, default = 10, sentence = "shares of the weight, of relaxation" },
     { name = "lowering", kind = "number", unit = "s", above = 0, default = 1.5, sentence = "over which the weight comes" },
     { name = "shakes", kind = "integer", low = 0, default = 0, sentence = "up and down of the pedestal, after the lowering: they work against friction" },
@@ -316,7 +316,7 @@ local definition = {
     { name = "out", kind = "text", optional = true, sentence = "folder for a VTK series of each seed" },
     { name = "file", kind = "text", optional = true, sentence = "the outlines as a figure; ends in .svg" },
   },
-  sentence = "Drape test: a disc of cloth is let down over a pedestal, in explicit motion, until it rests; once for each seed, side by side. Returns coefficient (shadow "
+  sentence = "Drape test: a disc of cloth is let down over a pedestal, in motion or by relaxation, until it rests; once for each seed, side by side. Returns coefficient (shadow "
     .. "of the overhang over that of the level cloth, 0 to 1), nodes (folds) and amplitude (half of their height in the outline, m), means over the seeds; "
     .. "scatter (their deviations from disc to disc, nan of one), contour (points {x, y} of the first disc's outline), at_rest, runs (each disc's own, with "
     .. "seed, orientation, time and the ledger's error), and of one disc alone analysis, model and mesh.",

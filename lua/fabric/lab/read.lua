@@ -146,6 +146,12 @@ local function factor_of(vocabulary, t, quantity, column)
   local factor, meant = known_factor(vocabulary, t, quantity, column)
   if factor then return factor, meant end
   local unit = (t.units or {})[quantity] or column.unit
+  if unit == "" then unit = (t.default_units or {})[quantity] or "" end
+  local weight = quantity == "force" and house.weights[unit]
+  if weight then
+    fail(("read: %s: column '%s': '%s' is a unit of mass, expected one of force; for the weight of that mass give units={ force='%s' }"):format(
+      t.file, column.name, unit, weight))
+  end
   local got = unit == "" and "the heading says none" or "got '" .. tostring(unit) .. "'"
   fail(("read: %s: column '%s': expected the unit of the %s (one of %s), %s; give units={ %s='...' }"):format(
     t.file, column.name, quantity, choice(vocabulary, quantity), got, quantity))
@@ -267,6 +273,8 @@ local function read(t)
       take(vocabulary, t, record, quantity, column)
     elseif column and not column.trouble and known_factor(vocabulary, t, quantity, column) then
       record[quantity] = scaled(column.values, (known_factor(vocabulary, t, quantity, column)))
+    elseif column and column.trouble and quantity == "time" then
+      fabric.warn(("read: %s: the time is left out, since its column cannot be read: %s"):format(t.file, column.trouble))
     elseif column and quantity == "strain" and not record.displacement then -- nothing else says how far the specimen was pulled
       take(vocabulary, t, record, quantity, column)
     elseif quantity == "force" or quantity == "displacement" and not find_column(vocabulary, t, file, "strain", false) then

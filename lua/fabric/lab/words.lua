@@ -20,6 +20,9 @@ words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "i
 -- Words of a mass that frames write for the force of its weight.
 words.masses = { lb = true, lbs = true, oz = true }
 
+-- Units of mass that are refused for a force, and the force to name where the weight was meant.
+words.weights = { kg = "kgf", Kg = "kgf", KG = "kgf", g = "gf" }
+
 -- SI size of a force over a width, as N/mm, kgf/5 cm, lbf/in; nil for anything else. Second: the force as written.
 function words.per_width(vocabulary, unit)
   local force, count, length = unit:match "^%s*([^/]-)%s*/%s*([%d.,]*)%s*([^/]-)%s*$"
