@@ -137,10 +137,6 @@ void add_body(Part& part, const Rigid& body, std::size_t place) {
   }
 }
 
-std::string body_text(const Rigid& body) {
-  return body.describe() + (body.mass() ? " of " + number(*body.mass()) + " kg" : "");
-}
-
 void add_motion(Part& part, const Rigid& body, const BodyMotion& motion) {
   part.add_components(motion.displacement);
   if (!motion.turn) return;
@@ -186,7 +182,7 @@ void add_interactions(const Model& model, const Add& add) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Rigid& body = *bodies[b];
     const std::string name = "rigid body '" + all.name_of(body) + "'";
-    add(name, body_text(body), [&](Part& part) { add_body(part, body, b); });
+    add(name, body.describe(), [&](Part& part) { add_body(part, body, b); });
     if (const auto* motion = all.motion_of(body))
       add("motion of " + name, "", [&](Part& part) { add_motion(part, body, *motion); });
     if (const auto* v = all.velocity_of(body))

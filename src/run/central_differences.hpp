@@ -1,7 +1,9 @@
 // Central differences on the unknowns: beta = 0, lumped mass, one evaluation of forces per step.
 //
-//   v~ = v + (1 - gamma) dt a,   x+ = x + dt v + dt^2/2 a,   M a+ = f(x+) - C v~ - gamma dt C a+,
+//   v~ = v + (1 - gamma) dt a,   x+ = x + dt v + dt^2/2 a,   M a+ = f(x+) - C v~ - c M v+,
 //   v+ = v~ + gamma dt a+
+//
+// C: stiffness damping, c: mass damping.
 //
 // Rotations of a director are components along b1, b2, which are transported with it along its great circle.
 // Velocities therefore keep their components, and momentum and angular momentum are conserved exactly.

@@ -24,13 +24,16 @@ std::string beyond_text(const Beyond& b) {
 
 namespace {
 
-constexpr double kEarly = 1e-9, kLater = 1e-3;  // times as shares of the duration
+// Times as shares of the duration. There are several later ones, since a history may be zero again at one.
+constexpr double kEarly = 1e-9, kLater[] = {0.37e-3, 0.61e-3, 1e-3};
 
 // The value immediately after time 0; 0 if it begins at zero and grows.
 double jump_of(const model::History& h, double duration) {
   if (const double at_once = h.value(0); at_once != 0) return at_once;
-  const double early = h.value(kEarly * duration), later = h.value(kLater * duration);
-  return std::abs(early) > 0.5 * std::abs(later) ? early : 0;
+  const double early = h.value(kEarly * duration);
+  double later = 0;
+  for (const double share : kLater) later = std::max(later, std::abs(h.value(share * duration)));
+  return std::abs(early) > 0.5 * later ? early : 0;
 }
 
 // Collects the jumps among the histories of a model's loads or motions.
@@ -107,12 +110,20 @@ bool is_held(const mechanics::NodeFreedoms& node, const Vec3& e) {
   return true;
 }
 
+// As far as samples show.
+bool is_zero(const model::History& h, double duration) {
+  constexpr int samples = 37;
+  for (int i = 0; i <= samples; ++i)
+    if (h.value(duration * i / samples) != 0) return false;
+  return true;
+}
+
 void look_for_idle(const std::string& what, const mesh::NodeSet& set, const model::Components& components,
-                   const Mat3& frame, bool area, const mechanics::Assembly& assembly,
+                   const Mat3& frame, bool area, const mechanics::Assembly& assembly, double duration,
                    std::vector<std::string>& lines) {
   for (int c = 0; c < 3; ++c) {
     const auto& history = components[static_cast<std::size_t>(c)];
-    if (!history || (history->is_constant() && history->value(0) == 0)) continue;
+    if (!history || is_zero(*history, duration)) continue;
     const Vec3 e = frame.row(c).transpose();
     const auto held = static_cast<std::size_t>(std::count_if(set.begin(), set.end(), [&](mesh::Index n) {
       return is_held(assembly.freedoms().nodes[static_cast<std::size_t>(n)], e);
@@ -121,21 +132,23 @@ void look_for_idle(const std::string& what, const mesh::NodeSet& set, const mode
     if (area ? !all : 2 * held <= set.size()) continue;
     const std::string of =
         one   ? "its node, which is"
-        : all ? "all of its " + std::to_string(held) + " nodes, which are"
+        : all ? "any of its " + std::to_string(held) + " nodes, which are"
               : std::to_string(held) + " of its " + std::to_string(set.size()) + " nodes, which are";
-    lines.push_back(what + " along " + "xyz"[c] + (frame.isIdentity() ? "" : " of its frame") +
-                    " does nothing at " + of + " fixed or moved there: supports take it up");
+    const std::string line = what + " along " + "xyz"[c] + (frame.isIdentity() ? "" : " of its frame") +
+                             " moves nothing at " + of + " fixed or moved there: supports take it up";
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
   }
 }
 
 }  // namespace
 
-std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly) {
+std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly,
+                                    double duration) {
   std::vector<std::string> lines;
   const auto look = [&](const char* what, const auto& load, const model::Components& components) {
     const auto& set = model.mesh().set(load.set);
     look_for_idle(what + (" '" + load.set + "'"), set, components, load.frame,
-                  !model.mesh().elements_in(set).empty(), assembly, lines);
+                  !model.mesh().elements_in(set).empty(), assembly, duration, lines);
   };
   for (const auto& f : model.forces()) look("the force on", f, f.total);
   for (const auto& t : model.tractions()) look("the traction on", t, t.intensity);

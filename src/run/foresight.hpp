@@ -31,7 +31,9 @@ std::string full_text(const Jumps& jumps);
 // One line for each component of a force or traction that supports take up, because they fix or move its
 // nodes along it: at more than half of the nodes of edges and points, as at the end of an edge that is usual;
 // at all nodes of a set with whole elements, whose rim is often held.
-std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly);
+// Loads that are zero throughout are not named. duration: of the run, s.
+std::vector<std::string> idle_loads(const model::Model& model, const mechanics::Assembly& assembly,
+                                    double duration);
 
 // How far the bending rigidity of the model's cards is from that of cloth; or empty. Given only if some node
 // can leave the surface, because a flat sheet held in its plane does not bend.

@@ -106,8 +106,10 @@ void Run::stop(const std::string& reason) {
 
 void Run::start() {
   if (started_) return;
-  for (const std::string& words : idle_loads(*model_, *assembly_))
-    notices_->say("warning: " + std::string(kind()) + ": " + words);
+  if (!told_idle_)
+    for (const std::string& words : idle_loads(*model_, *assembly_, duration_))
+      notices_->say("warning: " + std::string(kind()) + ": " + words);
+  told_idle_ = true;
   begin();
   initial_energy_ = energy().kinetic + energy().internal();
   for (auto& event : events_) {
@@ -133,6 +135,7 @@ void Run::advance(double to) {
   start();
   run_pending();
   while (!stopped_ && time() < to - same_time * duration_) advance_to(to);
+  watch_shape();
 }
 
 void Run::step() {
@@ -221,11 +224,9 @@ void Run::watch_shape() {
   const mesh::Index element = told_inverted_ ? -1 : assembly_->inverted_element();
   if (element < 0) return;
   told_inverted_ = true;
-  const char* const means = moves()
-                                ? ": the mesh is too coarse for the fold there, and what follows is doubtful"
-                                : ", compressed past zero length: the results from here on are not valid";
   notices_->say("warning: " + std::string(kind()) + ": element " + model_->element_name(element) +
-                " is turned inside out at time " + number(time()) + " s" + means);
+                " is turned inside out at time " + number(time()) + " s: the results from here on are " +
+                (moves() ? "doubtful" : "not valid"));
 }
 
 double Run::elements_beyond() const {

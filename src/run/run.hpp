@@ -255,6 +255,7 @@ class Run {
   std::string stop_reason_;
   Beyond beyond_;
   bool told_beyond_ = false, stops_beyond_ = false, told_inverted_ = false;
+  bool told_idle_ = false;  // of loads that supports take up, by this object
   mutable std::vector<ElementValues> cache_;
   mutable std::uint64_t cache_version_ = 0;
 };

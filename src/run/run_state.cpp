@@ -23,7 +23,7 @@ void Run::keep(Archive& archive) {
     assembly_->aim(trial_time_);
   }
   archive.section("ledger", [&] { archive(dead_, initial_energy_, work_, reports_); });
-  archive.section("progress", [&] { archive(started_, stopped_, stop_reason_, beyond_); });
+  archive.section("progress", [&] { archive(started_, stopped_, stop_reason_, beyond_, told_inverted_); });
   archive.section(kind(), [&] { memory(archive); });
   archive.section("hooks", [&] { keep_hooks(archive); });
 }

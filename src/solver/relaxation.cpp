@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fabricsh::solver {
 
 namespace {
 constexpr int kRefresh = 200;  // iterations after which the masses are renewed even without a peak
 constexpr double kGrown = 2;   // growth of the residual since the last renewal that causes another one
-constexpr double kWild = 1e4;  // the same before the first one: a load alone raises the residual on its way
 }  // namespace
 
 void Relaxation::resize(Index size) {
@@ -55,19 +55,18 @@ NewtonResult Relaxation::go_on(Problem& problem, const RelaxationOptions& option
   // Without loads the residual is rounding alone. Taken where the step begins: a sheet that flies apart later
   // would raise it without bound.
   const double rounding = problem.size() > 0 ? problem.rounding_floor(K_) : 0;
-  double before = 0, renewed = 0;  // residual when the masses were
-  bool starts = true;              // from rest, the first step of the leapfrog scheme is half a step
+  double before = 0, renewed = std::numeric_limits<double>::infinity();  // residual when the masses were
+  bool starts = true;  // from rest, the first step of the leapfrog scheme is half a step
   for (int since = 0; result.iterations < options.max_iterations; ++result.iterations, ++since) {
     if (const Answer answer = problem.residual(r_); answer != Answer::ok) return stop(status_of(answer));
     const auto [size, where] = problem.largest(r_);
-    const double relative = compared(size, problem.force_scale());
+    const double relative = size == 0 ? 0 : size / problem.force_scale();
     result.worst = where;
     if (!std::isfinite(size) || !(relative < 1e12)) return stop(NewtonStatus::diverged);
     if (problem.arrived() && (relative <= options.tolerance || size <= rounding)) {
       result.residuals.push_back(relative);
       return stop(NewtonStatus::converged);
     }
-    if (result.iterations == 0) renewed = kWild / kGrown * size;
     double energy = 0;
     for (std::size_t i = 0; i < r_.size(); ++i) {
       velocity_[i] += (starts ? 0.5 : 1.0) * r_[i] / mass_[i];

@@ -85,7 +85,8 @@ TEST_CASE("a deck that does not exist, a syntax error") {
   CHECK(has(missing.out, "cannot read 'no-such-deck.lua': No such file"));
   // One that came with the program is found from this folder, unless there is one of that name here.
   CHECK(run("--check scripts/law/reload.lua").code == 0);
-  CHECK(run("--check scripts/thesis/fig_4_11_svk.lua").code == 0);  // it reads chapter.lua, which lies beside it
+  CHECK(run("--check scripts/thesis/fig_4_11_svk.lua").code ==
+        0);  // it reads chapter.lua, which lies beside it
   CHECK(has(run("scripts/law/no-such-deck.lua").out, "cannot read 'scripts/law/no-such-deck.lua'"));
   std::filesystem::create_directories("scripts/law");
   write("scripts/law/reload.lua", "print 'mine'\n");

@@ -25,7 +25,6 @@ class Scalar final : public solver::PathProblem {
   std::function<bool(double u)> broken;                   // are the forces beyond repair there
   std::function<double(double from, double delta)> safe;  // the share of a step that is
   std::function<double(double u)> stiffness;
-  std::function<double(double u)> scale;  // what residuals are compared with; empty: 1
   double committed = 0;
   double rate = 1;             // dr/dt
   std::vector<double> shares;  // of its increments that were tried
@@ -65,7 +64,7 @@ class Scalar final : public solver::PathProblem {
   }
   double product(std::span<const double> a, std::span<const double> b) const override { return a[0] * b[0]; }
   std::pair<double, Index> largest(std::span<const double> r) const override { return {std::abs(r[0]), 0}; }
-  double force_scale() const override { return scale ? scale(trial_) : 1; }
+  double force_scale() const override { return 1; }
   double rounding_floor(const Matrix&) const override { return 0; }
 
  private:

@@ -231,7 +231,8 @@ std::vector<model::BodyGiven> read_bodies(const Call& call) {
     lua_settop(L, list);
   }
   for (lua_pushnil(L); lua_next(L, list) != 0; lua_pop(L, 1))
-    if (lua_type(L, -2) != LUA_TNUMBER)
+    if (lua_isinteger(L, -2) == 0 || lua_tointeger(L, -2) < 1 ||
+        lua_tointeger(L, -2) > static_cast<lua_Integer>(bodies.size()))
       call.refuse("bodies", "expected a list of tables {name=, mesh=, card=, ...}, got an entry " +
                                 describe(L, -2) + " = " + describe(L, -1));
   lua_pop(L, 1);
