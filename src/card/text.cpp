@@ -14,7 +14,7 @@ std::string quoted(const std::string& words) {
     } else if (c == '\r') {
       out += "\\r";
     } else if (c == '\0') {
-      out += "\\0";
+      out += "\\000";  // all digits, since the next character may be one
     } else {
       if (c == '"' || c == '\\') out += '\\';
       out += c;

@@ -7,6 +7,7 @@
 #include "card/full_card.hpp"
 #include "catch.hpp"
 #include "message_of.hpp"
+#include "test_cards.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::card;
@@ -58,6 +59,15 @@ TEST_CASE("two cards that differ in one field have different texts", "[card]") {
       CHECK(lua_text(full).find(field.name + " = ") != std::string::npos);
     });
   }
+}
+
+TEST_CASE("a zero byte in a card's words is written so that a digit behind it stays one", "[card]") {
+  card::Card c = test::blend();
+  c.source = std::string(
+      "a\0"
+      "29",
+      4);
+  CHECK(card::lua_text(c).find("\"a\\00029\"") != std::string::npos);
 }
 
 TEST_CASE("a number out of its row's range is refused by its path", "[card]") {
