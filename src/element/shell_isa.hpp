@@ -301,10 +301,12 @@ inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const T
 
 // Evaluates the law through the thickness where all points have one plain law and one transform: strains E =
 // e + z k + z^2 q and resultants in material axes. The sum of the stresses shows whether any is not finite.
-[[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section,
-                                                         const law::Step& step, const ShellBatch& batch,
-                                                         const Transform& t, const Strains& p, int g,
-                                                         Resultants& r) {
+// at_point(response, weight, height) and at_end(volume) let a caller sum the tangent, too; bending: null
+// without it.
+template <class AtPoint, class AtEnd>
+inline unsigned through_thickness(const section::Section& section, const law::Step& step,
+                                  const ShellBatch& batch, const Transform& t, const Strains& p, int g,
+                                  Resultants& r, Stiffness* bending, AtPoint at_point, AtEnd at_end) {
   constexpr int row[3] = {0, 1, 4}, states = law::potential_state::count;
   Pack e[3], k[3], q[3], E[5], old[states], trial[states];
   for (int i = 0; i < 3; ++i) {
@@ -331,6 +333,7 @@ inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const T
       m.K[i] += z * zS;
     }
     for (int i = 0; i < 2; ++i) m.Q[i] += weight * out.S[2 + i];
+    at_point(out, weight, z);
   }
   const Pack volume = t.weight * Pack(1 / section.points[0].weight);
   for (int j = 0; j < 3; ++j) {
@@ -340,62 +343,37 @@ inline void put_tangent(const PlainTangents& c, Pack shear, Pack volume, const T
     r.K[j] = L[0] * m.K[0] + L[1] * m.K[1] + L[2] * m.K[2];
   }
   for (int j = 0; j < 2; ++j) r.Q[j] = volume * (t.L[2][3 + j] * m.Q[0] + t.L[3][3 + j] * m.Q[1]);
-  if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, nullptr);
+  at_end(volume);
+  if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, bending);
   const Pack sum = (m.N[0] + m.N[1]) + (m.N[2] + m.Q[0]) + m.Q[1];
   return bits(!(sum - sum == Pack(0.0)));
 }
 
-// The same with the tangent, for a symmetric section. It is a function of its own, so that how the compiler
-// fuses these products does not touch the bits of explicit motion.
+// The forces alone, and the forces with the tangent of a symmetric section. They are compiled apart, so that
+// how the compiler fuses the products of one does not touch the bits of the other.
+[[gnu::flatten, gnu::noinline]] unsigned integrate_plain(const section::Section& section,
+                                                         const law::Step& step, const ShellBatch& batch,
+                                                         const Transform& t, const Strains& p, int g,
+                                                         Resultants& r) {
+  const auto nothing = [](auto&&...) {};
+  return through_thickness(section, step, batch, t, p, g, r, nullptr, nothing, nothing);
+}
+
 [[gnu::flatten, gnu::noinline]] unsigned integrate_plain_tangent(const section::Section& section,
                                                                  const law::Step& step,
                                                                  const ShellBatch& batch, const Transform& t,
                                                                  const Strains& p, int g, Resultants& r,
                                                                  Stiffness& tangent) {
-  constexpr int row[3] = {0, 1, 4}, states = law::potential_state::count;
-  Pack e[3], k[3], q[3], E[5], old[states], trial[states];
-  for (int i = 0; i < 3; ++i) {
-    const Pack* L = t.L[row[i]];
-    e[i] = L[0] * p.eps[0] + L[1] * p.eps[1] + L[2] * p.eps[2];
-    k[i] = L[0] * p.kappa[0] + L[1] * p.kappa[1] + L[2] * p.kappa[2];
-    q[i] = L[0] * p.rho[0] + L[1] * p.rho[1] + L[2] * p.rho[2];
-  }
-  for (int i = 2; i < 4; ++i) E[i] = t.L[i][3] * p.g1 + t.L[i][4] * p.g2;
-  Resultants m;  // in material axes
-  clear(m);
   PlainTangents c;
-  Pack sum_of_weights(0.0);
   clear(c);
-  for (const auto& point : section.points) {
-    const double height = section.thickness / 2 * (point.zeta - section.offset);
-    const Pack z(height), weight(point.weight);
-    for (int i = 0; i < 3; ++i) E[row[i]] = e[i] + z * (k[i] + z * q[i]);
-    const long offset = static_cast<long>(g * section.state_size + point.state) * lanes;
-    for (int i = 0; i < states; ++i) old[i] = load(batch.s0 + offset + i * lanes);
-    const auto out = law::potential_update(*section.plain, step.at, E, old, trial);
-    put_states(batch, offset, states, old, trial);
-    for (int i = 0; i < 3; ++i) {
-      const Pack S = weight * out.S[row[i]], zS = z * S;
-      m.N[i] += S;
-      m.M[i] += zS;
-      m.K[i] += z * zS;
-    }
-    for (int i = 0; i < 2; ++i) m.Q[i] += weight * out.S[2 + i];
-    add_tangent(out, weight, z, c);
-    sum_of_weights += weight;
-  }
-  const Pack volume = t.weight * Pack(1 / section.points[0].weight);
-  for (int j = 0; j < 3; ++j) {
-    const Pack L[3] = {volume * t.L[0][j], volume * t.L[1][j], volume * t.L[4][j]};
-    r.N[j] = L[0] * m.N[0] + L[1] * m.N[1] + L[2] * m.N[2];
-    r.M[j] = L[0] * m.M[0] + L[1] * m.M[1] + L[2] * m.M[2];
-    r.K[j] = L[0] * m.K[0] + L[1] * m.K[1] + L[2] * m.K[2];
-  }
-  for (int j = 0; j < 2; ++j) r.Q[j] = volume * (t.L[2][3 + j] * m.Q[0] + t.L[3][3 + j] * m.Q[1]);
-  put_tangent(c, sum_of_weights * Pack(section.plain->transverse), volume, t, tangent);
-  if (section.bends_apart) add_bending_at(section, step, batch, p, t, g, r, &tangent);
-  const Pack sum = (m.N[0] + m.N[1]) + (m.N[2] + m.Q[0]) + m.Q[1];
-  return bits(!(sum - sum == Pack(0.0)));
+  Pack weights(0.0);
+  return through_thickness(
+      section, step, batch, t, p, g, r, &tangent,
+      [&](const auto& response, Pack weight, Pack z) {
+        add_tangent(response, weight, z, c);
+        weights += weight;
+      },
+      [&](Pack volume) { put_tangent(c, weights * Pack(section.plain->transverse), volume, t, tangent); });
 }
 
 // Evaluates the law through the thickness at in-plane point g; columns: its first transform.
