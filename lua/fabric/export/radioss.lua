@@ -31,10 +31,18 @@ local function odd(c)
   return out
 end
 
+local function ids(...) return units.line(10, { ... }) end
+
+-- The first three functions of a material, each with its scale.
+local function first_three(base)
+  local out = {}
+  for k = 1, 3 do out[k] = ("#  FCT_ID%d                       FSCALE%d\n"):format(k, k) .. ids(base + k, "") .. reals(1.0) end
+  return table.concat(out, "\n")
+end
+
 -- /MAT/LAW58 [OpenRadioss, starter hm_read_mat58.F and law58_upd.F; Altair Radioss Reference Guide, /MAT/LAW58 (FABR_A)].
 function radioss.law58(card, name, p, u, id)
   local s, base = u.stress, 10 * id
-  local function ids(...) return units.line(10, { ... }) end
   local out = {
     ("/MAT/LAW58/%d"):format(id), name,
     head "RHO_I", reals(card.density * u.density),
@@ -43,9 +51,7 @@ function radioss.law58(card, name, p, u, id)
     head("DF", "DS", "GFROT", "", "ZEROSTRESS"), reals(0.0, 0.0, 0.0, "", 0.0),
     "#       N1        N2                  S1                  S2               FLEX1               FLEX2",
     ids(1, 1) .. reals(p.S1, p.S2, p.FLEX, p.FLEX),
-    "#  FCT_ID1                       FSCALE1", ids(base + 1, "") .. reals(1.0),
-    "#  FCT_ID2                       FSCALE2", ids(base + 2, "") .. reals(1.0),
-    "#  FCT_ID3                       FSCALE3", ids(base + 3, "") .. reals(1.0),
+    first_three(base),
     "#  FCT_ID4   FCT_ID5             FSCALE4             FSCALE5   FCT_ID6             FSCALE6",
     ids(base + 4, base + 5) .. reals(1.0, 1.0) .. ids(base + 6) .. reals(1.0),
   }
@@ -63,15 +69,12 @@ end
 -- scales of the functions, so they are 1 and the functions hold the stresses themselves.
 function radioss.law158(card, name, p, u, id)
   local s, base = u.stress, 10 * id
-  local function ids(...) return units.line(10, { ... }) end
   local out = {
     ("/MAT/LAW158/%d"):format(id), name,
     head "RHO_I", reals(card.density * u.density),
     head("S1", "S2", "FLEX", "FLEX1", "FLEX2"), reals(p.S1, p.S2, p.FLEX * s, p.FLEX1 * s, p.FLEX2 * s),
     "#         ZEROSTRESS             SENS_ID", reals(0.0) .. ids("", 0),
-    "#  FCT_ID1                       FSCALE1", ids(base + 1, "") .. reals(1.0),
-    "#  FCT_ID2                       FSCALE2", ids(base + 2, "") .. reals(1.0),
-    "#  FCT_ID3                       FSCALE3", ids(base + 3, "") .. reals(1.0),
+    first_three(base),
     "#  FCT_ID4   FCT_ID5", ids(0, 0),
   }
   for k, part in ipairs { "warp", "weft", "shear" } do
