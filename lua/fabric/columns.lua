@@ -202,11 +202,19 @@ local function rows_of_lists(lists)
   return rows
 end
 
--- Converts columns as read from a file by fabric.table: {name=, unit=, values=}.
+-- The names of the columns of a curve in the order of its file; other curves have none.
+local orders = setmetatable({}, { __mode = "k" })
+
+-- Converts columns as read from a file by fabric.table: {name=, unit=, values=}. A name that occurs again gets its place behind it.
 local function rows_of_columns(columns)
-  local lists = {}
-  for _, each in ipairs(columns) do lists[each.name] = each.values end
-  return rows_of_lists(lists)
+  local lists, order = {}, {}
+  for i, each in ipairs(columns) do
+    order[i] = lists[each.name] and ("%s (%d)"):format(each.name, i) or each.name
+    lists[order[i]] = each.values
+  end
+  local rows = rows_of_lists(lists)
+  orders[rows] = order
+  return rows
 end
 
 local function columns_of(rows)
@@ -250,6 +258,7 @@ local function places(count, most)
 end
 
 local function every_name(rows)
+  if orders[rows] then return orders[rows] end
   local names, known = {}, {}
   for _, row in ipairs(rows) do
     for name in pairs(row) do
@@ -307,7 +316,7 @@ define {
     { name = "rows", kind = "table", sentence = "of a test, a record, or a fabric.table; or lists of equal length with names" },
     { name = "options", kind = "fields", optional = true, sentence = "what to show", rows = {
       { name = "rows", kind = "integer", low = 2, default = 40, sentence = "at most, from the beginning and the end" },
-      { name = "columns", kind = "table", optional = true, sentence = "names, in their order; default: all, by the alphabet" } } },
+      { name = "columns", kind = "table", optional = true, sentence = "names, in their order; default: all, in the order of a file, else by the alphabet" } } },
   },
   sentence = "Prints rows as a table under their names.",
   example = "require 'fabric'.show({ {E=0, S=0}, {E=0.1, S=1.5e6} }, { columns={'E', 'S'} })",

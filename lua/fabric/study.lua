@@ -18,6 +18,12 @@ local function check_value(path, value)
   end
 end
 
+-- A name that every file format can hold, or the complaint.
+local function wrong_name(name)
+  if utf8.len(name) and not name:find "%c" then return nil end
+  return ("expected a name in UTF-8 without control characters, got '%s'"):format((name:gsub("[^ -~]", "?")))
+end
+
 -- The list of cases as given: {{a=1, b=2}, ...}.
 local function listed(list)
   for i, case in ipairs(list) do
@@ -64,22 +70,24 @@ local function cases_of(parameters)
 end
 
 -- Reads which cases this process computes: all, or those of a task in an array job.
-local function whole_number(name, default)
+local most_tasks = 1e9 -- far above what Slurm permits
+local function whole_number(name, default, low)
   local text = os.getenv(name)
   if text == nil or text == "" then return default end
   local n = math.tointeger(tonumber(text))
-  if not n then fail(("study: the variable %s: expected a whole number, got '%s'"):format(name, text)) end
+  if not n or n < low or n > most_tasks then
+    fail(("study: the variable %s: expected a whole number of at least %d and at most %d, got '%s'"):format(name, low, most_tasks, text))
+  end
   return n
 end
 
 local function share()
-  local id = whole_number "SLURM_ARRAY_TASK_ID"
+  local id = whole_number("SLURM_ARRAY_TASK_ID", nil, 0)
   if not id then return function() return true end end
-  local count, first, step = whole_number("SLURM_ARRAY_TASK_COUNT", 1), whole_number("SLURM_ARRAY_TASK_MIN", 0), whole_number("SLURM_ARRAY_TASK_STEP", 1)
-  if step < 1 then fail(("study: the variable SLURM_ARRAY_TASK_STEP: expected a whole number of at least 1, got '%d'"):format(step)) end
+  local count, first, step = whole_number("SLURM_ARRAY_TASK_COUNT", 1, 1), whole_number("SLURM_ARRAY_TASK_MIN", 0, 0), whole_number("SLURM_ARRAY_TASK_STEP", 1, 1)
   local place = (id - first) // step
-  if count < 1 or place < 0 or place >= count then
-    fail(("study: task %d is outside the array of %d tasks that begins at %d: give the array as a plain range, --array=1-%d"):format(id, count, first, math.max(count, 1)))
+  if place < 0 or place >= count then
+    fail(("study: task %d is outside the array of %d tasks that begins at %d: give the array as a plain range, --array=1-%d"):format(id, count, first, count))
   end
   return function(i) return (i - 1) % count == place end
 end
@@ -124,10 +132,12 @@ end
 
 -- Column names of study.csv that a result must not have: the fixed ones, and those of parameters with another value.
 local function taken_names(cases)
-  local taken = { case = "study.csv has a column of that name", trouble = "study.csv has a column of that name" }
+  local taken = {}
+  for _, name in ipairs { "case", "warnings", "trouble" } do taken[name] = "study.csv has a column of that name" end
   for _, case in ipairs(cases) do
     for name in pairs(case) do
-      if name == "case" or name == "trouble" then fail(("study: field 'parameters': no parameter can be named '%s': %s"):format(name, taken[name])) end
+      if name == "case" or name == "warnings" or name == "trouble" then fail(("study: field 'parameters': no parameter can be named '%s': %s"):format(name, taken[name])) end
+      if wrong_name(name) then fail("study: field 'parameters': " .. wrong_name(name)) end
       taken[name] = "a parameter has that name"
     end
   end
@@ -138,6 +148,7 @@ local function checked_values(values, taken, case)
   if type(values) ~= "table" then error("study: expected run(p) to return a table of named values, got " .. (values == nil and "nil" or "a " .. type(values)), 0) end
   for name, value in pairs(values) do
     if type(name) ~= "string" then error("study: expected run(p) to return named values, got an entry without a name", 0) end
+    if wrong_name(name) then error("study: results: " .. wrong_name(name), 0) end
     if taken[name] and value ~= case[name] then error(("study: no result can be named '%s': %s"):format(name, taken[name]), 0) end
     check_value(name, value)
   end
@@ -145,10 +156,11 @@ local function checked_values(values, taken, case)
 end
 
 local function work(t, case)
+  local place = define.log_end()
   local good, values = pcall(function() return checked_values(t.run(case), t.taken, case) end)
   collectgarbage()  -- closes files that a run has left open
   local trouble = not good and words_of(values) or nil
-  case_file.save(t.folder, case, good and values or nil, trouble)
+  case_file.save(t.folder, case, good and values or nil, trouble, define.warnings(place))
   if trouble then error(trouble, 0) end
   return { 1 }  -- the values are in the file
 end
@@ -182,7 +194,7 @@ local function collect(t, cases, troubles)
   local names, results = {}, {}
   for i, case in ipairs(cases) do
     local known = case_file.load(t.folder, case)
-    local row = { parameters = case, values = known and known.values, trouble = known and known.trouble }
+    local row = { parameters = case, values = known and known.values, trouble = known and known.trouble, warnings = known and known.warnings or {} }
     if not known then  -- a process that ended without a message: the case is run again next time
       study.missing, row.trouble = study.missing + 1, troubles[i]
     elseif known.trouble then
@@ -197,13 +209,22 @@ local function collect(t, cases, troubles)
   return study
 end
 
+-- The codes of the warnings, each once, in order.
+local function codes(warnings)
+  local list = {}
+  for _, w in ipairs(warnings) do
+    if not list[w.code] then list[#list + 1], list[w.code] = w.code, true end
+  end
+  return table.concat(list, " ")
+end
+
 local function csv(study)
   local header, results, parameters = { "case" }, {}, {}
   for _, name in ipairs(study.parameters) do parameters[name] = true end
   for _, name in ipairs(study.results) do
     if not parameters[name] then results[#results + 1] = name end
   end
-  for _, list in ipairs { study.parameters, results, { "trouble" } } do
+  for _, list in ipairs { study.parameters, results, { "warnings", "trouble" } } do
     for _, name in ipairs(list) do header[#header + 1] = case_file.cell(name) end
   end
   local lines = { table.concat(header, ",") }
@@ -211,6 +232,7 @@ local function csv(study)
     local cells = { tostring(i) }
     for _, name in ipairs(study.parameters) do cells[#cells + 1] = case_file.cell(row.parameters[name]) end
     for _, name in ipairs(results) do cells[#cells + 1] = case_file.cell(row.values and row.values[name]) end
+    cells[#cells + 1] = case_file.cell(codes(row.warnings))
     cells[#cells + 1] = case_file.cell(row.trouble)
     lines[#lines + 1] = table.concat(cells, ",")
   end
@@ -241,7 +263,7 @@ define {
     { name = "again", kind = "boolean", default = false, sentence = "runs cases again that failed before" },
   },
   sentence = "Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share. Returns the cases in order, each "
-    .. "{parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).",
+    .. "{parameters, values, warnings, trouble} (warnings as analysis.warnings has them, of all runs of the case), with complete, missing, failed, file (the table as CSV), parameters and results (names).",
   example = "local folder = os.tmpname()\nos.remove(folder)\n"
     .. "local s = require 'fabric'.study{ parameters={ a={1, 2}, b={10, 20} }, folder=folder, run=function(p) return { sum=p.a + p.b } end }\n"
     .. "assert(s.complete and #s == 4 and s[2].values.sum == 21)\n"

@@ -56,16 +56,28 @@ end
 
 local function path_of(folder, parameters) return folder .. "/case-" .. case_file.hash(case_file.key(parameters)) .. ".txt" end
 
--- Stores either values or trouble.
-function case_file.save(folder, parameters, values, trouble)
+local function unescaped(text) return (text:gsub("\\[\\nrt]", plain)) end
+
+-- A warning as the value of a line: time, element (0: none), seriousness and text, tabs between them.
+local function packed(w) return table.concat({ number_text(w.time), ("%d"):format(w.element or 0), tostring(w.serious), w.text }, "\t") end
+local function unpacked(code, value)
+  local time, element, serious, text = value:match "^([^\t]*)\t(%d+)\t(%a+)\t(.*)$"
+  if not time then return nil end
+  element = math.tointeger(tonumber(element))
+  return { code = code, text = text, time = numbers[time] or tonumber(time), element = element ~= 0 and element or nil, serious = serious == "true" }
+end
+
+-- Stores either values or trouble, and warnings.
+function case_file.save(folder, parameters, values, trouble, warnings)
   local lines = { "fabricsh case 1", case_file.key(parameters) }
   if trouble then lines[#lines + 1] = line_of("trouble", "", trouble) end
   if values and next(values) ~= nil then lines[#lines + 1] = lines_of("value", values) end
+  for _, w in ipairs(warnings or {}) do lines[#lines + 1] = line_of("warning", w.code, packed(w)) end
   lines[#lines + 1] = "end\n"
   fabric.write(path_of(folder, parameters), table.concat(lines, "\n"))
 end
 
--- Returns {values} or {trouble}; nil if the file does not exist, or has other parameters.
+-- Returns {values, warnings} or {trouble, warnings}; nil if the file does not exist, or has other parameters.
 function case_file.load(folder, parameters)
   local f = io.open(path_of(folder, parameters))
   if not f then return nil end
@@ -73,12 +85,13 @@ function case_file.load(folder, parameters)
   f:close()
   local body = text:match "^fabricsh case 1\n(.*)\nend\n$"
   if not body then return nil end
-  local case, own = { values = {} }, {}
+  local case, own = { values = {}, warnings = {} }, {}
   for line in body:gmatch "[^\n]+" do
     local word, name, kind, value = line:match "^(%a+)\t([^\t]*)\t(%a+)\t(.*)$"
     if word == "parameter" then own[#own + 1] = line end
     if word == "trouble" then case.trouble = value_of("string", value) end
-    if word == "value" then case.values[(name:gsub("\\[\\nrt]", plain))] = value_of(kind, value) end
+    if word == "value" then case.values[unescaped(name)] = value_of(kind, value) end
+    if word == "warning" then case.warnings[#case.warnings + 1] = unpacked(unescaped(name), unescaped(value)) end
   end
   if table.concat(own, "\n") ~= case_file.key(parameters) then return nil end
   if case.trouble then case.values = nil end

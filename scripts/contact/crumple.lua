@@ -3,6 +3,7 @@
 --
 --   fabricsh scripts/contact/crumple.lua               8 x 8 elements
 --   fabricsh scripts/contact/crumple.lua 40 out        40 x 40, with a series for ParaView in out
+-- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
 local fabric = require "fabric"
 local brute = require "fabric.lab.brute"

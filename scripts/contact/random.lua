@@ -6,6 +6,7 @@
 --   fabricsh scripts/contact/random.lua                  30 scenes
 --   fabricsh scripts/contact/random.lua 1000 501         1000, from seed 501 on (scripts/long/contact/random.lua: 10,000)
 --   fabricsh scripts/contact/random.lua 1 77             one of them again
+-- warns: is turned over: it is more than 90 degrees
 -- warns: turned inside out
 local fabric = require "fabric"
 local brute = require "fabric.lab.brute"

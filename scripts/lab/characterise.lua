@@ -20,6 +20,7 @@ if fabric.checking() then return end
 local result = folder.reduce(from)
 local figures, rows = report.write(result, out)
 for _, text in ipairs(report.contradictions(figures)) do print(text) end
+for _, text in ipairs(result.seen) do print(text) end
 for _, row in ipairs(rows) do print(("%-18s %12s  %-24s %-5s %s"):format(table.unpack(row))) end
 local expected = {}
 for _, name in ipairs { "warp", "weft", "shear" } do

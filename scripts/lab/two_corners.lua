@@ -3,7 +3,6 @@
 --
 --   fabricsh scripts/lab/two_corners.lua                    8 x 8 elements, straight and turned, two seeds
 --   fabricsh scripts/lab/two_corners.lua "8 16 32" 3 out    meshes, seeds, pictures of the finest into out
--- warns: turned inside out
 local fabric = require "fabric"
 local random = require "fabric.lab.random"
 local mm = fabric.units.mm

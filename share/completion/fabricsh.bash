@@ -16,7 +16,7 @@ _fabricsh() {
       ;;
   esac
   if [[ $cur == -* ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --restart --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
+    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --restart --strict --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
     return
   fi
   compopt -o filenames 2>/dev/null

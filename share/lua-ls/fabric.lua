@@ -47,14 +47,15 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
----@field stable_step number The largest stable step of central differences in the reference configuration, s.
+---@field stable_step number A step that no frequency of the reference configuration forbids central differences, s.
 ---@field step_size number Usual step of a dynamic run, s; steps that end at a prescribed time are shorter.
 ---@field steps table[] Of each committed step: time, step, iterations, cuts, residuals, negative_pivots (none on a stable path).
 ---@field stopped string|false The reason it was stopped for, or false.
 ---@field time number Where the run is, s.
+---@field warnings any What the run has said about how far its results can be trusted, in order: a list of {code, text, time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious ones raise a numerical failure. The codes: ledger (energy appears or is lost beyond what the steps explain), inverted (an element is turned inside out), director (a director has turned over to the other side of the sheet), beyond (the strain is beyond what the card was tested to; serious with limit="stop"), pivots (the path of a static run has passed a limit or bifurcation point), relaxed (relaxation took a noticeable part of a static run's work, or its first step), stabilise (stabilisation has taken a noticeable part of the work), jump (a load or motion is there at once, not ramped), step (the explicit step is near the stable one, or is split because stretch has shortened that), inertia (much of the kinetic energy is in rotary inertia that is scaled up for the step), guard (contact is pressed so far that a barrier keeps the surfaces apart), dropped (an initial velocity is dropped along supports), idle (supports take up the whole of a load), bending (the bending rigidity of the card is far from that of cloth), card (the check of the card has a warning), units (a value of the deck is far outside the usual), mesh (the file of a mesh was cut short or holds what is left out), restart (the run was continued from the checkpoint of another deck), lost (an output of the restarted run is gone), deck (the deck or a virtual test has said it with fabric.warn).
 local analysis = {}
 
 ---The whole state of a run.
@@ -126,7 +127,7 @@ function analysis:event(fields) end
 function analysis:every(interval, action) end
 
 ---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
 ---@return number[]
 function analysis:field(name) end
 
@@ -135,7 +136,7 @@ function analysis:field(name) end
 function analysis:gap() end
 
 ---The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure" of a number that elements or nodes have, see a:element and a:node
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
 ---@param set? string elements all of whose nodes are in it; or its nodes (default "all")
 ---@return number
 function analysis:mean(name, set) end
@@ -290,7 +291,7 @@ function fabric.columns(rows) end
 ---@class fabric_dynamic_fields
 ---@field model model what is computed
 ---@field duration number s: time to run to
----@field step? number|"auto" s: of time; auto: explicit 0.7 of the stable step, implicit duration/200
+---@field step? number|"auto" s: of time; auto: explicit 0.7 of the stable step or less, implicit duration/200
 ---@field scheme? "explicit"|"implicit" explicit (central differences) or implicit (Newmark with Newton) (default "explicit")
 ---@field gamma? number of Newmark; above 1/2 it damps; default 1/2
 ---@field beta? number of Newmark; default 0 explicit, (1/2 + gamma)^2/4 implicit
@@ -396,8 +397,8 @@ function fabric.history(points) end
 ---@field shear? number Pa: of S12 over E12 (tensor)
 
 ---@class fabric_import_card_fields
----@field file string a starter deck with LAW58, or an Abaqus deck with *FABRIC test data
----@field from? "openradioss"|"abaqus" default: by the file's ending, .rad or .inp
+---@field file string a starter deck with LAW58 or LAW19, an LS-DYNA deck with *MAT_034, or an Abaqus deck with *FABRIC test data
+---@field from? "openradioss"|"ls-dyna"|"abaqus" default: by the file's ending, .rad, .k (.key) or .inp
 ---@field units? "mm-t-s"|"mm-kg-ms"|"SI" that the file is written in; default: those that it states in a comment 'Units: ... (mm-t-s)', in /BEGIN or in the /UNIT/n that the material names, else mm-t-s
 ---@field name? string of the card; default: the material's
 ---@field thickness? number m: default: that of a section in the file
@@ -406,7 +407,7 @@ function fabric.history(points) end
 ---@field tested? fabric_import_card_fields.tested strains up to which the curves count as measured; default: LAW58 where loading and unloading cross, else those that the file states in a comment 'Tested up to E11 = ...', else the curves' ends
 ---@field unloading? fabric_import_card_fields.unloading unloading moduli, Pa, instead of those of the file's curves
 
----A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes.
+---A woven card out of another solver's material: its curves as measured points, its unloading as a modulus. Returns card, report (text), losses and lost (as fabric.export.card, the file's law beside the card's), notes. A material that no card follows within 25 % of the peak stress along its yarns is refused; what differs by more on other paths is told.
 ---@param fields fabric_import_card_fields
 ---@return any
 function fabric.import.card(fields) end
@@ -478,7 +479,7 @@ function fabric.lab.band(fields) end
 ---@field steps? integer for the whole history (default 80)
 ---@field rows? integer of the curve, at equal times, besides the first; default: one for each step
 ---@field tolerance? number as for fabric.static (default 1e-10)
----@field max_iterations? integer as for fabric.static (default 50)
+---@field max_iterations? integer as for fabric.static (default 200)
 ---@field max_cuts? integer as for fabric.static (default 12)
 ---@field most_steps? integer the run stops after so many steps
 ---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
@@ -1145,8 +1146,8 @@ function fabric.lab.pool(fields) end
 function fabric.lab.ratio(fields) end
 
 ---@class fabric_lab_read_fields
----@field file string of the load frame: CSV, TSV or the like
----@field columns? table {displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading
+---@field file string of the load frame: CSV, TSV or the like, or a spreadsheet (.xlsx)
+---@field columns? table {displacement=, force=, time=, strain=}: heading or place of the column, false: no time, no strain; default: known by the heading
 ---@field units? table {displacement='mm', force='N'}; default: those of the headings
 ---@field default_units? table the same, for columns whose heading says none
 ---@field gauge_length? number m: for a record of strains: the displacement follows
@@ -1154,8 +1155,9 @@ function fabric.lab.ratio(fields) end
 ---@field vocabulary? string|table words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them
 ---@field separator? "auto"|","|";"|"tab"|"blank" between cells (default "auto")
 ---@field decimal? "auto"|"."|"," decimal sign (default "auto")
+---@field thousands? "auto"|"."|"," sign between thousands; auto: where it cannot be the decimal sign (default "auto")
 
----A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file.
+---A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it. A file with several specimens (headings that occur again, a column that names the specimen, sheets of a spreadsheet) gives a list of records.
 ---@param fields fabric_lab_read_fields
 ---@return table<string, any>
 function fabric.lab.read(fields) end
@@ -1233,7 +1235,7 @@ function fabric.lab.speckles(fields) end
 ---@field level? number of confidence (default 0.95)
 ---@field points? integer bins of strain, equally wide (default 50)
 
----How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), coverage (their mean), reach, text.
+---How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), coverage (their mean), unlike (specimens that the others do not explain: specimen, ratio to them, their deviation), reach, text.
 ---@param fields fabric_lab_spread_fields
 ---@return table<string, any>
 function fabric.lab.spread(fields) end
@@ -1274,11 +1276,12 @@ function fabric.lab.synthetic(fields) end
 
 ---@class fabric_lab_tensile_fields
 ---@field file? string of the load frame
----@field record? table {displacement=, force=} in SI, instead of a file
+---@field record? table {displacement=, force=} in SI, or a list of such, instead of a file
 ---@field columns? table as in fabric.lab.read
 ---@field units? table as in fabric.lab.read
 ---@field default_units? table as in fabric.lab.read
 ---@field vocabulary? string|table as in fabric.lab.read
+---@field thousands? "auto"|"."|"," as in fabric.lab.read (default "auto")
 ---@field gauge_length number m: between the grips
 ---@field width number m: of the specimen
 ---@field thickness number m: of one ply
@@ -1294,7 +1297,7 @@ function fabric.lab.synthetic(fields) end
 ---@field outliers? "tell"|"drop"|"keep" single outlying readings of the force (a display that drops a digit). tell: left out with a warning; drop: left out silently; keep: kept (default "tell")
 ---@field softening? number yielded below this part of the largest tangent (default 0.5)
 
----A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil).
+---A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading (first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip: each {code, text, row}; or nil). A file with several specimens gives a list of tests, each with its specimen.
 ---@param fields fabric_lab_tensile_fields
 ---@return table<string, any>
 function fabric.lab.tensile(fields) end
@@ -1368,7 +1371,7 @@ function fabric.lab.twist(fields) end
 ---@field steps? integer for the whole history (default 80)
 ---@field rows? integer of the curve, at equal times, besides the first; default: one for each step
 ---@field tolerance? number as for fabric.static (default 1e-10)
----@field max_iterations? integer as for fabric.static (default 50)
+---@field max_iterations? integer as for fabric.static (default 200)
 ---@field max_cuts? integer as for fabric.static (default 12)
 ---@field most_steps? integer the run stops after so many steps
 ---@field method? "newton"|"relaxation"|"either" as for fabric.static (default "newton")
@@ -1516,8 +1519,8 @@ function fabric.mesh.disk(fields) end
 ---@return mesh
 function fabric.mesh.hemisphere(fields) end
 
----Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl (text and binary; equal vertices are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
----@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k; a bare name may be a mesh shipped with the program
+---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
+---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k; a bare name may be a mesh shipped with the program
 ---@return mesh
 function fabric.mesh.read(file) end
 
@@ -1537,7 +1540,7 @@ function fabric.mesh.rectangle(fields) end
 ---@class fabric_model_fields
 ---@field mesh? mesh the surface
 ---@field card? card the fabric
----@field layers? table { {card=, warp=, thickness=}, ... }: plies from below, in place of a card
+---@field layers? table { {card=, warp=, thickness=, name=}, ... }: plies from below, in place of a card
 ---@field thickness? number m: replaces the card's; mass per area changes with it
 ---@field warp? number|function|number[] degrees: warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or function(x, y, z) returning either; default 0 on a flat generated mesh
 ---@field points? integer integration points through the thickness (default 3)
@@ -1695,7 +1698,7 @@ function fabric.rigid.surface(fields) end
 
 ---@class fabric_show_fields.options
 ---@field rows? integer at most, from the beginning and the end (default 40)
----@field columns? table names, in their order; default: all, by the alphabet
+---@field columns? table names, in their order; default: all, in the order of a file, else by the alphabet
 
 ---Prints rows as a table under their names.
 ---@param rows table of a test, a record, or a fabric.table; or lists of equal length with names
@@ -1708,9 +1711,10 @@ function fabric.show(rows, options) end
 ---@field duration number s: time to run to
 ---@field step? number s: largest step; default duration/20
 ---@field tolerance? number residual over the largest nodal force (default 1e-10)
----@field max_iterations? integer of one step, before it is cut (default 50)
+---@field max_iterations? integer of one step, before it is cut (default 200)
 ---@field max_cuts? integer halvings of one step, before the run gives up (default 12)
----@field line_search? boolean on the energy along the Newton step (default true)
+---@field line_search? boolean only steps that lower the energy, but for a few on trial (default true)
+---@field ledger_limit? number the run stops when cloth stores more than loads and supports can have given it, by this part of the external work (default 0.05)
 ---@field min_step? number s: smallest step that cuts go down to
 ---@field linear? "auto"|"symmetric"|"unsymmetric" direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric (default "auto")
 ---@field control? "load"|"arc" load: steps in time; arc: steps along the path, past limit points, where time may go down (default "load")
@@ -1730,7 +1734,7 @@ function fabric.static(fields) end
 ---@field workers? integer cases side by side, each in a process with one thread; default: the threads that the program may use
 ---@field again? boolean runs cases again that failed before (default false)
 
----Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share. Returns the cases in order, each {parameters, values, trouble}, with complete, missing, failed, file (the table as CSV), parameters and results (names).
+---Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share. Returns the cases in order, each {parameters, values, warnings, trouble} (warnings as analysis.warnings has them, of all runs of the case), with complete, missing, failed, file (the table as CSV), parameters and results (names).
 ---@param fields fabric_study_fields
 ---@return table
 function fabric.study(fields) end
@@ -1802,9 +1806,11 @@ function fabric.svk(fields) end
 ---@field file string of numbers in columns
 ---@field separator? "auto"|","|";"|"tab"|"blank" between cells; auto: found from the file (default "auto")
 ---@field decimal? "auto"|"."|"," decimal sign; auto: found from the file (default "auto")
+---@field thousands? "auto"|"."|"," sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign (default "auto")
+---@field blocks? boolean a list of the tables in the file, one for each heading or sheet; false: there is one (default false)
 ---@field lenient? boolean a bad cell is no error but nan, and the column has trouble, the message (default false)
 
----Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above the numbers). A column of text alone (dates, labels) has nan and trouble, the message of its first cell.
+---Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above the numbers), lines (of the file, of each row) and left_out, the lines of words and totals below the rows. A column of text alone (dates, labels) has nan, words, and trouble, the message of its first cell. A spreadsheet (.xlsx) is read where openpyxl is installed.
 ---@param fields fabric_table_fields
 ---@return table[]
 function fabric.table(fields) end
@@ -1973,7 +1979,7 @@ function fabric.write(path, content) end
 ---@return number
 function history:value(time) end
 
----What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, repeated, orientation, one_sided, unused, duplicate, nonmanifold, aspect, warping, angle, free), severity (note, warning, error), text, elements, nodes.
+---What is wrong with the mesh or worth knowing: a table {ok, text, items, area, shortest, longest, aspect, warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an item has key (degenerate, inverted, fold, repeated, orientation, one_sided, unused, duplicate, nonmanifold, aspect, warping, angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes.
 ---@return table<string, any>
 function mesh:check() end
 
@@ -2126,7 +2132,7 @@ function model:remove(row) end
 ---@return model
 function model:spring(set, stiffness, options) end
 
----Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out of the plane.
+---Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out of the plane. The nodes lie in such a plane, and the cloth is symmetric about it: its yarns run along and across it, in each layer. A free body that the plane cuts moves in it; its mass is that of the part in the model.
 ---@param set string name of a node set
 ---@param normal string "x", "y" or "z": normal of the plane
 ---@return model

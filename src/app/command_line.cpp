@@ -21,6 +21,7 @@ const char* const usage =
     "  -l module     requires a Lua module\n"
     "  -             runs standard input as a deck\n"
     "  --check       validates everything, runs no analysis, writes no file\n"
+    "  --strict      serious warnings of runs (ledger, inverted elements, ...) end them as failures do\n"
     "  --threads N   threads to use; else OMP_NUM_THREADS, else all cores\n"
     "  --safe        for decks from elsewhere: reads only the deck's folder, writes only --output\n"
     "  --output DIR  with --safe: the folder that is written (out)\n"
@@ -135,6 +136,7 @@ class Reader {
   bool long_option(const std::string& word) {
     if (word == "--check") return c_.check = true;
     if (word == "--quiet") return c_.quiet = true;
+    if (word == "--strict") return c_.strict = true;
     if (word == "--version" || word == "-v") return c_.version = true;
     if (word == "--help" || word == "-h") return c_.help = true;
     return false;

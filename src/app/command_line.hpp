@@ -11,7 +11,7 @@ namespace fabricsh::app {
 struct CommandLine {
   std::vector<std::pair<char, std::string>> before;  // ('e', chunk) and ('l', module), in order
   bool interactive = false;                          // -i
-  bool check = false, quiet = false, version = false, help = false;
+  bool check = false, quiet = false, strict = false, version = false, help = false;
   int threads = 0;
   bool safe = false;           // --safe, and its further options
   std::string output;          // --output; empty: out

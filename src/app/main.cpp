@@ -14,6 +14,7 @@
 #include "app/full_output.hpp"
 #include "app/progress.hpp"
 #include "app/safe.hpp"
+#include "app/standard_streams.hpp"
 #include "repl/commands.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/history.hpp"
@@ -70,6 +71,7 @@ script::Options session_options(const app::CommandLine& command, Speaker& speake
   if (command.safe) options.safe = command.limits;
   options.check = command.check;
   options.quiet = command.quiet;
+  options.strict = command.strict;
   options.threads = command.threads;
   options.command_line = command.line;
   options.deck = command.deck;
@@ -132,6 +134,7 @@ int converse(script::Session& session, Speaker& speaker, bool interactive) {
 }  // namespace
 
 int main(int count, char** words) {
+  app::hold_standard_streams();
   app::watch_output();
   if (const std::string trouble = app::environment_trouble(); !trouble.empty())
     return std::cerr << "fabricsh: " << trouble << "\n", 2;

@@ -1,5 +1,7 @@
 #include "contact/contact.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -129,6 +131,16 @@ Vec3 Contact::of_body(const Candidate& c, std::span<const Vec3> by_point) const 
   return Vec3::Zero();
 }
 
+// How many parts of a model that planes of symmetry cut share the pair: 1, or 2 for each plane that all of
+// its nodes lie in.
+double Contact::images(const Candidate& c, std::span<const unsigned char> planes) const {
+  if (planes.empty()) return 1;
+  unsigned in = 7;
+  for (const std::int32_t p : c.point)
+    if (p >= 0 && !rigid(p)) in &= planes[std::size_t(p)];
+  return std::exp2(std::popcount(in));
+}
+
 // The first rigid corner of a pair holds its torque.
 bool Contact::holds_torque(std::uint32_t slot_and_corner) const {
   const auto& point = inner_[slot_and_corner / 4].point;
@@ -219,10 +231,11 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
       sliding.friction = it.friction;
       sliding.step = motion->step;
       sliding.spin = of_body(c, motion->spin);
+      const double images = this->images(c, motion->planes);
       for (std::size_t k = 0; k < 4; ++k)
         if (c.point[k] >= 0) {
           sliding.velocity[k] = motion->velocity[std::size_t(c.point[k])];
-          sliding.inverse_mass[k] = motion->inverse_mass[std::size_t(c.point[k])];
+          sliding.inverse_mass[k] = images * motion->inverse_mass[std::size_t(c.point[k])];
         }
     }
     Force& slot = slots_[std::size_t(i)];
@@ -317,7 +330,8 @@ void Contact::couples(std::span<const Vec3> x,
   for (const Candidate& c : inner_) visit(c.point);
 }
 
-double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) const {
+double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by,
+                           std::span<const char> among) const {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& u : by) mean += u;
   mean /= double(by.size());
@@ -326,7 +340,13 @@ double Contact::safe_share(std::span<const Vec3> x, std::span<const Vec3> by) co
   std::vector<Vec3> end(x.begin(), x.end());
   for (std::size_t i = 0; i < end.size(); ++i) end[i] += by[i];
   const double against = points_tell(x, end) ? 2 * most : patches_.against_on_way(x, end);
-  return share_of(find(x, against * (1 + rounding)), x, by);
+  std::vector<Candidate> pairs = find(x, against * (1 + rounding));
+  const auto other = [among](const Candidate& c) {
+    return std::any_of(c.point.begin(), c.point.end(),
+                       [among](std::int32_t p) { return p >= 0 && among[std::size_t(p)] == 0; });
+  };
+  if (!among.empty()) pairs.erase(std::remove_if(pairs.begin(), pairs.end(), other), pairs.end());
+  return share_of(pairs, x, by);
 }
 
 bool Contact::may_have_passed(std::span<const Vec3> x, std::span<const Vec3> by, double gap) {

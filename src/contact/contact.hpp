@@ -20,6 +20,9 @@ struct Motion {
   std::span<const double> inverse_mass;  // 1/kg; 0: the point is held or driven
   double step = 0;                       // s
   std::span<const Vec3> spin = {};       // 1/s, of the body that a rigid vertex is of; empty: none turns
+  // The planes of symmetry that a node lies in, one bit each, if masses are those of the whole model; else
+  // empty.
+  std::span<const unsigned char> planes = {};
 };
 
 // How an implicit or static step has gone so far, for all points of the scene.
@@ -74,8 +77,10 @@ class Contact {
   // with the share s of the law's lengths then has s + (1 - s) * share of them.
   void open_to(std::span<const double> share);
 
-  // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor.
-  double safe_share(std::span<const Vec3> x, std::span<const Vec3> by) const;
+  // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor; with
+  // `among` no pair all of whose points are marked there.
+  double safe_share(std::span<const Vec3> x, std::span<const Vec3> by,
+                    std::span<const char> among = {}) const;
 
   // Pairs below their floor, and edges that cut a facet: states that cannot be computed.
   struct Overlap {
@@ -114,6 +119,7 @@ class Contact {
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
+  double images(const Candidate& c, std::span<const unsigned char> planes) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
   void mark_checked(std::span<const Vec3> x, double change);
   void search(std::span<const Vec3> x);

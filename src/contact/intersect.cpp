@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/grid.hpp"
 
@@ -15,6 +16,18 @@ bool cuts(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3
   const Vec3 s = p - a, w = s.cross(u);
   const double i = 1 / det, first = i * s.dot(h), second = i * along.dot(w), t = i * v.dot(w);
   return first >= 0 && second >= 0 && first + second <= 1 && t >= 0 && t <= 1;
+}
+
+// The sum of the solid angles of the triangles [vanoosterom1983] is 4 pi inside and 0 outside.
+bool encloses(std::span<const Vec3> x, std::span<const Triangle> triangles, const Vec3& point) {
+  double sum = 0;
+  for (const Triangle& t : triangles) {
+    const Vec3 a = x[std::size_t(t[0])] - point, b = x[std::size_t(t[1])] - point,
+               c = x[std::size_t(t[2])] - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum > 2 * std::numbers::pi;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> intersections(std::span<const Vec3> x,

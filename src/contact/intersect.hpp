@@ -19,4 +19,7 @@ std::vector<std::pair<std::size_t, std::size_t>> intersections(std::span<const V
                                                                std::span<const Edge> edges,
                                                                std::span<const Triangle> triangles);
 
+// Whether a point lies inside a closed surface whose triangles run counter-clockwise as seen from outside.
+bool encloses(std::span<const Vec3> x, std::span<const Triangle> triangles, const Vec3& point);
+
 }  // namespace fabricsh::contact

@@ -92,6 +92,7 @@ class Scene {
   bool same_sheet(std::int32_t a, std::int32_t b) const {
     return sheet_[std::size_t(a)] == sheet_[std::size_t(b)];
   }
+  std::int32_t sheet(std::int32_t point) const { return sheet_[std::size_t(point)]; }  // its first point
 
   const std::vector<Vec3>& reference() const { return reference_; }
   std::size_t nodes() const { return nodes_; }  // of the cloth; the rigid vertices follow them

@@ -208,10 +208,29 @@ inline void add_geometric(const Totals& s, const Forces3& f, const Triangle& t, 
           add_vector(v, 2 * a + q, (Pack(edge_share(e, v)) * s.edge[e]) * b[a][q], K);
 }
 
+// Takes from the strains what is quadratic in the step from the nodes before.
+inline void linearise(const Triangle& before, double thickness, Triangle& t) {
+  const V3 a1 = t.a1 - before.a1, a2 = t.a2 - before.a2, b1 = t.b1 - before.b1, b2 = t.b2 - before.b2;
+  const Pack half(0.5);
+  Strains& p = t.strains;
+  p.eps[0] -= half * dot(a1, a1);
+  p.eps[1] -= half * dot(a2, a2);
+  p.eps[2] -= dot(a1, a2);
+  p.kappa[0] -= dot(a1, b1);
+  p.kappa[1] -= dot(a2, b2);
+  p.kappa[2] -= dot(a1, b2) + dot(a2, b1);
+  for (int e = 0; e < 3; ++e) {
+    const int i = kEdge[e][0], j = kEdge[e][1];
+    const V3 chord = t.x[j] - t.x[i] - (before.x[j] - before.x[i]);
+    t.gamma[e] -= Pack(thickness / 4) * dot(chord, t.d[i] + t.d[j] - (before.d[i] + before.d[j]));
+  }
+}
+
 template <bool symmetric>
 unsigned tangent_of(const section::Section& section, const law::Step& step, const ShellBatch& batch,
                     double* f, double* out) {
-  const Triangle t = load_triangle(section, batch);
+  Triangle t = load_triangle(section, batch);
+  if (batch.before_x != nullptr) linearise(load_triangle(section, before_step(batch)), section.thickness, t);
   V3 b[3][2];
   for (int a = 0; a < 3; ++a)
     for (int q = 0; q < 2; ++q) b[a][q] = load3(batch.b, 6 * a + 3 * q);
@@ -280,10 +299,23 @@ unsigned inverted(const ShellBatch& batch) {
   return bits(dot(cross(x[1] - x[0], x[2] - x[0]), d) <= Pack(0.0));
 }
 
+unsigned astray(const ShellBatch& batch, double cosine, double bent) {
+  V3 x[3], d[3];
+  for (int a = 0; a < 3; ++a) {
+    x[a] = load3(batch.x, 3 * a);
+    d[a] = load3(batch.d, 3 * a);
+  }
+  const V3 normal = cross(x[1] - x[0], x[2] - x[0]);
+  Pack along = dot(d[0], normal), bend(0.0);
+  for (int a = 1; a < 3; ++a) along = min(along, dot(d[a], normal));
+  for (const auto& [i, j] : kEdge) bend = max(bend, abs(dot(x[j] - x[i], d[j] - d[i])));
+  return bits(leans(along, normal, cosine) | bends(bend, bent));
+}
+
 }  // namespace
 
 Shell4Kernels shell3_kernels_of_isa() {
-  return kernels_of_parts<force, tangent, strain, curvature, inverted>();
+  return kernels_of_parts<force, tangent, strain, curvature, inverted, astray>();
 }
 
 }  // namespace FABRICSH_ISA

@@ -17,6 +17,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/error.hpp"
 #include "geometry/vec.hpp"
 #include "section/section.hpp"
 #include "simd/isa.hpp"
@@ -59,8 +60,14 @@ Sharing shell4_sharing(const section::Section& section, const double* geometry);
 // Warp direction at a point with the given unit normal, global, not yet projected on the surface.
 using WarpAt = std::function<Vec3(const Vec3& X, const Vec3& normal)>;
 
+// The element is degenerate or inverted at an in-plane point (J <= 0). The text continues the element's name.
+class DegenerateElement : public Error {
+ public:
+  explicit DegenerateElement(double jacobian);
+};
+
 // Fills the geometry column of one lane. X, D: reference nodes (m) and unit directors.
-// Error: the element is degenerate or inverted at an in-plane point (J <= 0).
+// Errors: DegenerateElement; those of `warp`.
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
                      const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,
                      int stride);
@@ -85,6 +92,11 @@ struct ShellBatch {
   int first_lane = 0;      // of the part of the batch that a kernel works on
   // The tangent's blocks of nodes a and b that are written: bit 4 a + b.
   unsigned wanted = 0xffff;
+  // tangent: the nodes before the last step, 12 numbers of x and 12 of d (triangle: 9 each). The strains are
+  // then those that the step predicted linearly, without the parts that are quadratic in its displacements.
+  // Null: the strains of x and d.
+  const double* before_x = nullptr;
+  const double* before_d = nullptr;
 };
 using Shell4Batch = ShellBatch;
 
@@ -100,12 +112,17 @@ using Shell4Strain = void (*)(const section::Section&, const Shell4Batch&, doubl
 using Shell4Curvature = Shell4Strain;
 // Mask of the inverted lanes: (a1 x a2).d is not positive at some in-plane point.
 using Shell4Inverted = unsigned (*)(const Shell4Batch&);
+// Mask of the lanes in which a director's cosine with the element's normal is below the given one, or in
+// which (chord . delta)^2 of an edge is above `bent`, with half the chord (m) and half the directors'
+// difference.
+using Shell4Astray = unsigned (*)(const Shell4Batch&, double cosine, double bent);
 struct Shell4Kernels {
   Shell4Force force;
   Shell4Tangent tangent;
   Shell4Strain strain;
   Shell4Curvature curvature;
   Shell4Inverted inverted;
+  Shell4Astray astray;
   int width = lanes;  // of the parts of a batch
 };
 Shell4Kernels shell4_kernels(Isa isa);

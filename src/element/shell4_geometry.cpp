@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/error.hpp"
 #include "element/shell3.hpp"
 
 namespace fabricsh::element {
@@ -90,9 +89,7 @@ class PointColumns {
   void transform() {
     const Vec3 normal = G1_.cross(G2_);
     J_ = normal.dot(G3_);
-    if (!(J_ > 0) || !std::isfinite(J_))
-      throw Error("is degenerate or inverted: its Jacobian is " + std::to_string(J_) +
-                  ", expected a positive number");
+    if (!(J_ > 0) || !std::isfinite(J_)) throw DegenerateElement(J_);
     const Vec3 m3 = normal.normalized();
     const Vec3 wanted = warp_(p_.X, m3);
     const Vec3 along = (wanted - wanted.dot(m3) * m3).normalized();
@@ -191,6 +188,10 @@ void put_membrane(const Edges& e, const Mat3& C, const std::function<void(int, d
 }
 
 }  // namespace
+
+DegenerateElement::DegenerateElement(double jacobian)
+    : Error("is degenerate or inverted: its Jacobian is " + std::to_string(jacobian) +
+            ", expected a positive number") {}
 
 void shell4_geometry(const section::Section& section, const std::array<Vec3, 4>& X,
                      const std::array<Vec3, 4>& D, const WarpAt& warp, double* geometry, int lane,

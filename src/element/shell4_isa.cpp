@@ -184,7 +184,7 @@ inline void add_membrane_geometric(const Membrane& m, const Forces& f, const Sam
   add_scalar(1, 2, N[2] - N[3], K);
   add_scalar(0, 1, N[6], K);
   // The part of the second derivative of q that is not in its slopes: y.G^-1 y with y = dv - dG w.
-  const Pack half(0.5), two(2.0);
+  const Pack half(0.5), two(2.0), N7 = select(m.collapsed, Pack(0.0), N[7]);
   Pack y1[kX], y2[kX];
   for (int c = 0; c < kX; ++c) {
     const Pack* v = s.sample[c];
@@ -192,9 +192,56 @@ inline void add_membrane_geometric(const Membrane& m, const Forces& f, const Sam
     y2[c] = half * (v[2] - v[3]) - m.w1 * v[6] - two * m.w2 * v[5];
   }
   for (int c = 0; c < kX; ++c) {
-    const Pack z1 = N[7] * (m.G11 * y1[c] + m.G12 * y2[c]), z2 = N[7] * (m.G12 * y1[c] + m.G22 * y2[c]);
+    const Pack z1 = N7 * (m.G11 * y1[c] + m.G12 * y2[c]), z2 = N7 * (m.G12 * y1[c] + m.G22 * y2[c]);
     for (int r = 0; r < kX; ++r) K.xx[r][c] += y1[r] * z1 + y2[r] * z2;
   }
+}
+
+// The same part for collapsed lanes, from q = over(det G) v.adj(G) v / 2 in the five variables v1 v2 g11 g22
+// g12.
+template <bool symmetric>
+[[gnu::noinline]] void add_collapsed_geometric(const Kinematics& k, const double* geometry,
+                                               PackMask collapsed, Pack N7, const SampleColumns& samples,
+                                               Tangent4<symmetric>& K) {
+  constexpr int kVariables = 5;
+  const Pack zero(0.0), half(0.5), two(2.0);
+  Pack s[7];
+  metric_samples(k, s);
+  const CollapsedMetric g = collapsed_metric(s, det_where_collapse_begins(geometry));
+  const Pack a = adjugate_form(g), d_det[kVariables] = {zero, zero, g.g22, g.g11, -two * g.g12},
+             da[kVariables] = {two * (g.g22 * g.v1 - g.g12 * g.v2), two * (g.g11 * g.v2 - g.g12 * g.v1),
+                               g.v2 * g.v2, g.v1 * g.v1, -two * g.v1 * g.v2};
+  Pack H[kVariables][kVariables];
+  for (int i = 0; i < kVariables; ++i)
+    for (int j = 0; j < kVariables; ++j)
+      H[i][j] = g.bend * a * d_det[i] * d_det[j] + g.slope * (d_det[i] * da[j] + da[i] * d_det[j]);
+  const auto add = [&](int i, int j, Pack v) {
+    H[i][j] += v;
+    if (i != j) H[j][i] += v;
+  };
+  add(2, 3, g.slope * a);
+  add(4, 4, -two * g.slope * a);
+  add(0, 0, two * g.over * g.g22);
+  add(1, 1, two * g.over * g.g11);
+  add(0, 1, -two * g.over * g.g12);
+  add(0, 3, two * g.over * g.v1);
+  add(0, 4, -two * g.over * g.v2);
+  add(1, 2, two * g.over * g.v2);
+  add(1, 4, -two * g.over * g.v1);
+  const Pack weight = select(collapsed, half * N7, zero);
+  Pack variable[kX][kVariables];
+  for (int c = 0; c < kX; ++c) {
+    const Pack* d = samples.sample[c];
+    const Pack of[kVariables] = {half * (d[0] - d[1]), half * (d[2] - d[3]), two * d[4], two * d[5], d[6]};
+    for (int i = 0; i < kVariables; ++i) variable[c][i] = of[i];
+  }
+  for (int c = 0; c < kX; ++c)
+    for (int i = 0; i < kVariables; ++i) {
+      Pack row(0.0);
+      for (int j = 0; j < kVariables; ++j) row += H[i][j] * variable[c][j];
+      row = weight * row;
+      for (int r = 0; r < kX; ++r) K.xx[r][c] += row * variable[r][i];
+    }
 }
 
 // Products of the columns of two edges, with position vectors on one side, and the second variation of beta,
@@ -228,6 +275,34 @@ inline void add_edge_geometric(const Kinematics& k, const Geometric& s, const Fo
   }
 }
 
+// Takes from the samples and edge shears what is quadratic in the step from the nodes before.
+inline void linearise(const Kinematics& before, const Kinematics& k, const double* geometry, double thickness,
+                      Membrane& m, Pack gamma[4]) {
+  const Pack half(0.5), h(thickness / 2);
+  for (int e = 0; e < 4; ++e) {
+    const V3 chord = k.edge[e].chord - before.edge[e].chord;
+    m.strain[e] -= half * dot(chord, chord);
+    gamma[e] -= h * dot(chord, k.edge[e].mean - before.edge[e].mean);
+  }
+  const V3 mid1 = k.mid1 - before.mid1, mid2 = k.mid2 - before.mid2;
+  m.strain[4] -= half * dot(mid1, mid1);
+  m.strain[5] -= half * dot(mid2, mid2);
+  m.strain[6] -= dot(mid1, mid2);
+  modes_of(geometry, m.strain, m.alpha);
+}
+
+// The same of the curvatures at in-plane point g.
+inline void linearise(const Kinematics& before, const Kinematics& k, int g, InPlane& p) {
+  const V3 twist = k.twist - before.twist;
+  const V3 a1 = k.mid1 - before.mid1 + Pack(kEta[g]) * twist,
+           a2 = k.mid2 - before.mid2 + Pack(kXi[g]) * twist;
+  const auto beta = [&](int e) { return Pack(tie(g, e)) * (k.edge[e].beta - before.edge[e].beta); };
+  const V3 b1 = beta(0) + beta(1), b2 = beta(2) + beta(3);
+  p.kappa[0] -= dot(a1, b1);
+  p.kappa[1] -= dot(a2, b2);
+  p.kappa[2] -= dot(a1, b2) + dot(a2, b1);
+}
+
 template <bool symmetric>
 unsigned tangent_of(const section::Section& section, const law::Step& step, const Shell4Batch& batch,
                     double* f, double* out) {
@@ -236,7 +311,10 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   const Shell4Layout layout(static_cast<int>(section.points.size()));
   Pack gamma[4];
   edge_shears(k, batch.geometry, section.thickness, gamma);
-  const Membrane m = membrane(k, batch.geometry);
+  Membrane m = membrane(k, batch.geometry);
+  const bool extrapolated = batch.before_x != nullptr;
+  const Kinematics before = extrapolated ? kinematics(before_step(batch)) : k;
+  if (extrapolated) linearise(before, k, batch.geometry, section.thickness, m, gamma);
   const SampleColumns samples = sample_columns(k, m, batch.geometry);
   Forces forces;
   clear(forces);
@@ -247,7 +325,8 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   unsigned failed = 0;
   Columns4 B;
   for (int g = 0; g < gauss_points; ++g) {
-    const InPlane p = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+    InPlane p = in_plane(k, batch.geometry + layout.reference(g) * lanes, m, gamma, g);
+    if (extrapolated) linearise(before, k, g, p);
     Resultants r;
     Stiffness stiffness;
     failed |=
@@ -262,6 +341,8 @@ unsigned tangent_of(const section::Section& section, const law::Step& step, cons
   mirror(K);
   if (!batch.law_only) {
     add_membrane_geometric(m, forces, samples, K);
+    if (any(m.collapsed)) [[unlikely]]
+      add_collapsed_geometric(k, batch.geometry, m.collapsed, forces.sample[7], samples, K);
     add_edge_geometric(k, geometric, forces, q, K);
   }
   const NodeForces nodes = on_nodes(k, forces);
@@ -329,10 +410,23 @@ unsigned inverted(const Shell4Batch& batch) {
   return lost;
 }
 
+unsigned astray(const Shell4Batch& batch, double cosine, double bent) {
+  V3 x[4], d[4];
+  for (int a = 0; a < 4; ++a) {
+    x[a] = load3(batch.x, 3 * a);
+    d[a] = load3(batch.d, 3 * a);
+  }
+  const V3 normal = cross(x[2] - x[0], x[3] - x[1]);
+  Pack along = dot(d[0], normal), bend(0.0);
+  for (int a = 1; a < 4; ++a) along = min(along, dot(d[a], normal));
+  for (const auto& [i, j] : kEdge) bend = max(bend, abs(dot(x[j] - x[i], d[j] - d[i])));
+  return bits(leans(along, normal, cosine) | bends(bend, bent));
+}
+
 }  // namespace
 
 Shell4Kernels shell4_kernels_of_isa() {
-  return kernels_of_parts<force, tangent, strain, curvature, inverted>();
+  return kernels_of_parts<force, tangent, strain, curvature, inverted, astray>();
 }
 
 }  // namespace FABRICSH_ISA

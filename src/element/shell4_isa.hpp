@@ -82,26 +82,105 @@ struct Membrane {
   Pack w1, w2;         // in-plane components of the twist: w = G^-1 v, v = twist.(mid1, mid2), metric G
   Pack G11, G12, G22;  // inverse of G
   Pack c1, c2;         // w in the reference configuration
+  PackMask collapsed;  // lanes whose base vectors in the middle are nearly parallel
 };
 
-// q = v.G^-1 v / 2 from the other samples, which contain v and G; and its derivatives by them.
-inline Pack in_plane_twist(const Pack s[7], Membrane& m) {
+// An element may fold until its base vectors in the middle are parallel. The plane of the twist then turns
+// over any way, and q = v.adj(G) v / (2 det G), which is at most |twist|^2 / 2, would turn with it by forces
+// without bound. Below kCollapse times its reference value, det G is therefore replaced: 1 / det G by its
+// quadratic Taylor polynomial about that value, whose value and first two derivatives agree there. Then q is
+// a smooth function of the positions, goes to zero with det G, and lies between zero and its unchanged value.
+// The force on a base vector is at most 1.43 |twist|^2 |other base vector| / sqrt(kCollapse det G0), times
+// the resultant that q works on. Cloth is sheared by 80 degrees where this begins.
+constexpr double kCollapse = 0.03;
+
+// The metric of the middle and the products of the twist with its base vectors; and 1 / det G as replaced,
+// with its derivatives by det G.
+struct CollapsedMetric {
+  Pack v1, v2, g11, g22, g12;
+  Pack over, slope, bend;
+};
+
+struct Twist {
+  Pack q, slope[7], w1, w2, G11, G12, G22;
+};
+
+inline Pack det_where_collapse_begins(const double* geometry) {
+  const auto r = [&](int i) { return load(geometry + (Shell4Layout::samples + i) * lanes); };
+  return Pack(kCollapse) * (Pack(4.0) * r(4) * r(5) - r(6) * r(6));
+}
+
+inline CollapsedMetric collapsed_metric(const Pack s[7], Pack begin) {
+  const Pack half(0.5), one(1.0), two(2.0), three(3.0);
+  CollapsedMetric g{half * (s[0] - s[1]), half * (s[2] - s[3]), two * s[4], two * s[5], s[6], one, one, one};
+  const Pack unit = one / begin, y = (g.g11 * g.g22 - g.g12 * g.g12) * unit;
+  g.over = (three - three * y + y * y) * unit;
+  g.slope = (two * y - three) * unit * unit;
+  g.bend = two * unit * unit * unit;
+  return g;
+}
+
+// v.adj(G) v
+inline Pack adjugate_form(const CollapsedMetric& g) {
+  return g.g22 * g.v1 * g.v1 - Pack(2.0) * g.g12 * g.v1 * g.v2 + g.g11 * g.v2 * g.v2;
+}
+
+// q and its derivatives as replaced for collapsed lanes, and as given for the others.
+[[gnu::noinline]] Twist collapsed_twist(const Pack s[7], Pack begin, PackMask collapsed,
+                                        const Twist& regular) {
+  const Pack half(0.5);
+  const CollapsedMetric g = collapsed_metric(s, begin);
+  Twist t;
+  t.G11 = g.g22 * g.over;
+  t.G22 = g.g11 * g.over;
+  t.G12 = -g.g12 * g.over;
+  t.w1 = t.G11 * g.v1 + t.G12 * g.v2;
+  t.w2 = t.G12 * g.v1 + t.G22 * g.v2;
+  t.q = half * (g.v1 * t.w1 + g.v2 * t.w2);
+  const Pack by_det = g.slope * adjugate_form(g);
+  t.slope[0] = half * t.w1;
+  t.slope[1] = -t.slope[0];
+  t.slope[2] = half * t.w2;
+  t.slope[3] = -t.slope[2];
+  t.slope[4] = g.over * g.v2 * g.v2 + by_det * g.g22;
+  t.slope[5] = g.over * g.v1 * g.v1 + by_det * g.g11;
+  t.slope[6] = -g.over * g.v1 * g.v2 - by_det * g.g12;
+  const Pack* const from = &regular.q;
+  Pack* const to = &t.q;
+  for (unsigned i = 0; i < sizeof(Twist) / sizeof(Pack); ++i) to[i] = select(collapsed, to[i], from[i]);
+  return t;
+}
+
+// q = v.G^-1 v / 2 from the other samples s, which contain v and G; and its derivatives by them.
+inline Pack in_plane_twist(const Pack s[7], const double* geometry, Membrane& m) {
   const Pack half(0.5), two(2.0), one(1.0);
   const Pack v1 = half * (s[0] - s[1]), v2 = half * (s[2] - s[3]);
-  const Pack g11 = two * s[4], g22 = two * s[5], g12 = s[6], over = one / (g11 * g22 - g12 * g12);
-  m.G11 = g22 * over;
-  m.G22 = g11 * over;
-  m.G12 = -g12 * over;
-  m.w1 = m.G11 * v1 + m.G12 * v2;
-  m.w2 = m.G12 * v1 + m.G22 * v2;
-  m.slope[0] = half * m.w1;
-  m.slope[1] = -m.slope[0];
-  m.slope[2] = half * m.w2;
-  m.slope[3] = -m.slope[2];
-  m.slope[4] = -m.w1 * m.w1;
-  m.slope[5] = -m.w2 * m.w2;
-  m.slope[6] = -m.w1 * m.w2;
-  return half * (v1 * m.w1 + v2 * m.w2);
+  const Pack g11 = two * s[4], g22 = two * s[5], g12 = s[6], det = g11 * g22 - g12 * g12, over = one / det;
+  Twist t;
+  t.G11 = g22 * over;
+  t.G22 = g11 * over;
+  t.G12 = -g12 * over;
+  t.w1 = t.G11 * v1 + t.G12 * v2;
+  t.w2 = t.G12 * v1 + t.G22 * v2;
+  t.slope[0] = half * t.w1;
+  t.slope[1] = -t.slope[0];
+  t.slope[2] = half * t.w2;
+  t.slope[3] = -t.slope[2];
+  t.slope[4] = -t.w1 * t.w1;
+  t.slope[5] = -t.w2 * t.w2;
+  t.slope[6] = -t.w1 * t.w2;
+  t.q = half * (v1 * t.w1 + v2 * t.w2);
+  const Pack begin = det_where_collapse_begins(geometry);
+  m.collapsed = det < begin;
+  if (any(m.collapsed)) [[unlikely]]
+    t = collapsed_twist(s, begin, m.collapsed, t);
+  m.G11 = t.G11;
+  m.G22 = t.G22;
+  m.G12 = t.G12;
+  m.w1 = t.w1;
+  m.w2 = t.w2;
+  for (int i = 0; i < 7; ++i) m.slope[i] = t.slope[i];
+  return t.q;
 }
 
 // Entry (i, k) of the matrix A of the enhanced modes.
@@ -122,15 +201,20 @@ inline void modes_of(const double* geometry, const Pack v[kSamples], Pack alpha[
   }
 }
 
+// All samples but q, in the present configuration.
+inline void metric_samples(const Kinematics& k, Pack s[7]) {
+  const Pack half(0.5);
+  for (int e = 0; e < 4; ++e) s[e] = half * dot(k.edge[e].chord, k.edge[e].chord);
+  s[4] = half * dot(k.mid1, k.mid1);
+  s[5] = half * dot(k.mid2, k.mid2);
+  s[6] = dot(k.mid1, k.mid2);
+}
+
 template <Sharing sharing = Sharing::none>
 inline Membrane membrane(const Kinematics& k, const double* geometry) {
   Membrane m;
-  const Pack half(0.5);
-  for (int e = 0; e < 4; ++e) m.strain[e] = half * dot(k.edge[e].chord, k.edge[e].chord);
-  m.strain[4] = half * dot(k.mid1, k.mid1);
-  m.strain[5] = half * dot(k.mid2, k.mid2);
-  m.strain[6] = dot(k.mid1, k.mid2);
-  m.strain[7] = in_plane_twist(m.strain, m);
+  metric_samples(k, m.strain);
+  m.strain[7] = in_plane_twist(m.strain, geometry, m);
   for (int i = 0; i < kSamples; ++i) m.strain[i] -= load(geometry + (Shell4Layout::samples + i) * lanes);
   modes_of<sharing>(geometry, m.strain, m.alpha);
   if constexpr (sharing == Sharing::element) return m;

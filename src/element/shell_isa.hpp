@@ -406,17 +406,32 @@ inline unsigned integrate(const section::Section& section, const law::Step& step
   return failed;
 }
 
+// For what Shell4Astray tells. along: the least product of a director with the normal, of any length; bend:
+// the largest of an edge's chord with its directors' difference, both whole.
+inline PackMask leans(Pack along, V3 normal, double cosine) {
+  return along * abs(along) < Pack(cosine * cosine) * dot(normal, normal);
+}
+inline PackMask bends(Pack bend, double bent) { return bend * bend > Pack(16 * bent); }
+
+// The batch before the last step, for the linear prediction of strains.
+inline ShellBatch before_step(const ShellBatch& batch) {
+  ShellBatch before = batch;
+  before.x = batch.before_x;
+  before.d = batch.before_d;
+  return before;
+}
+
 // Makes kernels for one part of a batch work on a whole batch.
 inline ShellBatch part(const ShellBatch& batch, int first) {
   const auto from = [first](auto* p) { return p == nullptr ? p : p + first; };
-  return {from(batch.geometry), from(batch.x),   from(batch.d), from(batch.b),
-          from(batch.s0),       from(batch.s1),  batch.sharing, batch.law_only,
-          batch.changed,        from(batch.now), batch.log,     first,
-          batch.wanted};
+  return {from(batch.geometry), from(batch.x),        from(batch.d),       from(batch.b),
+          from(batch.s0),       from(batch.s1),       batch.sharing,       batch.law_only,
+          batch.changed,        from(batch.now),      batch.log,           first,
+          batch.wanted,         from(batch.before_x), from(batch.before_d)};
 }
 
 template <Shell4Force force, Shell4Tangent tangent, Shell4Strain strain, Shell4Curvature curvature,
-          Shell4Inverted inverted>
+          Shell4Inverted inverted, Shell4Astray astray>
 Shell4Kernels kernels_of_parts() {
   using section::Section;
   return {[](const Section& section, const law::Step& step, const ShellBatch& batch, double* f) {
@@ -432,6 +447,9 @@ Shell4Kernels kernels_of_parts() {
             for (int i = 0; i < lanes; i += pack_width) curvature(section, part(batch, i), kappa + i);
           },
           [](const ShellBatch& batch) { return at_parts([&](int i) { return inverted(part(batch, i)); }); },
+          [](const ShellBatch& batch, double cosine, double bent) {
+            return at_parts([&](int i) { return astray(part(batch, i), cosine, bent); });
+          },
           pack_width};
 }
 

@@ -113,10 +113,17 @@ void CsvWriter::row(std::span<const double> values) {
   append(line_of(values, full_number));
 }
 
+CsvPlace CsvWriter::place(std::size_t n) const {
+  CsvPlace place = place_;
+  if (n >= rows()) return place;
+  place.ends.resize(n + 1);
+  if (regular_) place.sum = checksum(beginning(file_, place.ends.back()));
+  return place;
+}
+
 void CsvWriter::keep(std::size_t n) {
   if (n >= rows()) return;
-  place_.ends.resize(n + 1);
-  if (regular_) place_.sum = checksum(beginning(file_, place_.ends.back()));
+  place_ = place(n);
   cut();
 }
 

@@ -34,6 +34,7 @@ class CsvWriter {
   void keep(std::size_t n);
   void sync();  // forces the rows to the disk
   const CsvPlace& place() const { return place_; }
+  CsvPlace place(std::size_t rows) const;  // as if there were only the first ones
   std::size_t rows() const { return place_.ends.size() - 1; }
   const std::string& path() const { return path_; }
   std::size_t columns() const { return columns_; }

@@ -53,7 +53,7 @@ void GmshReader::read_byte_order() {
 
 void GmshReader::section(std::string_view name) {
   const bool ours = name == "PhysicalNames" || name == "Nodes" || name == "Elements" ||
-                    (name == "Entities" && format_ == 4);
+                    ((name == "Entities" || name == "PartitionedEntities") && format_ == 4);
   if (!ours) return skip_section(name);
   if (!seen_.emplace(name).second) source_.fail("a second section $" + std::string(name));
   if (name == "PhysicalNames") {
@@ -62,6 +62,7 @@ void GmshReader::section(std::string_view name) {
     source_.line("a section");
     source_.set_binary(binary_);
     if (name == "Entities") read_entities_4();
+    if (name == "PartitionedEntities") read_partitioned_4();
     if (name == "Nodes") format_ == 4 ? read_nodes_4() : read_nodes_2();
     if (name == "Elements") format_ == 4 ? read_elements_4() : read_elements_2();
     source_.set_binary(false);

@@ -44,6 +44,9 @@ class GmshReader {
   // Format 4.1.
   void read_entities_4();
   void read_entity_4(int dimension);
+  void read_partitioned_4();
+  void read_part_4(int dimension);
+  Tags read_groups_4();
   void read_nodes_4();
   void read_node_block_4();
   void read_elements_4();

@@ -14,12 +14,47 @@ void GmshReader::read_entities_4() {
 void GmshReader::read_entity_4(int dimension) {
   const auto number = stored_integer("the number of an entity");
   for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) stored_real("a coordinate");
-  Tags groups(static_cast<std::size_t>(stored_count("a number of physical groups", 2, 4)));
-  for (auto& group : groups) group = stored_integer("the number of a physical group");
+  Tags groups = read_groups_4();
   if (dimension > 0) {
     const auto n = stored_count("a number of bordering entities", 2, 4);
     for (std::int64_t i = 0; i < n; ++i) stored_integer("the number of an entity");
   }
+  if (dimension < 3) groups_[{dimension, number}] = std::move(groups);
+}
+
+GmshReader::Tags GmshReader::read_groups_4() {
+  Tags groups(static_cast<std::size_t>(stored_count("a number of physical groups", 2, 4)));
+  for (auto& group : groups) group = stored_integer("the number of a physical group");
+  return groups;
+}
+
+// In a mesh cut into parts the elements belong to the parts of entities.
+void GmshReader::read_partitioned_4() {
+  stored_size("a number of partitions");
+  const auto ghosts = stored_count("a number of ghost entities", 4, 8);
+  for (std::int64_t i = 0; i < 2 * ghosts; ++i) stored_integer("a ghost entity");
+  std::int64_t counts[4];
+  for (auto& count : counts) count = stored_count("a number of entities", 4, 32);
+  for (int dimension = 0; dimension < 4; ++dimension)
+    for (std::int64_t i = 0; i < counts[dimension]; ++i) read_part_4(dimension);
+}
+
+// The part of an entity: number, dimension and number of the entity, partitions, and the rest as of an
+// entity. Without groups of its own it has those of the entity.
+void GmshReader::read_part_4(int dimension) {
+  const auto number = stored_integer("the number of an entity");
+  const auto parent_dimension = stored_integer("a dimension"),
+             parent = stored_integer("the number of an entity");
+  const auto partitions = stored_count("a number of partitions", 2, 4);
+  for (std::int64_t i = 0; i < partitions; ++i) stored_integer("a partition");
+  for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) stored_real("a coordinate");
+  Tags groups = read_groups_4();
+  if (dimension > 0) {
+    const auto n = stored_count("a number of bordering entities", 2, 4);
+    for (std::int64_t i = 0; i < n; ++i) stored_integer("the number of an entity");
+  }
+  const auto whole = groups_.find({parent_dimension, parent});
+  if (groups.empty() && parent_dimension == dimension && whole != groups_.end()) groups = whole->second;
   if (dimension < 3) groups_[{dimension, number}] = std::move(groups);
 }
 

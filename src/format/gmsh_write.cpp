@@ -1,5 +1,6 @@
 // A mesh as Gmsh 4.1 text. In Gmsh a node belongs to one entity, while sets may overlap. So each set is
-// written as a physical group of points: one entity per set, with a point element at each of its nodes.
+// written as a physical group of points: one entity per set, with a point element at each of its nodes. The
+// surface is a group as well, since readers (meshio) want a group of all elements or of none.
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "format/mesh_file.hpp"
@@ -21,14 +22,21 @@ std::string place(const Vec3& x) {
   return exact_number(x.x()) + " " + exact_number(x.y()) + " " + exact_number(x.z());
 }
 
+// The group of the surface: read back, its nodes are the set of all nodes, which every mesh has.
+std::string surface_name(const mesh::Mesh& mesh) {
+  const auto all = mesh.sets.find("all");
+  return all == mesh.sets.end() || all->second.size() == mesh.nodes.size() ? "all" : "surface";
+}
+
 std::string names(const mesh::Mesh& mesh) {
-  std::string text = "$PhysicalNames\n" + line({size_of(mesh.sets.size())});
+  std::string text = "$PhysicalNames\n" + line({size_of(mesh.sets.size()) + 1});
   std::int64_t group = 0;
   for (const auto& [name, ids] : mesh.sets) {
     if (name.find_first_of("\"\n\r") != std::string::npos)
       throw Error("set '" + name + "': a name with quotes or line ends does not go into a Gmsh file");
     text += "0 " + std::to_string(++group) + " \"" + name + "\"\n";
   }
+  text += "2 " + std::to_string(group + 1) + " \"" + surface_name(mesh) + "\"\n";
   return text + "$EndPhysicalNames\n";
 }
 
@@ -42,7 +50,8 @@ std::string entities(const mesh::Mesh& mesh) {
             std::to_string(group) + "\n";
   }
   const Box box = box_of(mesh.nodes);
-  return text + "1 " + place(box.low) + " " + place(box.high) + " 0 0\n$EndEntities\n";
+  return text + "1 " + place(box.low) + " " + place(box.high) + " 1 " + std::to_string(group + 1) +
+         " 0\n$EndEntities\n";
 }
 
 std::string nodes(const mesh::Mesh& mesh) {

@@ -50,7 +50,10 @@ const Format& format_of(const std::string& path) {
   throw Error("image '" + path + "': expected a name ending in .png, .jpg, .jpeg, .tif, .tiff or .bmp");
 }
 
-constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
+// A pixel takes four bytes here, and whoever reads it makes copies. A photograph of a few million pixels may
+// be of any content; a larger one takes at least a bit for eight pixels, or it is made to fill the memory.
+constexpr std::uint64_t most_pixels = std::uint64_t{1} << 27, any_content = std::uint64_t{1} << 24;
+constexpr std::uint64_t pixels_per_byte = 64;
 constexpr std::uint64_t tightest = 1040, small = std::uint64_t{1} << 20;
 
 template <class Sample>
@@ -81,9 +84,10 @@ Image image_of_size(const Encoded& file, std::uint64_t width, std::uint64_t heig
                     std::uint64_t bytes_per_pixel) {
   if (width < 1 || height < 1) refused(file, "it holds no picture");
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  if (width > most_pixels / height)
-    refused(file,
-            "it says to have " + size + ", more than the " + std::to_string(most_pixels) + " that are read");
+  const std::uint64_t most = std::clamp(pixels_per_byte * file.bytes.size(), any_content, most_pixels);
+  if (width > most / height)
+    refused(file, "it says to have " + size + ", more than the " + std::to_string(most) +
+                      " that are read from a file of " + std::to_string(file.bytes.size()) + " bytes");
   if (width * height * bytes_per_pixel > tightest * file.bytes.size() + small)
     damaged(file, std::to_string(file.bytes.size()) + " bytes can't hold " + size);
   return {static_cast<int>(width), static_cast<int>(height), std::vector<float>(width * height)};

@@ -27,8 +27,9 @@ Image decode_bmp(const Encoded& file);
 // Error "image 'x.png': why".
 [[noreturn]] void refused(const Encoded& file, const std::string& why);
 
-// An image of that size, not yet filled. Error: no pixels, more than 2^28, or more than the bytes of the
-// file can hold at the highest compression of any of the formats (1032 to one, the bound of deflate).
+// An image of that size, not yet filled. Error: no pixels; more than 2^27, or than 2^24 and 64 for each byte
+// of the file; or more than these bytes can hold at the highest compression of any of the formats (1032 to
+// one, the bound of deflate).
 Image image_of_size(const Encoded& file, std::uint64_t width, std::uint64_t height,
                     std::uint64_t bytes_per_pixel);
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 #include "mesh/edges.hpp"
 
 namespace fabricsh::format {
@@ -36,6 +37,24 @@ void MeshBuilder::add_element(std::int64_t number, std::span<const std::int64_t>
       if (ids[k] == ids[i]) source_.fail(who + ": node " + std::to_string(corners[i]) + " is in it twice");
   }
   mesh_.elements.push_back(ids);
+}
+
+void MeshBuilder::add_polygon(std::span<const std::int64_t> corners) {
+  const std::string who = "a face of " + std::to_string(corners.size()) + " corners";
+  std::vector<Vec3> x;
+  for (const std::int64_t number : corners)
+    x.push_back(mesh_.nodes[static_cast<std::size_t>(place(number, who))]);
+  const auto normal = [&x](std::size_t i) { return Vec3((x[i] - x[0]).cross(x[i + 1] - x[0])); };
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) sum += normal(i);
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+    if (!(normal(i).dot(sum) > 0))
+      source_.fail(who +
+                   " that is not convex: cut it into triangles where the file was made (in Blender: "
+                   "Triangulated Mesh)");
+    add_element(static_cast<std::int64_t>(elements()) + 1,
+                std::array{corners[0], corners[i], corners[i + 1]});
+  }
 }
 
 void MeshBuilder::add_to_set(const std::string& name, std::span<const std::int64_t> numbers) {
@@ -74,7 +93,7 @@ Mesh MeshBuilder::finish() {
                 " nodes)");
   drop_unused();
   for (auto& [name, set] : sets_)
-    if (!set.empty() && !name.empty()) mesh_.define(name, std::move(set));
+    if (!set.empty() && !name.empty()) mesh_.define(made_plain(name), std::move(set));
   if (!mesh_.sets.contains("all")) {
     NodeSet all(mesh_.nodes.size());
     std::iota(all.begin(), all.end(), Index{0});

@@ -25,6 +25,8 @@ class MeshBuilder {
   std::size_t elements() const { return mesh_.elements.size(); }
   // Takes 3 or 4 node numbers. Error, naming the element: an unknown node, or a repeated one.
   void add_element(std::int64_t number, std::span<const std::int64_t> corners);
+  // A face of more corners, as triangles at its first one. Error: it is not convex.
+  void add_polygon(std::span<const std::int64_t> corners);
   void add_to_set(const std::string& name, std::span<const std::int64_t> numbers);
 
   // Drops nodes that no element uses, and sets that contain only such nodes. Adds the

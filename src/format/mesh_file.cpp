@@ -4,9 +4,11 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "format/deck_write.hpp"
 #include "format/source.hpp"
 #include "format/vtu.hpp"
+#include "geometry/box.hpp"
 
 namespace fabricsh::format {
 
@@ -35,9 +37,10 @@ Reader reader_of(const std::string& path) {
   if (text == ".vtk") return complete<read_legacy_vtk>;
   if (text == ".inp") return read_abaqus;
   if (text == ".k" || text == ".key") return read_dyna;
-  if (text == ".stl") return complete<read_stl>;
+  if (text == ".stl") return read_stl;
+  if (text == ".ply") return read_ply;
   throw Error("cannot read '" + path +
-              "': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k");
+              "': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k");
 }
 
 void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
@@ -49,6 +52,16 @@ void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
     grid.point_data.push_back(std::move(array));
   }
   write_vtu(path, grid);
+}
+
+// Asks about units where lengths in m would be those of no cloth.
+void ask_about_size(const std::string& path, const mesh::Mesh& mesh, Remarks& remarks) {
+  constexpr double most = 10, least = 1e-4;  // m
+  const double size = box_of(mesh.nodes).size().maxCoeff();
+  if (size > least && size < most) return;
+  remarks.push_back(path + ": the mesh spans " + number(size, 3) +
+                    " m, far from what cloth is: are its lengths in m? mesh:map changes them, as in "
+                    "mesh:map(function(x, y, z) return x/1000, y/1000, z/1000 end) for a file in mm");
 }
 
 constexpr const char* units_word = "lengths in m";
@@ -72,7 +85,9 @@ mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
   const Reader read = reader_of(path);
   const std::string bytes = read_file(path);
   if (bytes.empty()) throw Error(path + ": the file is empty");
-  return read(path, bytes, remarks);
+  mesh::Mesh mesh = read(path, bytes, remarks);
+  if (remarks != nullptr) ask_about_size(path, mesh, *remarks);
+  return mesh;
 }
 
 void write_mesh(const std::string& path, const mesh::Mesh& mesh) {

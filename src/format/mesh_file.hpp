@@ -13,11 +13,13 @@ namespace fabricsh::format {
 
 // .msh (Gmsh 2 and 4.1, text and binary; physical groups become sets), .vtu and .vtk (integer arrays become
 // sets), .obj (groups become sets), .inp of Abaqus and CalculiX, .k of LS-DYNA (sets of nodes and of
-// elements; parts, if there are several), .stl (equal vertices are joined; solids, if there are several).
-// Reads triangles and quadrilaterals; lines and points are used for sets only. Nodes that no element uses are
-// dropped; the sets all and boundary are added if missing.
-// What a file can legally lack, but one that was cut short lacks as well, is said in the remarks: the *END of
-// a .k, *END STEP and the like of an .inp, the end of the last line of an .inp or .obj.
+// elements; parts, if there are several), .stl (equal vertices are joined; solids, if there are several),
+// .ply. Reads triangles and quadrilaterals; lines and points are used for sets only. Nodes that no element
+// uses are dropped; the sets all and boundary are added if missing. What a file can legally lack, but one
+// that was cut short lacks as well, is said in the remarks: the *END of a .k, *END STEP and the like of an
+// .inp, the end of the last line of an .inp or .obj. So is what was passed over or changed (statements of an
+// .obj, facets without area of an .stl, faces of many corners cut into triangles), and a size that no cloth
+// has.
 using Remarks = std::vector<std::string>;
 inline constexpr const char* no_line_end =
     "the last line has no end; if the file was cut short, part of the mesh is missing";
@@ -36,7 +38,8 @@ mesh::Mesh read_vtu(const std::string& name, std::string_view bytes);
 mesh::Mesh read_legacy_vtk(const std::string& name, std::string_view bytes);
 mesh::Mesh read_abaqus(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 mesh::Mesh read_dyna(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
-mesh::Mesh read_stl(const std::string& name, std::string_view bytes);
+mesh::Mesh read_stl(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
+mesh::Mesh read_ply(const std::string& name, std::string_view bytes, Remarks* remarks = nullptr);
 std::string gmsh_text(const mesh::Mesh& mesh);
 std::string obj_text(const mesh::Mesh& mesh);
 std::string ply_text(const mesh::Mesh& mesh);

@@ -22,10 +22,22 @@ class ObjReader {
       if (remarks != nullptr && source_.endless(place) && !trimmed(line).empty())
         remarks->push_back(source_.at_place(no_line_end));
     }
+    tell(remarks);
     return builder_.finish();
   }
 
  private:
+  // What was passed over and what was cut, a line each.
+  void tell(Remarks* remarks) const {
+    if (remarks == nullptr) return;
+    if (!strange_.empty())
+      remarks->push_back(strange_ +
+                         (strange_lines_ > 1 ? " (" + std::to_string(strange_lines_) + " such lines)" : ""));
+    if (cut_ > 0)
+      remarks->push_back(source_.name() + ": " + std::to_string(cut_) + (cut_ == 1 ? " face" : " faces") +
+                         " with more than four corners cut into triangles from the first corner");
+  }
+
   void statement(Source line) {
     const auto keyword = line.word_or_none();
     if (keyword == "v") return node(line);
@@ -33,13 +45,13 @@ class ObjReader {
     if (keyword == "l" || keyword == "p") return add_to_sets(corners(line));
     if (keyword == "g") return groups(line);
     if (keyword == "o") {
-      object_ = line.word_or_none();
+      object_ = trimmed(line.rest());  // one name, blanks and all
       return;
     }
     for (const char* ignored : {"", "vt", "vn", "vp", "s", "usemtl", "mtllib"})
       if (keyword == ignored) return;
-    source_.fail("unknown statement " + in_quotes(keyword) +
-                 ", expected v, f, g, o, l, p, vt, vn, s, usemtl, mtllib");
+    if (strange_lines_++ == 0)
+      strange_ = source_.at_place("statement " + in_quotes(keyword) + " is not known and is passed over");
   }
 
   void node(Source& line) {
@@ -53,9 +65,14 @@ class ObjReader {
 
   void element(Source& line) {
     const auto numbers = corners(line);
-    if (numbers.size() < 3 || numbers.size() > 4)
-      source_.fail("expected a face of 3 or 4 corners, got " + std::to_string(numbers.size()));
-    builder_.add_element(static_cast<std::int64_t>(builder_.elements()) + 1, numbers);
+    if (numbers.size() < 3)
+      source_.fail("expected a face of 3 corners or more, got " + std::to_string(numbers.size()));
+    if (numbers.size() <= 4) {
+      builder_.add_element(static_cast<std::int64_t>(builder_.elements()) + 1, numbers);
+    } else {
+      builder_.add_polygon(numbers);
+      ++cut_;
+    }
     add_to_sets(numbers);
   }
 
@@ -88,6 +105,8 @@ class ObjReader {
   MeshBuilder builder_;
   std::vector<std::string> groups_;
   std::string object_;
+  std::string strange_;  // the first statement that is not known
+  std::size_t strange_lines_ = 0, cut_ = 0;
 };
 
 }  // namespace

@@ -45,6 +45,19 @@ std::string from_utf16(std::string_view bytes, bool high_first) {
   return out;
 }
 
+// A line is split into cells in several ways, which takes many times its own memory.
+void refuse_long_lines(const std::string& name, std::string_view bytes) {
+  constexpr std::size_t most = std::size_t{16} << 20U;
+  std::size_t number = 1;
+  for (std::size_t at = 0; at < bytes.size(); ++number) {
+    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+    if (end - at > most)
+      throw Error(name + ":" + std::to_string(number) + ": expected a line of at most " +
+                  std::to_string(most) + " bytes, got one of " + std::to_string(end - at));
+    at = end + 1;
+  }
+}
+
 }  // namespace
 
 std::string_view plain_text(const std::string& name, std::string_view bytes, std::string& made) {
@@ -63,6 +76,7 @@ std::string_view plain_text(const std::string& name, std::string_view bytes, std
     std::replace(lines.begin(), lines.end(), '\r', '\n');
     bytes = made = std::move(lines);
   }
+  refuse_long_lines(name, bytes);
   return bytes;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "base/utf8.hpp"
 #include "format/source.hpp"
 #include "system/gate.hpp"
 
@@ -59,6 +60,7 @@ std::string file_name(const std::string& path) { return std::filesystem::path(pa
 
 PvdSeries::PvdSeries(const std::string& stem) : stem_(without_extension(stem)), path_(stem_ + ".pvd") {
   if (file_name(stem_).empty()) throw Error("series '" + stem + "': expected a name such as out/drape");
+  want_plain(file_name(stem_), "series");
   write_index(system::Folder::make);
   system::remove_leftovers(stem_);
 }
@@ -120,6 +122,12 @@ void PvdSeries::frame(double time, const Grid& grid, const std::vector<PvdPart>&
     system::Gate::of_process().discard(path);
     throw;
   }
+}
+
+PvdPlace PvdSeries::place(std::size_t n) const {
+  PvdPlace place = place_;
+  place.frames.resize(std::min(n, frames()));
+  return place;
 }
 
 void PvdSeries::keep(std::size_t n) {

@@ -41,6 +41,7 @@ class PvdSeries {
   void keep(std::size_t n);  // removes all frames but the first n
   void sync();               // forces the frames to the disk
   const PvdPlace& place() const { return place_; }
+  PvdPlace place(std::size_t frames) const;  // as if there were only the first ones
   const std::string& path() const { return path_; }
   std::size_t frames() const { return place_.frames.size(); }
   const std::vector<std::string>& lost() const { return lost_; }  // missing when the series was continued

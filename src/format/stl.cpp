@@ -23,13 +23,17 @@ class StlReader {
   StlReader(const std::string& name, std::string_view bytes)
       : source_(name, bytes), builder_(source_, 16 * bytes.size()), bytes_(bytes) {}
 
-  mesh::Mesh read() {
+  mesh::Mesh read(Remarks* remarks) {
     if (is_binary())
       read_binary();
     else
       read_text();
     if (solids_.size() > 1)
       for (const auto& [name, nodes] : solids_) builder_.add_to_set(name, nodes);
+    if (left_out_ > 0 && remarks != nullptr)
+      remarks->push_back(
+          source_.name() + ": " + std::to_string(left_out_) + (left_out_ == 1 ? " facet" : " facets") +
+          " with two corners at one place left out, the first is facet " + std::to_string(first_));
     return builder_.finish();
   }
 
@@ -117,6 +121,11 @@ class StlReader {
   }
 
   void add(const std::array<std::int64_t, 3>& corners) {
+    ++facets_;
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+      if (left_out_++ == 0) first_ = facets_;
+      return;
+    }
     builder_.add_element(static_cast<std::int64_t>(builder_.elements()) + 1, corners);
     if (!solid_.empty()) solids_[solid_].insert(solids_[solid_].end(), corners.begin(), corners.end());
   }
@@ -125,12 +134,15 @@ class StlReader {
   MeshBuilder builder_;
   std::string_view bytes_;
   std::string solid_;
+  std::size_t facets_ = 0, left_out_ = 0, first_ = 0;  // first_: the first facet that was left out, from 1
   std::map<std::string, std::vector<std::int64_t>> solids_;  // nodes, as often as they are named
   std::unordered_map<std::array<double, 3>, std::int64_t, SameBits> places_;
 };
 
 }  // namespace
 
-mesh::Mesh read_stl(const std::string& name, std::string_view bytes) { return StlReader(name, bytes).read(); }
+mesh::Mesh read_stl(const std::string& name, std::string_view bytes, Remarks* remarks) {
+  return StlReader(name, bytes).read(remarks);
+}
 
 }  // namespace fabricsh::format

@@ -7,23 +7,13 @@
 #include "base/error.hpp"
 #include "format/plain_text.hpp"
 #include "format/source.hpp"
+#include "format/spreadsheet.hpp"
 #include "format/table_line.hpp"
+#include "format/table_rows.hpp"
 
 namespace fabricsh::format {
 
 namespace {
-
-using Cells = std::vector<std::string_view>;
-
-bool carries_data(std::string_view line) { return !trimmed(line).empty() && !is_comment(line); }
-
-// Splits a row; if it has one cell less than `columns` and ends with the separator, the last cell is empty.
-void split_row(std::string_view line, char separator, std::size_t columns, Cells& cells) {
-  split_line(line, separator, cells);
-  if (cells.size() + 1 == columns && separator != ' ' && line.find_last_of(separator) != line.npos &&
-      trimmed(line.substr(line.find_last_of(separator) + 1)).empty())
-    cells.emplace_back();
-}
 
 struct Reading {  // one way to read the file, and where its numbers then begin
   TableForm form;
@@ -39,6 +29,18 @@ std::string_view next_data_line(Source& source) {
   return {};
 }
 
+// What follows the rows of a short table: the heading of the next one after two rows at least, words or
+// totals after three.
+bool ends_rows(const Cells& cells, const std::vector<char>& numeric, const TableForm& form, int rows) {
+  if (numeric.size() < 2 || rows < 2) return false;
+  double value = 0;
+  const auto words = std::count_if(cells.begin(), cells.end(), [&](auto cell) {
+    return has_letter(cell) && !parse_cell(cell, form, value);
+  });
+  if (words == static_cast<std::ptrdiff_t>(cells.size())) return rows >= 3 || cells.size() == numeric.size();
+  return rows >= 3 && numeric[0] && has_letter(cells[0].substr(0, 1));
+}
+
 // The number of columns if the lines from here (at most four) are rows with equally
 // many cells; the cells must be numbers, or with `text` at least two columns must be.
 std::size_t columns_from(Source source, const TableForm& form, bool text) {
@@ -50,9 +52,10 @@ std::size_t columns_from(Source source, const TableForm& form, bool text) {
     if (line.empty()) break;
     split_row(line, form.separator, numeric.size(), cells);
     if (numeric.empty()) numeric.assign(cells.size(), 1);
+    if (ends_rows(cells, numeric, form, i)) break;
     if (cells.size() != numeric.size()) return 0;
     for (std::size_t c = 0; c < cells.size(); ++c)
-      if (!parse_cell(cells[c], form.decimal, value)) numeric[c] = 0;
+      if (!parse_cell(cells[c], form, value)) numeric[c] = 0;
   }
   const auto count = static_cast<std::size_t>(std::count(numeric.begin(), numeric.end(), 1));
   return count == numeric.size() || (text && count >= 2) ? numeric.size() : 0;
@@ -78,7 +81,7 @@ std::vector<Reading> find_readings(const Source& source, const TableForm& given,
     if (given.separator != 0 && given.separator != separator) continue;
     for (const char decimal : {'.', ','}) {
       if (given.decimal != 0 && given.decimal != decimal) continue;
-      const Reading reading = try_form(source, {separator, decimal}, text);
+      const Reading reading = try_form(source, {separator, decimal, given.lenient, given.thousands}, text);
       if (reading.columns == 0) continue;
       const auto rank = [](const Reading& r) {
         return std::pair(r.place, std::numeric_limits<std::size_t>::max() - r.columns);
@@ -98,7 +101,7 @@ bool is_heading(std::string_view line, const Reading& reading, Cells& cells) {
   split_line(line, reading.form.separator, cells);
   double value = 0;
   return cells.size() == reading.columns && std::none_of(cells.begin(), cells.end(), [&](auto cell) {
-           return parse_cell(cell, reading.form.decimal, value);
+           return parse_cell(cell, reading.form, value);
          });
 }
 
@@ -106,6 +109,17 @@ std::string_view bare(std::string_view cell) {
   if (cell.size() > 2 && std::string_view("([<{").find(cell.front()) != std::string_view::npos)
     return trimmed(cell.substr(1, cell.size() - 2));
   return cell;
+}
+
+// The units below a heading: no number, the last ones may be missing.
+bool is_units(std::string_view line, const Reading& reading, Cells& cells) {
+  split_line(line, reading.form.separator, cells);
+  if (cells.size() < 2 || cells.size() > reading.columns) return false;
+  double value = 0;
+  for (const auto cell : cells)
+    if (cell.size() > 12 || parse_cell(cell, reading.form, value)) return false;
+  cells.resize(reading.columns);
+  return std::any_of(cells.begin(), cells.end(), [](auto cell) { return !cell.empty(); });
 }
 
 void name_columns(Table& table, const std::vector<std::string_view>& above, const Reading& reading) {
@@ -117,7 +131,11 @@ void name_columns(Table& table, const std::vector<std::string_view>& above, cons
   if (last == 0) return;
   table.header = true;
   // Of two heading lines the lower one holds units; it may have gaps.
-  const bool units = last > 1 && is_heading(above[last - 2], reading, below);
+  bool units = last > 1 && is_heading(above[last - 2], reading, below);
+  if (last < above.size() && is_units(above[last], reading, below)) {
+    std::swap(cells, below);
+    units = true;
+  }
   const Cells& names = units ? below : cells;
   for (std::size_t i = 0; i < reading.columns; ++i) {
     table.columns[i] = heading(names[i]);
@@ -135,7 +153,7 @@ std::size_t first_row(const std::vector<std::string_view>& above, const std::vec
   for (std::size_t i = above.size(); i-- > 0;) {
     split_row(above[i], reading.form.separator, reading.columns, cells);
     const bool some = std::any_of(cells.begin(), cells.end(),
-                                  [&](auto cell) { return parse_cell(cell, reading.form.decimal, value); });
+                                  [&](auto cell) { return parse_cell(cell, reading.form, value); });
     if (!some && !(cells.size() == reading.columns && std::all_of(cells.begin(), cells.end(), is_missing))) {
       // What stands between the heading and the rows is a row, with too few cells or too many.
       if (cells.size() == reading.columns && i + 1 < above.size()) first = places[i + 1];
@@ -170,196 +188,210 @@ std::size_t read_preamble(Table& table, Source source, const Reading& reading) {
   return begin;
 }
 
-// Error message, with file and line, for a cell that is not a number.
-std::string trouble_of(const Source& source, const TableForm& form, const std::string& column,
-                       std::string_view cell) {
-  const bool unclear = form.separator == ',' && may_be_thousands(cell);
-  try {
-    source.fail("column '" + column + "': expected a finite number" +
-                (form.decimal == ',' && !unclear ? " with a decimal comma" : "") + ", got " +
-                in_quotes(cell) +
-                (unclear ? ": its comma may be a decimal sign or stand between thousands; give decimal=',', "
-                           "or write such numbers without it"
-                         : ""));
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
-
-// The heading above the rows: a line of names, perhaps with a line of units below; empty if there is none.
-std::vector<std::string_view> heading_lines(Source source, const Reading& reading, std::size_t begin) {
+// If the first row ends with a separator and the heading above it has a cell more, the last column is empty.
+void widen(Source source, Reading& reading) {
+  if (reading.form.separator == ' ') return;
+  source.move_to(reading.place);
+  std::string_view row, line;
+  source.next_line(row);
+  if (trimmed(row).empty() || !row.ends_with(reading.form.separator)) return;
+  Reading wide = reading;
+  ++wide.columns;
   Cells cells;
-  std::vector<std::string_view> lines;
-  std::string_view line;
-  source.move_to(0);
-  while (source.place() < begin && source.next_line(line)) {
-    if (!carries_data(line)) continue;
-    if (is_heading(line, reading, cells))
-      lines.push_back(trimmed(line));
-    else
-      lines.clear();
-  }
-  if (lines.size() > 2) lines.erase(lines.begin(), lines.end() - 2);
-  return lines;
+  for (source.move_to(0); source.place() < reading.place && source.next_line(line);)
+    if (carries_data(line) && is_heading(line, wide, cells) && !cells.back().empty()) reading = wide;
 }
 
-// Testing machines that write in blocks (MTS) repeat the heading above each block, below some lines
-// of text. True: `line` is the first of these lines, and the source now stands after the heading.
-bool pass_block_head(Source& source, std::string_view line, const std::vector<std::string_view>& heading) {
-  constexpr int most = 20;  // lines of text between two blocks
-  if (heading.empty()) return false;
-  Source ahead = source;
-  for (int i = 0; trimmed(line) != heading.front(); ++i)
-    if (i == most || !ahead.next_line(line)) return false;
-  for (std::size_t i = 1; i < heading.size(); ++i) {
-    Source below = ahead;
-    if (!below.next_line(line) || trimmed(line) != heading[i]) break;
-    ahead = below;
+// Reads the tables of a text in one form; bad: number of cells that are not numbers.
+std::vector<Table> read_as(Source source, const Reading& reading, const TableForm& asked, std::size_t& bad) {
+  std::vector<Table> tables(1);
+  tables[0].form = reading.form;
+  source.move_to(read_preamble(tables[0], source, reading));
+  while (const auto head = read_rows(tables.back(), source, asked, bad)) {
+    Table& next = tables.emplace_back();
+    next.form = reading.form;
+    name_columns(next, head->above, {reading.form, head->columns, head->rows});
+    for (const auto line : head->above) next.preamble.emplace_back(trimmed(line));
+    source.move_to(head->rows);
   }
-  source = ahead;
-  return true;
+  for (Table& table : tables) table.name = source.name();
+  return tables;
 }
 
-// Whether a line may separate two blocks: no cell is a number, or the number of cells is not that of a row.
-bool between_blocks(const Cells& cells, const Table& table) {
-  double value = 0;
-  return cells.size() != table.columns.size() || std::none_of(cells.begin(), cells.end(), [&](auto cell) {
-           return parse_cell(cell, table.form.decimal, value);
-         });
-}
-
-// Whether `line` and all lines below it are words: what a testing machine writes under the last row. A line
-// with a number in one of its cells is a row that is cut short.
-bool only_words_follow(Source ahead, std::string_view line, const Table& table) {
-  constexpr int most = 20;
-  Cells cells;
-  double value = 0;
-  for (int i = 0; i < most; ++i) {
-    if (carries_data(line)) {
-      split_row(line, table.form.separator, table.columns.size(), cells);
-      for (const auto cell : cells)
-        if (parse_cell(cell, table.form.decimal, value)) return false;
-      if (std::none_of(line.begin(), line.end(), [](unsigned char c) { return std::isalpha(c) != 0; }))
-        return false;
-    }
-    if (!ahead.next_line(line)) return true;
-  }
-  return false;
-}
-
-// Numbers in quotes of a file with commas between the cells have a decimal comma, unless none of them shows
-// that its comma does not stand between thousands: then they are no numbers.
-class CommaCells {
- public:
-  explicit CommaCells(const TableForm& form) : counts_(form.separator == ',' && form.decimal == ',') {}
-
-  void take(std::string_view cell, std::size_t column, std::size_t row, const std::string& name,
-            const Source& source, const TableForm& form) {
-    if (!counts_ || decided_ || cell.find(',') == cell.npos) return;
-    decided_ = !may_be_thousands(cell);
-    if (decided_) return;
-    unclear_.push_back({column, row,
-                        unclear_.empty() || unclear_.back().column != column
-                            ? trouble_of(source, form, name, cell)
-                            : std::string()});
-  }
-
-  // Returns the number of cells taken back.
-  std::size_t settle(Table& table) const {
-    if (decided_) return 0;
-    for (const Cell& cell : unclear_) {
-      TableColumn& column = table.columns[cell.column];
-      column.values[cell.row] = std::numeric_limits<double>::quiet_NaN();
-      if (!column.trouble.empty() && column.trouble_row < cell.row) continue;
-      if (cell.trouble.empty()) continue;
-      column.trouble = cell.trouble;
-      column.trouble_row = cell.row;
-    }
-    return unclear_.size();
-  }
-
- private:
-  struct Cell {
-    std::size_t column, row;
-    std::string trouble;
-  };
-  bool counts_, decided_ = false;
-  std::vector<Cell> unclear_;
+// How many lines have the commonest number of cells of two and more in this form, of how many; and that
+// number.
+struct Vote {
+  std::size_t cells = 0, lines = 0, all = 0;
 };
-
-// Reads the rows; returns the number of cells that are not numbers.
-std::size_t read_rows(Table& table, Source& source, const std::vector<std::string_view>& heading,
-                      const TableForm& asked) {
+Vote count_cells(Source source, char separator) {
   Cells cells;
+  std::vector<std::size_t> seen;
+  std::size_t all = 0;
   std::string_view line;
-  std::size_t bad = 0;
-  CommaCells commas(table.form);
   while (source.next_line(line)) {
     if (!carries_data(line)) continue;
-    split_row(line, table.form.separator, table.columns.size(), cells);
-    if (between_blocks(cells, table) && pass_block_head(source, line, heading)) continue;
-    if (cells.size() != table.columns.size() && !table.columns.front().values.empty() &&
-        only_words_follow(source, line, table))
-      break;
-    if (cells.size() != table.columns.size())
-      source.fail("expected " + std::to_string(table.columns.size()) + " cells, got " +
-                  std::to_string(cells.size()));
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      TableColumn& column = table.columns[i];
-      double value = 0;
-      if (parse_cell(cells[i], table.form.decimal, value)) {
-        column.text = false;
-        commas.take(cells[i], i, column.values.size(), column.name, source, table.form);
-      } else {
-        value = std::numeric_limits<double>::quiet_NaN();
-        ++bad;
-        if (column.trouble.empty()) {
-          column.trouble = trouble_of(source, table.form, column.name, cells[i]);
-          column.trouble_row = column.values.size();
-        }
-      }
-      column.values.push_back(value);
-    }
+    split_line(line, separator, cells);
+    ++all;
+    if (cells.size() >= seen.size()) seen.resize(cells.size() + 1);
+    ++seen[cells.size()];
   }
-  return asked.decimal == 0 ? bad + commas.settle(table) : bad;
+  Vote vote{0, 0, all};
+  for (std::size_t n = 2; n < seen.size(); ++n)
+    if (seen[n] > vote.lines) vote = {n, seen[n], all};
+  return vote;
 }
 
-// Reads the table in one form; bad: number of cells that are not numbers.
-Table read_as(Source source, const Reading& reading, const TableForm& asked, std::size_t& bad) {
-  Table table;
-  table.form = reading.form;
-  const std::size_t begin = read_preamble(table, source, reading);
-  const auto heading = heading_lines(source, reading, begin);
-  source.move_to(begin);
-  bad = read_rows(table, source, heading, asked);
+// Cells in the line above the rows; 0 if there is none.
+std::size_t cells_above(Source source, const Reading& reading, char separator) {
+  Cells cells;
+  std::string_view line;
+  std::size_t count = 0;
+  for (source.move_to(0); source.place() < reading.place && source.next_line(line);)
+    if (carries_data(line)) {
+      split_line(line, separator, cells);
+      count = cells.size();
+    }
+  return count;
+}
+
+// A single column of decimals may be two columns whose first rows are cut short: the whole file decides
+// whether a sign stands between cells.
+char outvoted(Source source, const Reading& reading) {
+  source.move_to(reading.place);
+  for (const char separator : {'\t', ';', ','}) {
+    const Vote vote = count_cells(source, separator);
+    const std::size_t above = cells_above(source, reading, separator);
+    const double share = vote.all > 0 ? static_cast<double>(vote.lines) / static_cast<double>(vote.all) : 0;
+    if (vote.cells >= 2 && (above == vote.cells ? share > 0.3 : above == 0 && share > 0.75)) return separator;
+  }
+  return 0;
+}
+
+bool begins_earlier(const Reading& wider, const Reading& reading) {
+  return wider.place < reading.place && wider.columns >= reading.columns &&
+         wider.form.separator == reading.form.separator;
+}
+
+bool has_gaps(const Reading& wider, const Reading& reading) {
+  return wider.place <= reading.place && wider.columns > reading.columns && reading.form.separator == ' ';
+}
+
+std::vector<Reading> readings_of(const Source& source, const TableForm& form) {
+  // Reads rows of numbers only, unless rows with text or gaps of the same form begin earlier, or what was
+  // taken for blanks between numbers are tabs beside empty cells.
+  auto readings = find_readings(source, form, false);
+  auto wider = find_readings(source, form, true);
+  if (readings.empty() ||
+      (!wider.empty() && (begins_earlier(wider[0], readings[0]) || has_gaps(wider[0], readings[0]))))
+    readings = std::move(wider);
+  if (readings.empty() || readings[0].columns > 1 || form.separator != 0) return readings;
+  TableForm voted = form;
+  voted.separator = outvoted(source, readings[0]);
+  if (voted.separator == 0) return readings;
+  auto others = readings_of(source, voted);
+  return others.empty() ? readings : others;
+}
+
+std::vector<Table> tables_in(const std::string& name, std::string_view bytes, TableForm form) {
+  const Source source(name, bytes);
+  if (form.thousands != 0 && form.decimal == 0) form.decimal = form.thousands == '.' ? ',' : '.';
+  auto readings = readings_of(source, form);
+  if (readings.empty())
+    throw Error(source.name() +
+                ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
+                "blanks; decimal point or comma), found none in the first 200 lines");
+  for (Reading& reading : readings) widen(source, reading);
+  std::size_t bad = 0;
+  auto tables = read_as(source, readings[0], form, bad);
+  if (bad > 0 && readings.size() > 1) {  // later rows determine the decimal sign
+    std::size_t other = 0;
+    auto comma = read_as(source, readings[1], form, other);
+    if (other < bad) tables = std::move(comma);
+  }
+  return tables;
+}
+
+bool has_numbers(const std::string& text, const TableForm& form) {
+  const Source source("", text);
+  return !readings_of(source, form).empty();
+}
+
+// Every sheet that has numbers.
+std::vector<Table> tables_in_sheets(const std::string& name, std::string_view bytes, const TableForm& form) {
+  std::vector<Table> tables;
+  TableForm plain{'\t', '.', form.lenient};
+  std::vector<LeftOut> empty;
+  for (const Sheet& sheet : sheets_of(name, bytes)) {
+    if (!has_numbers(sheet.text, plain)) {
+      empty.push_back({0, "sheet '" + sheet.name + "', which has no rows of numbers", false});
+      continue;
+    }
+    for (Table& table : tables_in(name + ", sheet '" + sheet.name + "'", sheet.text, plain)) {
+      table.sheet = sheet.name;
+      tables.push_back(std::move(table));
+    }
+  }
+  if (tables.empty()) throw Error(name + ": expected a sheet with rows of numbers, found none");
+  tables[0].left_out.insert(tables[0].left_out.end(), empty.begin(), empty.end());
+  return tables;
+}
+
+// Whether a table goes on where the one before it ended, under the same heading.
+bool goes_on(const Table& before, const Table& table) {
+  if (before.sheet != table.sheet || before.columns.size() != table.columns.size()) return false;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (before.columns[i].name != table.columns[i].name || before.columns[i].unit != table.columns[i].unit)
+      return false;
+  const auto& one = before.columns.front();
+  const auto& other = table.columns.front();
+  return one.values.back() <= other.values.front();
+}
+
+void append(Table& table, const Table& more) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    TableColumn& column = table.columns[i];
+    const TableColumn& other = more.columns[i];
+    if (column.trouble.empty() && !other.trouble.empty()) {
+      column.trouble = other.trouble;
+      column.trouble_row = column.values.size() + other.trouble_row;
+    }
+    column.text = column.text && other.text;
+    if (column.words.empty() != other.words.empty())
+      column.words.clear();
+    else
+      column.words.insert(column.words.end(), other.words.begin(), other.words.end());
+    column.values.insert(column.values.end(), other.values.begin(), other.values.end());
+  }
+  table.lines.insert(table.lines.end(), more.lines.begin(), more.lines.end());
+  table.left_out.insert(table.left_out.end(), more.left_out.begin(), more.left_out.end());
+}
+
+// The tables as one.
+Table joined(std::vector<Table> tables) {
+  Table table = std::move(tables.front());
+  for (std::size_t i = 1; i < tables.size(); ++i) {
+    if (!goes_on(i == 1 ? table : tables[i - 1], tables[i]))
+      throw Error(tables[i].name + ":" + std::to_string(tables[i].lines.front()) +
+                  ": a further table begins here, table " + std::to_string(i + 1) + " of " +
+                  std::to_string(tables.size()) + ": expected one table; blocks=true reads each");
+    append(table, tables[i]);
+  }
   return table;
 }
 
 }  // namespace
 
-Table parse_table(const std::string& name, std::string_view bytes, const TableForm& form) {
+std::vector<Table> parse_tables(const std::string& name, std::string_view bytes, const TableForm& form) {
   std::string made;
-  const Source source(name, plain_text(name, bytes, made));
-  // Reads rows of numbers only, unless rows with text or gaps of the same form begin earlier.
-  auto readings = find_readings(source, form, false);
-  auto wider = find_readings(source, form, true);
-  if (readings.empty() ||
-      (!wider.empty() && wider[0].place < readings[0].place && wider[0].columns >= readings[0].columns &&
-       wider[0].form.separator == readings[0].form.separator))
-    readings = std::move(wider);
-  if (readings.empty())
-    throw Error(source.name() +
-                ":1: expected lines of numbers (columns parted by comma, semicolon, tab or "
-                "blanks; decimal point or comma), found none in the first 200 lines");
-  std::size_t bad = 0;
-  Table table = read_as(source, readings[0], form, bad);
-  if (bad > 0 && readings.size() > 1) {  // later rows determine the decimal sign
-    std::size_t other = 0;
-    Table comma = read_as(source, readings[1], form, other);
-    if (other < bad) table = std::move(comma);
-  }
-  if (!form.lenient) check(table);
-  return table;
+  auto tables = is_spreadsheet(bytes) ? tables_in_sheets(name, bytes, form)
+                                      : tables_in(name, plain_text(name, bytes, made), form);
+  if (!form.lenient)
+    for (const Table& table : tables) check(table);
+  return tables;
+}
+
+Table parse_table(const std::string& name, std::string_view bytes, const TableForm& form) {
+  return joined(parse_tables(name, bytes, form));
 }
 
 void check(const Table& table) {
@@ -368,6 +400,10 @@ void check(const Table& table) {
     if (!column.text && !column.trouble.empty() && (!first || column.trouble_row < first->trouble_row))
       first = &column;
   if (first) throw Error(first->trouble);
+}
+
+std::vector<Table> read_tables(const std::string& path, const TableForm& form) {
+  return parse_tables(path, read_file(path), form);
 }
 
 Table read_table(const std::string& path, const TableForm& form) {

@@ -15,8 +15,14 @@ void split_line(std::string_view line, char separator, std::vector<std::string_v
 // A cell that marks a missing value: empty, nan, inf, n/a, a dash.
 bool is_missing(std::string_view cell);
 // Reads a whole cell as a finite number with this decimal sign. The other sign may separate
-// thousands if it cannot be meant as the decimal sign: 1,234.5 and 1,234,567, but not 1,234.
-bool parse_cell(std::string_view cell, char decimal, double& value);
+// thousands if it cannot be meant as the decimal sign: 1,234.5 and 1,234,567, but not 1,234 unless
+// form.thousands says so. A blank, a no-break or narrow blank and an apostrophe may separate
+// them too, and the minus sign may be the typographic one.
+bool parse_cell(std::string_view cell, const TableForm& form, double& value);
+// Words that begin a row of totals below a record: mean, std. dev., maximum, and those of other languages.
+bool is_total(std::string_view cell);
+// Whether the words contain a letter, of whatever alphabet.
+bool has_letter(std::string_view words);
 // Whether a number with a comma may be one without decimals: 1,234, but not 0,5 or 0,123.
 bool may_be_thousands(std::string_view cell);
 // Name and unit of a heading: "Load [N]", "load (N)", "load / N".

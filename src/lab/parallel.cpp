@@ -16,6 +16,7 @@
 #include <optional>
 #include <system_error>
 
+#include "base/archive.hpp"
 #include "base/error.hpp"
 #include "system/computing_time.hpp"
 
@@ -45,12 +46,11 @@ Answer answer_of(const Work& work, std::size_t i, bool forked) {
   }
 }
 
-// The first byte: v for values, t for an error, x for a process that called exit().
-std::string encoded(const Answer& answer) {
-  if (!answer.trouble.empty()) return "t" + answer.trouble;
-  std::string bytes(1 + answer.values.size() * sizeof(double), 'v');
-  std::memcpy(bytes.data() + 1, answer.values.data(), bytes.size() - 1);
-  return bytes;
+// The first byte: a for an answer, x for a process that called exit(), which its words follow.
+std::string encoded(Answer answer) {
+  Archive archive;
+  archive(answer.values, answer.trouble, answer.attached);
+  return "a" + archive.bytes();
 }
 
 Answer decoded(const std::string& bytes, int status) {
@@ -60,11 +60,15 @@ Answer decoded(const std::string& bytes, int status) {
                 strsignal(WTERMSIG(status)) + ")",
             true};
   if (bytes.empty()) return {{}, "the process ended without an answer", true};
-  if (bytes[0] != 'v') return {{}, bytes.substr(1), bytes[0] == 'x'};
-  Answer answer;
-  answer.values.resize((bytes.size() - 1) / sizeof(double));
-  std::memcpy(answer.values.data(), bytes.data() + 1, bytes.size() - 1);
-  return answer;
+  if (bytes[0] == 'x') return {{}, bytes.substr(1), true};
+  try {
+    Archive archive(bytes.substr(1));
+    Answer answer;
+    archive(answer.values, answer.trouble, answer.attached);
+    return answer;
+  } catch (const Error&) {
+    return {{}, "the process ended within its answer", true};
+  }
 }
 
 void write_all(int pipe, const std::string& bytes) {
@@ -84,29 +88,52 @@ void say_that_it_left() {
   std::_Exit(0);
 }
 
+// Holds back the signals that end a program, so that a copy does not get one before it has set what they do.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t ends;
+    sigemptyset(&ends);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ends, signal);
+    pthread_sigmask(SIG_BLOCK, &ends, &before_);
+  }
+  ~HeldSignals() { release(); }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  void release() const { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
 // Ends a copy without destructors, because what they would close belongs to the parent. Files are flushed:
 // the parent's own buffers were written before the fork.
-[[noreturn]] void work_and_leave(int pipe, const Work& work, std::size_t i, double left, pid_t parent) {
+[[noreturn]] void work_and_leave(int pipe, const Work& work, const std::function<std::string()>& attach,
+                                 std::size_t i, double left, pid_t parent, const HeldSignals& held) {
   std::signal(SIGINT, SIG_DFL);   // Ctrl-C ends it at once
   std::signal(SIGTERM, SIG_DFL);  // as does its parent
   if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  held.release();
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // and so does the end of the parent
   if (getppid() != parent) std::_Exit(1);
   limit_computing_time_of_copy(left);
   omp_set_num_threads(1);  // a forked copy has none of the other threads
   answers_to = pipe;
   std::atexit(say_that_it_left);
-  write_all(pipe, encoded(answer_of(work, i, true)));
+  Answer answer = answer_of(work, i, true);
+  if (attach) answer.attached = attach();
+  write_all(pipe, encoded(std::move(answer)));
   std::fflush(nullptr);
   std::_Exit(0);
 }
 
-Worker started(const Work& work, std::size_t i) {
+Worker started(const Work& work, const std::function<std::string()>& attach, std::size_t i) {
   int ends[2];
   const double left = computing_time_left();
   if (left <= 0) throw Error("no computing time is left for another process");
   std::fflush(nullptr);
   if (::pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  const HeldSignals held;
   const pid_t parent = ::getpid(), process = ::fork();
   if (process < 0) {
     const int reason = errno;
@@ -115,7 +142,7 @@ Worker started(const Work& work, std::size_t i) {
   }
   if (process == 0) {
     ::close(ends[0]);
-    work_and_leave(ends[1], work, i, left, parent);
+    work_and_leave(ends[1], work, attach, i, left, parent, held);
   }
   ::close(ends[1]);
   return {process, CountedChild(process), ends[0], i, {}, 0};
@@ -174,7 +201,7 @@ std::vector<Answer> in_processes(std::size_t count, const Work& work, const Proc
     std::size_t item = next;
     if (forks) {
       while (next < count && crew.size() < static_cast<std::size_t>(how.at_a_time))
-        crew.add(started(work, next++));
+        crew.add(started(work, how.attach, next++));
       const auto worker = crew.next(how.stop);
       if (!worker) break;
       item = worker->item;

@@ -9,8 +9,9 @@ namespace fabricsh::lab {
 
 struct Answer {
   std::vector<double> values;
-  std::string trouble;  // not empty: the error of the work
-  bool died = false;    // ended without an answer (trouble describes how); the item has no result
+  std::string trouble;        // not empty: the error of the work
+  bool died = false;          // ended without an answer (trouble describes how); the item has no result
+  std::string attached = {};  // see Processes
 };
 
 struct Processes {
@@ -20,6 +21,8 @@ struct Processes {
   std::function<void(std::size_t, const Answer&)> done = {};
   // Called after a signal; true: the workers are ended, and the missing items get an error.
   std::function<bool()> stop = {};
+  // Called in the copy after its work, with or without trouble: what comes along with the answer.
+  std::function<std::string()> attach = {};
 };
 
 // Calls work(i) for i = 0 .. count-1, several at a time, each in a forked copy with one thread that ends with

@@ -91,7 +91,7 @@ void loop_item(const Spring& s, const LoopData& loop, CheckReport& report) {
 
 // Jump of S at x. The comparison laws are rate laws, so they are first taken to x.
 double stress_jump(const Law& law, const double* state, int component, double x) {
-  double at[5] = {}, low[5] = {}, high[5] = {}, Sl[5], Sh[5], here[32] = {}, scratch[32];
+  double at[5] = {}, low[5] = {}, high[5] = {}, Sl[5], Sh[5], here[most_states] = {}, scratch[most_states];
   const double gap = 1e-12 * (1 + std::fabs(x));
   at[component] = x;
   low[component] = x - gap;
@@ -128,7 +128,7 @@ void check_continuity(const Law& law, CheckReport& report) {
     const Backbone& curve = axis == 2 ? law.woven.shear.curve : law.woven.axis[axis].curve;
     const double Du = axis == 2 ? law.woven.shear.unloading : law.woven.axis[axis].unloading;
     for (const double share : {0.1, 0.5, 1.0, 2.0}) {
-      double E[5] = {}, virgin[32] = {}, state[32] = {}, S[5];
+      double E[5] = {}, virgin[most_states] = {}, state[most_states] = {}, S[5];
       E[component] = share * curve.tested;
       evaluate(law, Step{}, E, virgin, state, S, nullptr);
       const double residual = E[component] - backbone_at(curve, E[component]).P / Du;

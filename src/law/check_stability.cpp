@@ -24,12 +24,12 @@ struct Least {
 
 // Evaluates the tangent at one strain, after a history that stretched the yarns to m1 and m2.
 void look(const Law& law, double m1, double m2, double E11, double E22, Least& least) {
-  double virgin[32] = {}, state[32] = {}, trial[32], S[5], C[25];
+  double virgin[most_states] = {}, state[most_states] = {}, trial[most_states], S[5], C[25];
   const double peak[5] = {m1, m2, 0, 0, 0}, E[5] = {E11, E22, 0, 0, 0};
   evaluate(law, Step{}, peak, virgin, state, S, nullptr);
   // The tangent at the strain itself is needed: for the comparison laws that of a step which ends there.
   evaluate(law, Step{}, E, state, trial, S, nullptr);
-  double again[32];
+  double again[most_states];
   evaluate(law, Step{}, E, trial, again, S, C);
   const double ratio = least_eigenvalue(C[0], C[1], C[5], C[6]) / std::max(C[0], C[6]);
   if (ratio < least.ratio) least = {ratio, E11, E22, m1, m2};

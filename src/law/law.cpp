@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "law/bound.hpp"
 #include "law/data.hpp"
 #include "law/update.hpp"
 
@@ -59,6 +60,8 @@ Outcome evaluate(const Law& law, const Step& step, const double E[5], const doub
   return sound ? Outcome::cut : Outcome::broken;
 }
 
+static_assert(most_states >= rate_state::count);
+
 void stress(const Law& law, const double E[5], const double* s, double S[5]) {
   if (law.kind == Kind::incremental || law.kind == Kind::thesis) {
     std::copy_n(s + rate_state::S, 5, S);
@@ -101,15 +104,21 @@ double transverse_modulus(const Law& law) {
   return law.woven.follow ? 5.0 / 6.0 * law.woven.shear.unloading : law.woven.transverse;
 }
 
-double stiffest(const Law& law) {
+Bound bound(const Law& law) {
+  const double transverse = transverse_modulus(law);
   if (law.kind == Kind::elastic) {
     const auto& e = law.elastic;
-    return std::max(larger_eigenvalue(e.C11, e.C12, e.C12, e.C22), e.G12);
+    return {larger_eigenvalue(e.C11, e.C12, e.C12, e.C22), e.G12, transverse};
   }
   const double axial = law.kind == Kind::potential ? stiffest_potential(law.woven) : stiffest_rate(law.woven);
   const rheology::Stiffest beside = rheology::stiffest(law.woven.beside);
-  return std::max(axial + beside.axial,
-                  law.woven.shear.unloading + law.woven.friction.stiffness + beside.shear);
+  return {axial + beside.axial, law.woven.shear.unloading + law.woven.friction.stiffness + beside.shear,
+          transverse};
+}
+
+double stiffest(const Law& law) {
+  const Bound most = bound(law);
+  return std::max(most.axial, most.shear);
 }
 
 namespace {

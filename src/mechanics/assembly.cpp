@@ -4,6 +4,7 @@
 
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/loads.hpp"
 
 namespace fabricsh::mechanics {
@@ -16,6 +17,7 @@ T* Assembly::make(Arguments&&... arguments) {
 Assembly::Assembly(const model::Model& model)
     : configuration_(model.mesh().nodes.size()), dofs_(model, configuration_) {
   cloth_ = make<Cloth>(model, configuration_, dofs_.reference_directors());
+  directors_ = make<Directors>(model, *cloth_, dofs_);
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth_->mass(), cloth_->mass_moment());
   if (!model.forces().empty() || !model.tractions().empty()) make<DeadLoads>(model);
@@ -65,10 +67,14 @@ double Assembly::limit(std::span<const double> delta, std::span<const double> ta
     retract(delta, share, targets);
     const double again = contact_->safe_share(trial());
     if (again >= 1) return share;
-    if (i == tries) return 0;
-    share *= again;
+    share = i == tries ? 0 : share * again;
   }
-  return share;
+  if (share > 0) return share;
+  // The forces of the whole step say why there is none, for a run that ends here.
+  retract(delta, 1, targets);
+  Forces sums = this->sums();
+  take(contact_->add_forces({}, trial(), sums));
+  return 0;
 }
 
 bool Assembly::arrived() const {
@@ -190,13 +196,14 @@ const std::shared_ptr<const linear::Pattern>& Assembly::pattern() {
 }
 
 bool Assembly::tangent(const law::Step& step, linear::Matrix& K, std::span<const double> lead,
-                       std::span<double> product) {
+                       std::span<double> product, bool extrapolated) {
   couple();
   K.follow(pattern());
   K.clear();
   std::fill(product.begin(), product.end(), 0.0);
   const Stiffness::Target to{K, lead, product};
-  Outcome cloth = cloth_->scatter_tangents(step, false, *stiffness_, to);
+  Outcome cloth = cloth_->scatter_tangents(step, false, *stiffness_, to,
+                                           extrapolated ? dofs_.iterate() : std::span<const double>());
   Forces sums = this->sums();
   cloth_->sum_forces(sums);
   outcome_ = with_rest(std::move(cloth), step, sums);
@@ -270,6 +277,11 @@ void Assembly::working_forces(std::span<const double> dead, WorkingForces& out) 
     at(out.on_x, n) += support_force(n, dead);
     if (freedoms().nodes[n].turn_axis) at(out.on_d, n) += at(force_d_, n);
   }
+}
+
+Assembly::Shape Assembly::shape() const {
+  const std::vector<Index> turned = directors_->turned_over(configuration_);
+  return {cloth_->inverted_element(turned), turned.empty() ? -1 : turned.front()};
 }
 
 void Assembly::expect_energies(bool expected) {

@@ -21,6 +21,7 @@
 namespace fabricsh::mechanics {
 
 class Contacts;
+class Directors;
 
 // The external forces that do work on the cloth; 3 per node, global.
 struct WorkingForces {
@@ -87,8 +88,10 @@ class Assembly {
   bool forces(const law::Step& step);  // internal forces and trial states
   // Computes the tangent K, which takes over the pattern. `lead` has the increments of the driven degrees of
   // freedom; `product` receives the product of their coupling block with these, one number per unknown.
+  // extrapolated: for the stresses of the strains that the step from the iterate predicts linearly. The
+  // internal forces are then of these stresses, until they are computed again.
   bool tangent(const law::Step& step, linear::Matrix& K, std::span<const double> lead,
-               std::span<double> product);
+               std::span<double> product, bool extrapolated = false);
   // K_M, the law's part of the tangent at the trial configuration [williams2010, eq. 5.71]. The forces are
   // not changed. lead and product as for tangent().
   bool material_tangent(linear::Matrix& K, std::span<const double> lead, std::span<double> product);
@@ -102,6 +105,8 @@ class Assembly {
   const std::shared_ptr<const linear::Pattern>& pattern();
   bool symmetric() const;  // whether the tangents of all terms are symmetric
 
+  // What the terms read of the present.
+  Trial trial() const { return {configuration_, dofs_.reference(), aimed_, motion_}; }
   // Dead loads at the given time, 3 per node, N, global.
   void external(double time, std::vector<double>& out) const;
   // Loads that follow the configuration, at a time and the trial configuration, 3 per node, N, global.
@@ -164,14 +169,24 @@ class Assembly {
   // terms.
   double stable_step(bool scaled) const;
   double smallest_size() const { return cloth_->smallest_size(); }
+  double largest_turn(const NodalRates& way) const { return cloth_->largest_turn(way); }
   double largest_stretch() const { return cloth_->largest_stretch(); }
 
   // --- reading of the state
   using PointVisitor = Cloth::PointVisitor;
   void visit(Index element, const PointVisitor& f) const { cloth_->visit(element, f); }
-  std::pair<Vec3, Vec3> yarns(Index element) const { return cloth_->yarns(element); }
+  std::pair<Vec3, Vec3> yarns(Index element, int ply = Cloth::all_plies) const {
+    return cloth_->yarns(element, ply);
+  }
   Vec3 centre(Index element) const { return cloth_->centre(element); }
-  Index inverted_element() const { return cloth_->inverted_element(); }
+  // The first element whose directors are on the wrong side of it at one of its points; -1: none.
+  Index inverted_element() const { return cloth_->inverted_element({}); }
+  // The same told apart: the first element that is turned inside out, and the first node whose director is
+  // turned over, more than 90 degrees from the normal of sound elements. -1: none.
+  struct Shape {
+    Index inverted = -1, turned = -1;
+  };
+  Shape shape() const;
   Index elements() const { return cloth_->elements(); }
   bool turns(Index unknown) const { return dofs_.turns(unknown); }
   Index node_of_unknown(Index unknown) const { return dofs_.node_of(unknown); }
@@ -183,7 +198,6 @@ class Assembly {
  private:
   template <class T, class... Arguments>
   T* make(Arguments&&... arguments);
-  Trial trial() const { return {configuration_, dofs_.reference(), aimed_, motion_}; }
   Forces sums() { return {force_x_, force_d_}; }
   bool take(Outcome outcome);  // stores the outcome; returns whether it is ok
   Outcome with_rest(Outcome cloth, const law::Step& step, Forces& forces);
@@ -194,6 +208,7 @@ class Assembly {
   Dofs dofs_;
   std::vector<std::unique_ptr<Term>> terms_;  // the cloth is the first
   Cloth* cloth_ = nullptr;
+  Directors* directors_ = nullptr;
   Contacts* contact_ = nullptr;
   const std::vector<Vec3>* moments_ = nullptr;  // those of the term that has moments
   bool upper_ = false;

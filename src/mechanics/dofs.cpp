@@ -290,6 +290,45 @@ std::vector<double> Dofs::collect_rates(const NodalRates& nodal) const {
   return rates;
 }
 
+namespace {
+
+// Adds the sums of the rows of L^T M L, M = (m, m, m, J, J), each entry by its size: the kinetic energy is
+// then at least that of the node. Where the leads' frames are the global one, the columns of the links add up
+// to one, and no entry is negative.
+void add_lumped(const std::vector<Link>& links, double m, double J, std::vector<double>& mass) {
+  const auto entry = [&](const Link& a, const Link& b) {
+    return m * a.column.head<3>().dot(b.column.head<3>()) + J * a.column.tail<2>().dot(b.column.tail<2>());
+  };
+  const bool plain = std::all_of(links.begin(), links.end(), [](const Link& l) {
+    return l.column.minCoeff() >= 0 && (l.column.array() != 0).count() == 1;
+  });
+  for (const Link& a : links) {
+    if (a.equation < 0) continue;
+    if (plain) {
+      mass[a.equation] += m * a.column.head<3>().sum() + J * a.column.tail<2>().sum();
+      continue;
+    }
+    for (const Link& b : links) mass[a.equation] += std::abs(entry(a, b));
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// Whether every lead keeps a mass, since weights can be negative.
+bool has_lumped_mass(const Freedoms& freedoms, std::span<const double> nodal) {
+  if (!freedoms.bodies.empty()) return false;
+  std::vector<double> mass;
+  for (const double m : nodal) mass.insert(mass.end(), 3, m);
+  for (const auto& f : freedoms.followers)
+    for (const auto& lead : f.leads)
+      if (f.component < 3) mass[3 * lead.node + f.component] += lead.weight * nodal[f.node];
+  return std::all_of(mass.begin(), mass.end(), [](double m) { return m >= 0; });
+}
+
+}  // namespace
+
 std::vector<double> Dofs::lump(std::span<const double> nodal, std::span<const double> rotary) const {
   std::vector<double> mass(freedoms_.unknowns, 0);
   std::vector<Link> node;
@@ -300,19 +339,15 @@ std::vector<double> Dofs::lump(std::span<const double> nodal, std::span<const do
         if (eq[c] >= 0) mass[eq[c]] += c < 3 ? nodal[n] : rotary[n];
       continue;
     }
-    // Lumping sums the rows of L^T M L; here the columns of a node's links add up to one.
     links(n, node);
-    for (const Link& link : node)
-      if (link.equation >= 0)
-        mass[link.equation] +=
-            nodal[n] * link.column.head<3>().sum() + rotary[n] * link.column.tail<2>().sum();
+    add_lumped(node, nodal[n], rotary[n], mass);
   }
-  for (const double m : mass)
-    if (!(m > 0) || !freedoms_.bodies.empty())
-      throw Error(
-          "dynamic: field 'scheme': ties of the kinds \"rigid\" and \"periodic\" have no lumped mass; "
-          "expected "
-          "scheme=\"implicit\"");
+  if (!has_lumped_mass(freedoms_, nodal) ||
+      std::any_of(mass.begin(), mass.end(), [](double m) { return !(m > 0); }))
+    throw Error(
+        "dynamic: field 'scheme': ties of the kinds \"rigid\" and \"periodic\" have no lumped mass; "
+        "expected "
+        "scheme=\"implicit\"");
   return mass;
 }
 

@@ -79,8 +79,9 @@ class Dofs {
   // N: nodal force caused by rounding of the coordinates, 16 eps max |x| max K_ii over displacements.
   double rounding_floor(const linear::Matrix& K) const;
 
+  std::span<const double> iterate() const;  // kinematics, as in Configuration
+
  private:
-  std::span<const double> iterate() const;
   void meet_directors();
   void find_plain_nodes();
   void measure_unknowns(const model::Model& model);

@@ -5,24 +5,16 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "mesh/normals.hpp"
 
 namespace fabricsh::mechanics {
 
 std::vector<Vec3> reference_directors(const mesh::Mesh& mesh) {
-  std::vector<Vec3> normals(mesh.nodes.size(), Vec3::Zero());
-  for (const auto& e : mesh.elements) {
-    const int n = e[3] < 0 ? 3 : 4;
-    for (int a = 0; a < n; ++a) {
-      const Vec3& here = mesh.nodes[e[a]];
-      normals[e[a]] += (mesh.nodes[e[(a + 1) % n]] - here).cross(mesh.nodes[e[(a + n - 1) % n]] - here);
-    }
-  }
-  for (std::size_t i = 0; i < normals.size(); ++i) {
+  std::vector<Vec3> normals = mesh::node_normals(mesh);
+  for (std::size_t i = 0; i < normals.size(); ++i)
     if (!(normals[i].norm() > 0))
       throw Error("mesh: node " + std::to_string(i + 1) +
                   " has no normal: its elements are degenerate, or fold onto each other");
-    normals[i].normalize();
-  }
   return normals;
 }
 

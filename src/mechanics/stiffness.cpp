@@ -422,6 +422,14 @@ void Stiffness::Sink::on_positions(Index a, Index b, const Mat3& k) {
       stiffness_.add_entry(nodes[a].equation[i], nodes[b].equation[j], turned(i, j), to_);
 }
 
+void Stiffness::Sink::on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) {
+  const auto& nodes = stiffness_.dofs_.freedoms().nodes;
+  Eigen::Matrix<double, 5, 5> block = k;
+  block.topRows<3>() = nodes[a].frame * k.topRows<3>();
+  block.leftCols<3>() *= nodes[b].frame.transpose();
+  stiffness_.add_block(a, b, block, to_);
+}
+
 void Stiffness::Sink::on_lead(Index a, const Vec3& force) {
   if (to_.product.empty()) return;
   Column f = Column::Zero();

@@ -98,6 +98,7 @@ class Stiffness::Sink final : public TangentSink {
   Sink(const Stiffness& stiffness, const Target& to) : stiffness_(stiffness), to_(to) {}
   void on_positions(Index a, Index b, const Mat3& k) override;
   void on_director(Index a, const Eigen::Matrix2d& k) override;
+  void on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) override;
   void on_lead(Index a, const Vec3& force) override;
 
  private:

@@ -55,6 +55,8 @@ class TangentSink {
   virtual void on_positions(Index a, Index b, const Mat3& k) = 0;
   // On the two rotations of a node's director (q1 along b1, q2 along d x b1), N m.
   virtual void on_director(Index a, const Eigen::Matrix2d& k) = 0;
+  // d(internal force on x_a and the rotations of a) / d(those of b): N/m, N and N m, positions global.
+  virtual void on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) = 0;
   // Change of the internal force on x_a, N, global, when everything that the step moves besides the supports
   // goes to its final position.
   virtual void on_lead(Index a, const Vec3& force) = 0;

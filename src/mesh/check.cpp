@@ -11,13 +11,15 @@
 
 #include "base/number.hpp"
 #include "geometry/box.hpp"
+#include "mesh/normals.hpp"
 #include "mesh/orientation.hpp"
 
 namespace fabricsh::mesh {
 
 namespace {
 
-constexpr double most_aspect = 10, most_warping = 15, least_corner = 20;
+constexpr double most_aspect = 10, most_warping = 15, least_corner = 20, most_corner = 160,
+                 least_taper = 0.25;
 
 // "element 3", "elements 3, 7, 12", "elements 1, 2, 3, 4, 5 and 40 more".
 std::string listed(const char* noun, const std::vector<Index>& ids) {
@@ -63,6 +65,20 @@ struct Shape {
     for (std::size_t i = 0; i < n; ++i) least = std::min(least, degrees(side(i), -side(i + n - 1)));
     return least;
   }
+  double largest_angle() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, degrees(side(i), -side(i + n - 1)));
+    return largest;
+  }
+  // The area that the narrowest corner spans over that of the widest: 1 for triangles and parallelograms.
+  double taper() const {
+    double least = corner(0).norm(), most = least;
+    for (std::size_t i = 1; i < n; ++i) {
+      least = std::min(least, corner(i).norm());
+      most = std::max(most, corner(i).norm());
+    }
+    return n == 3 ? 1 : least / most;
+  }
   bool inverted() const {
     for (std::size_t i = 0; i < n; ++i)
       if (corner(i).dot(area()) <= 0) return true;
@@ -78,6 +94,7 @@ class Checker {
     shapes();
     repeated();
     sides();
+    folds();
     shared_edges();
     unused();
     duplicates();
@@ -105,10 +122,12 @@ class Checker {
   }
 
   void shapes();
+  void folds();
   void repeated();
   void sides();
   void shared_edges();
   void free_edges(const std::vector<Edge>& free);
+  void hanging(const std::vector<Edge>& free, const NodeSet& border);
   void unused();
   void duplicates();
 
@@ -121,7 +140,8 @@ void Checker::shapes() {
   Measures& m = report_.measures;
   m.shortest = std::numeric_limits<double>::infinity();
   m.least_angle = 180;
-  std::vector<Index> degenerates, inverted, long_ones, warped, sharp;
+  std::vector<Index> degenerates, inverted, long_ones, warped, sharp, blunt, tapered;
+  double widest = 0, narrowest = 1;  // degrees; share
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
     const auto id = static_cast<Index>(e);
     const Shape shape(mesh_, mesh_.elements[e]);
@@ -139,6 +159,13 @@ void Checker::shapes() {
     if (aspect > most_aspect) long_ones.push_back(id);
     if (warping > most_warping && !shape.inverted()) warped.push_back(id);
     if (least < least_corner) sharp.push_back(id);
+    if (!shape.inverted()) {
+      const double corner = shape.largest_angle(), taper = shape.taper();
+      if (shape.n == 4 && corner > most_corner) blunt.push_back(id);
+      if (taper < least_taper) tapered.push_back(id);
+      if (shape.n == 4) widest = std::max(widest, corner);
+      narrowest = std::min(narrowest, taper);
+    }
     m.aspect = std::max(m.aspect, aspect);
     m.warping = std::max(m.warping, warping);
     m.least_angle = std::min(m.least_angle, least);
@@ -154,6 +181,14 @@ void Checker::shapes() {
       "warping", Severity::warning, warped,
       "out of plane, the halves of the quadrilateral meet at up to " + shown(m.warping) + " degrees");
   add_elements("angle", Severity::warning, sharp, "corners down to " + shown(m.least_angle) + " degrees");
+  add_elements("wide", Severity::warning, blunt,
+               "corners of quadrilaterals up to " + shown(widest) +
+                   " degrees, almost a straight line: strains there have no meaning (move the node, or two "
+                   "triangles)");
+  add_elements("taper", Severity::warning, tapered,
+               "the narrowest corner spans down to " + shown(narrowest) +
+                   " of the area of the widest: strains differ much over the quadrilateral, its fields are "
+                   "their means");
 }
 
 void Checker::repeated() {
@@ -227,10 +262,82 @@ void Checker::free_edges(const std::vector<Edge>& free) {
   }
   std::sort(nodes.begin(), nodes.end());
   report_.measures.borders = borders;
+  hanging(free, nodes);
   add("free", Severity::note,
       std::to_string(free.size()) + " free edges in " + std::to_string(borders) +
           (borders == 1 ? " border line" : " border lines"),
       {}, std::move(nodes));
+}
+
+// The directors of a shell are the normals at its nodes, each the mean of its elements'. At a sharp fold
+// there is none, or it points against an element.
+void Checker::folds() {
+  const std::vector<Vec3> normals = node_normals(mesh_);
+  std::vector<char> used(mesh_.nodes.size(), 0);
+  std::vector<Index> elements, nodes;
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    const auto& ids = mesh_.elements[e];
+    for (const Index id : ids)
+      if (id >= 0) used[static_cast<std::size_t>(id)] = 1;
+    const Shape shape(mesh_, ids);
+    if (!degenerate(shape, ids) && !shape.inverted() && !spans_volume(mesh_, ids, normals))
+      elements.push_back(static_cast<Index>(e));
+  }
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i] == 1 && normals[i].norm() == 0) nodes.push_back(static_cast<Index>(i));
+  if (elements.empty() && nodes.empty()) return;
+  std::string text =
+      elements.empty() ? "" : listed("element", elements) + ": against the mean normal at its nodes";
+  if (!nodes.empty())
+    text += (text.empty() ? "" : "; ") + listed("node", nodes) + ": no normal, its elements cancel";
+  add("fold", Severity::error,
+      text +
+          " (a fold of more than 90 degrees: round it off by a few elements, or give its sides nodes of "
+          "their own and join them by a tie)",
+      std::move(elements), std::move(nodes));
+}
+
+namespace {
+
+// Whether x lies on the segment from a to b, away from its ends.
+bool lies_between(const Vec3& x, const Vec3& a, const Vec3& b) {
+  constexpr double near = 1e-6, end = 1e-3;  // of its length
+  const Vec3 along = b - a;
+  const double length2 = along.squaredNorm(), share = (x - a).dot(along) / length2;
+  return share > end && share < 1 - end && (x - a - share * along).squaredNorm() < near * near * length2;
+}
+
+}  // namespace
+
+// Nodes of the border on an edge of the border that does not end there: the edge opens beside them.
+void Checker::hanging(const std::vector<Edge>& free, const NodeSet& border) {
+  const Vec3 size = box_of(mesh_.nodes).size();
+  Eigen::Index axis = 0;
+  size.maxCoeff(&axis);
+  const auto x = [&](Index n) -> const Vec3& { return mesh_.nodes[static_cast<std::size_t>(n)]; };
+  NodeSet sorted = border;
+  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) { return x(a)[axis] < x(b)[axis]; });
+  std::vector<Index> elements, nodes;
+  for (const Edge& edge : free) {
+    const Vec3 &a = x(edge.first), &b = x(edge.second);
+    const double low = std::min(a[axis], b[axis]), high = std::max(a[axis], b[axis]),
+                 near = 1e-6 * (b - a).norm();
+    auto at = std::lower_bound(sorted.begin(), sorted.end(), low - near,
+                               [&](Index n, double value) { return x(n)[axis] < value; });
+    for (; at != sorted.end() && x(*at)[axis] <= high + near; ++at) {
+      if (!lies_between(x(*at), a, b)) continue;
+      nodes.push_back(*at);
+      elements.push_back(edge.element);
+    }
+  }
+  for (auto* list : {&elements, &nodes}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  if (nodes.empty()) return;
+  std::string text =
+      listed("node", nodes) + ": on the side of an element that has no node there, and not joined to it";
+  add("hanging", Severity::warning, std::move(text), std::move(elements), std::move(nodes));
 }
 
 void Checker::unused() {
@@ -241,7 +348,7 @@ void Checker::unused() {
   std::vector<Index> nodes;
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i] == 0) nodes.push_back(static_cast<Index>(i));
-  if (!nodes.empty()) add("unused", Severity::warning, listed("node", nodes) + ": in no element", {}, nodes);
+  if (!nodes.empty()) add("unused", Severity::error, listed("node", nodes) + ": in no element", {}, nodes);
 }
 
 // Finds nodes closer than 1e-9 of the mesh's size. Cells have twice that width, so that

@@ -37,10 +37,11 @@ struct Report {
 };
 
 // Keys of errors: degenerate (no area, an edge without length, a repeated node), inverted (a
-// corner with the opposite orientation), repeated (elements on the same nodes), orientation
-// (neighbours with opposite orientations), one_sided (a Moebius strip). Keys of warnings: unused
-// and duplicate (nodes), nonmanifold (edges shared by three or more elements), aspect (above 10),
-// warping (above 15 degrees), angle (corners below 20 degrees). Keys of notes: free (edges).
+// corner with the opposite orientation), fold (at which the mean normal at the nodes is none, or points
+// against an element), repeated (elements on the same nodes), orientation (neighbours with opposite
+// orientations), one_sided (a Moebius strip). Keys of warnings: unused and duplicate (nodes), nonmanifold
+// (edges shared by three or more elements), aspect (above 10), warping (above 15 degrees), angle (corners
+// below 20 degrees). Keys of notes: free (edges).
 Report check(const Mesh& mesh);
 
 // Reverses elements until neighbours agree in orientation. Without a direction each part follows the majority

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/suggest.hpp"
+#include "base/utf8.hpp"
 
 namespace fabricsh::mesh {
 
@@ -71,6 +72,7 @@ Mesh join(const std::vector<std::pair<std::string, std::shared_ptr<const Mesh>>>
   for (const auto& [name, mesh] : parts) {
     if (name.empty() || name.find('.') != std::string::npos)
       throw Error("bodies: expected a name without a full stop for every body, got '" + name + "'");
+    want_plain(name, "bodies");
     for (const auto& before : joined.parts)
       if (before.name == name) throw Error("bodies: expected different names, got '" + name + "' twice");
     const auto first = static_cast<Index>(joined.nodes.size());
@@ -106,6 +108,7 @@ std::vector<Index> Mesh::elements_in(const NodeSet& ids) const {
 // Messages count nodes from 1, as decks do.
 void Mesh::define(const std::string& name, NodeSet ids) {
   if (name.empty()) throw Error("set: expected a name, got an empty one");
+  want_plain(name, "set");
   if (ids.empty()) throw Error("set '" + name + "': no node is in it");
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());

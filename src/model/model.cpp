@@ -131,6 +131,34 @@ void Model::seal() {
   for (auto& body : bodies_) body.mesh->in_use = true;
 }
 
+namespace {
+
+// What a ply is called by its number, from 0.
+std::string ply_word(std::size_t number) { return "ply" + std::to_string(number + 1); }
+
+}  // namespace
+
+int Model::ply_of(Index element, const std::string& ply) const {
+  const auto& plies = regions_[region_of(element)].options.plies;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, plies.size()); ++i)
+    if (ply == ply_word(i) || (i < plies.size() && !ply.empty() && ply == plies[i].name))
+      return static_cast<int>(i);
+  return -1;
+}
+
+std::vector<std::string> Model::plies() const {
+  std::vector<std::string> all;
+  const auto add = [&all](const std::string& word) {
+    if (!word.empty() && std::find(all.begin(), all.end(), word) == all.end()) all.push_back(word);
+  };
+  for (const Region& region : regions_) {
+    const auto& plies = region.options.plies;
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, plies.size()); ++i) add(ply_word(i));
+    for (const auto& ply : plies) add(ply.name);
+  }
+  return all;
+}
+
 std::string Model::element_name(Index element) const {
   if (mesh_->parts.empty()) return std::to_string(element + 1);
   std::size_t part = mesh_->parts.size() - 1;
@@ -222,6 +250,7 @@ void Model::symmetry(const std::string& set, int axis) {
   f.axis = {true, true, true};
   f.axis[axis] = false;
   fix(set, f);
+  supports_.back().symmetry = axis;
 }
 
 void Model::tie(Tie tie) {
@@ -406,6 +435,7 @@ void Model::validate() const {
     for (const auto& h : m.displacement)
       if (h) h->value(0);
   work_out_ties(*this);
+  check_symmetry(*this);
   interactions_.validate(*mesh_);
   std::vector<bool> used(mesh_->nodes.size(), false);
   for (const auto& e : mesh_->elements)

@@ -53,6 +53,8 @@ struct Support {
   std::string set;
   Freedoms fixed;
   Mat3 frame;
+  int symmetry =
+      -1;  // 0, 1, 2: the set lies in a plane of symmetry normal to this global axis; -1: it does not
 };
 struct Motion {
   std::string set;
@@ -229,6 +231,10 @@ class Model {
   const card::Card& card_of(mesh::Index element) const {
     return regions_[element < 0 ? 0 : region_of(element)].card;
   }
+  // The number of a ply in the element's section, from 0, by its name or as ply1, ply2, ... from below; -1:
+  // the section has no such ply. A sheet without plies is one.
+  int ply_of(mesh::Index element, const std::string& ply) const;
+  std::vector<std::string> plies() const;  // what ply_of() knows in any section
   double thickness_of(mesh::Index element) const { return sections_[region_of(element)].thickness; }
   const std::vector<Support>& supports() const { return supports_; }
   const std::vector<Motion>& motions() const { return motions_; }
@@ -272,5 +278,17 @@ class Model {
   Interactions interactions_;
   bool sealed_ = false;
 };
+
+// A plane of symmetry: x, y or z (axis 0, 1, 2) = at.
+struct SymmetryPlane {
+  int axis = 0;
+  double at = 0;              // m
+  std::string set;            // that lies in it, the first of several
+  std::string words() const;  // "the plane of symmetry x = 0 m of set 'left'"
+};
+// Each once. Errors: a set that lies in no plane normal to the axis; cloth that is not symmetric about it
+// where it meets it, because its yarns run neither along nor across it (symmetry.cpp).
+std::vector<SymmetryPlane> symmetry_planes(const Model& model);
+void check_symmetry(const Model& model);
 
 }  // namespace fabricsh::model

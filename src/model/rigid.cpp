@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "base/utf8.hpp"
 #include "contact/scene.hpp"
 #include "geometry/box.hpp"
 
@@ -123,6 +124,7 @@ struct Check {
 Rigid::Rigid(RigidShape shape, std::optional<double> mass, std::string name, const std::string& call)
     : shape_(std::move(shape)), mass_(mass), name_(std::move(name)), kind_(kind_of(shape_)) {
   const Checks is(call);
+  want_plain(name_, call + ": field 'name'");
   if (mass_ && (!(*mass_ > 0) || !std::isfinite(*mass_)))
     is.refuse("mass", "expected a positive number in kg, got " + number(*mass_));
   std::visit(Check{is, mass_}, shape_);

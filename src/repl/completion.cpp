@@ -155,7 +155,7 @@ class Completer {
 
   void objects(const std::string& cls) {
     lua_pushglobaltable(L_);
-    for (const std::string& name : script::names_in(L_, -1, false)) {
+    for (const std::string& name : script::names_in(L_, -1, false).names) {
       script::peek_field(L_, -1, name);
       if (script::class_of(L_, -1) == cls && name.starts_with(place_.word)) found_.push_back(name);
       lua_pop(L_, 1);
@@ -167,7 +167,7 @@ class Completer {
     if (argument_names() || values_of_row()) return;
     add(found_, keywords);
     lua_pushglobaltable(L_);
-    add(found_, script::names_in(L_, -1, false));
+    add_names(false);
     lua_pop(L_, 1);
     const auto tokens = tokens_of(text_.substr(0, place_.from));
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
@@ -178,8 +178,18 @@ class Completer {
   void complete_member() {
     if (!place_.path) return;
     const std::string known = push(*place_.path, place_.path->size());
-    found_ = known.empty() ? script::names_in(L_, -1, place_.method) : names_of(known);
+    if (known.empty())
+      add_names(place_.method);
+    else
+      found_ = names_of(known);
     lua_pop(L_, 1);
+  }
+
+  // Adds the names in the value on top that begin as the word does.
+  void add_names(bool methods) {
+    const script::NamesIn in = script::names_in(L_, -1, methods, place_.word);
+    add(found_, in.names);
+    whole_ = whole_ && in.whole;
   }
 
   // The methods, or properties, of a class.
@@ -258,7 +268,7 @@ class Completer {
     const auto& path = place_.frames.back().callee;
     if (!path) return;
     push(*path, path->size());
-    found_ = script::names_in(L_, -1, false);
+    add_names(false);
     lua_pop(L_, 1);
   }
 
@@ -275,6 +285,8 @@ class Completer {
     std::sort(words.begin(), words.end());
     words.erase(std::unique(words.begin(), words.end()), words.end());
     if (words.empty()) return result;
+    result.common = place_.word;
+    if (!whole_) return result;
     const std::string &first = words.front(), &last = words.back();
     const auto differ = std::mismatch(first.begin(), first.end(), last.begin(), last.end());
     result.common.assign(first.begin(), differ.first);
@@ -287,6 +299,7 @@ class Completer {
   std::string_view text_;
   Place place_;
   Words found_;
+  bool whole_ = true;  // whether found_ has all names that there are
   std::string close_;  // appended after the word if it is the only candidate
 };
 

@@ -18,11 +18,12 @@ Attended attended_now = Attended::no;
 volatile std::sig_atomic_t running = 0, asked = 0;  // something is running; Ctrl-C came meanwhile
 volatile std::sig_atomic_t between = 0;             // Ctrl-C came between two lines
 volatile std::sig_atomic_t last = 0;                // the last signal not answered yet
+volatile std::sig_atomic_t waited = 0;              // s, for its answer
 volatile std::time_t since = 0;                     // s of a monotonic clock, at the first SIGTERM
 
-constexpr int kPatience = 10'000'000;    // instructions after which a hook of a run is stopped
-constexpr unsigned answers_within = 10;  // s
-constexpr std::time_t one_signal = 2;    // s, within which several signals count as one
+constexpr int kPatience = 10'000'000;  // instructions after which a hook of a run is stopped
+constexpr int answers_within = 10;     // s
+constexpr std::time_t one_signal = 2;  // s, within which several signals count as one
 
 void stop_late(lua_State* L, lua_Debug*);
 
@@ -66,10 +67,14 @@ void ask_to_end(int signal) {
   if (seconds_now() - since >= one_signal && !at_last_outputs) end_by(signal);
 }
 
-// While C code runs, Lua calls no hooks, so an alarm ends the program if the signal is not answered.
+// While C code runs, Lua calls no hooks, so an alarm ends the program if the signal is not answered. It comes
+// each second, and interrupts a wait for a drawing program that began just after the signal.
 extern "C" void on_no_answer(int) {
-  if (interruptible == nullptr || running == 0 || !interruptible->interrupted()) return;
-  if (script::run_is_at_work())
+  if (interruptible == nullptr) return;
+  if (running == 0 && between != 0) end_by(SIGINT);
+  if (running == 0 || !interruptible->interrupted()) return;
+  waited = waited + 1;
+  if (script::run_is_at_work() || waited < answers_within)
     alarm(1);
   else if (attended_now == Attended::no || last != SIGINT)
     end_by(last);
@@ -84,7 +89,8 @@ extern "C" void on_interrupt_or_end(int signal) {
     if (!first || running == 0) return;
   } else {
     if (running == 0) {
-      between = 1;
+      between = 1;  // for the loop of the prompt, which may be about to wait for input that never comes
+      if (attended_now == Attended::no) alarm(1);
       return;
     }
     if (asked != 0) end_by(signal);
@@ -92,7 +98,8 @@ extern "C" void on_interrupt_or_end(int signal) {
   }
   asked = 1;
   last = signal;
-  alarm(answers_within);
+  waited = 0;
+  alarm(1);
   lua_sethook(interruptible->active(), stop_lua, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT,
               1);
 }
@@ -112,7 +119,6 @@ void set_watch(void (*handler)(int)) {
   alarm(0);
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGALRM, &action, nullptr);
 }

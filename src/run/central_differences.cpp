@@ -73,6 +73,13 @@ double CentralDifferences::work_of_acceleration() const {
   });
 }
 
+double CentralDifferences::weight_of_acceleration() const {
+  return ordered_sum(mass_.size(), [&](std::size_t i) {
+    const double a = acceleration(committed_, i);
+    return mass_[i] * a * a;
+  });
+}
+
 double CentralDifferences::kinetic_of(const State& state) const {
   return ordered_sum(mass_.size(), [&](std::size_t i) {
     const double v = velocity(state, i);

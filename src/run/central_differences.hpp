@@ -48,6 +48,7 @@ class CentralDifferences final : public mechanics::Motion {
   std::vector<double> velocities() const;
   // J, work of all forces by the trapezoidal rule less the change of the kinetic energy in the step.
   double loss() const { return work_of_acceleration() - kinetic_of(trial_) + kinetic_of(committed_); }
+  double weight_of_acceleration() const;  // J/s^2, sum of m a^2 in the committed state
   void keep(Archive& archive) { archive(committed_); }
 
   // The predicted velocities.

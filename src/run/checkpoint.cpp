@@ -1,5 +1,8 @@
 #include "run/checkpoint.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/number.hpp"
@@ -20,6 +23,12 @@ void add_part(model::Fingerprint& parts, const std::string& name, const std::str
 std::string part_text(const std::string& kind, const std::string& path) {
   if (kind == "keep") return "kept table of checkpoint '" + path + "'";
   return (kind == "record" ? "table '" : "series '") + path + "'";
+}
+
+std::string bytes_of(Checkpoint checkpoint) {
+  Archive archive;
+  checkpoint.keep(archive);
+  return archive.bytes();
 }
 
 std::shared_ptr<Checkpoint> checkpoint_from(const std::string& path, std::string bytes) {
@@ -64,10 +73,10 @@ model::Fingerprint problem_of(const Run& run) {
   return parts;
 }
 
-std::string Checkpoint::bytes() const {
-  Archive archive;
-  Checkpoint(*this).keep(archive);
-  return archive.bytes();
+const Checkpoint::Finished* Checkpoint::finished_run(std::int64_t number_of_run) const {
+  const auto found = std::find_if(finished.begin(), finished.end(),
+                                  [&](const Finished& one) { return one.number == number_of_run; });
+  return found == finished.end() ? nullptr : &*found;
 }
 
 Checkpoint checkpoint_of(Run& run) {
@@ -84,13 +93,46 @@ Checkpoint checkpoint_of(Run& run) {
 }
 
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
-  format::write_checkpoint(path, checkpoint.bytes());
+  format::write_checkpoint(path, bytes_of(checkpoint));
 }
 
 std::shared_ptr<const Checkpoint> read_checkpoint(const std::string& path) {
-  auto c = checkpoint_from(path, format::read_checkpoint(path));
-  for (const std::string& bytes : c->finished) c->others.push_back(checkpoint_from(path, bytes));
-  return c;
+  return checkpoint_from(path, format::read_checkpoint(path));
+}
+
+std::optional<std::uint64_t> copy_checkpoint(const std::string& from, const std::string& to) {
+  std::string bytes;
+  try {
+    const auto checkpoint = checkpoint_from(from, format::read_checkpoint(from));
+    checkpoint->finished.clear();
+    bytes = bytes_of(*checkpoint);
+  } catch (const Error&) {
+    return {};
+  }
+  format::write_checkpoint(to, bytes);
+  return hash(bytes);
+}
+
+std::optional<std::uint64_t> hash_of_checkpoint(const std::string& path) {
+  try {
+    return hash(format::read_checkpoint(path));
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+std::string file_of(const Checkpoint& checkpoint, const Checkpoint::Finished& finished) {
+  namespace fs = std::filesystem;
+  return (fs::absolute(checkpoint.path).parent_path() / finished.file).lexically_normal().string();
+}
+
+std::shared_ptr<const Checkpoint> read_finished(const Checkpoint& checkpoint,
+                                                const Checkpoint::Finished& finished) {
+  const std::string file = file_of(checkpoint, finished);
+  std::string bytes = format::read_checkpoint(file);
+  if (hash(bytes) != finished.hash)
+    throw Error("checkpoint '" + file + "': it is not as it was when '" + checkpoint.path + "' was written");
+  return checkpoint_from(checkpoint.path, std::move(bytes));
 }
 
 std::string difference(const Checkpoint& checkpoint, const Run& run) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,14 @@ struct Checkpoint {
     void keep(Archive& archive) { archive(kind, path, bytes); }
   };
   std::vector<Part> parts;
-  std::vector<std::string> finished;                      // checkpoints at the ends of other runs, as bytes
-  std::vector<std::shared_ptr<const Checkpoint>> others;  // the same after reading; not stored
+  // Checkpoints at the ends of other runs, which lie in files of their own, each written once.
+  struct Finished {
+    std::int64_t number = 0;  // of the run
+    std::string file;         // relative to the folder of this checkpoint
+    std::uint64_t hash = 0;   // of its content
+    void keep(Archive& archive) { archive(number, file, hash); }
+  };
+  std::vector<Finished> finished;
 
   void keep(Archive& archive) {
     archive.section("program", [&] { archive(version, instructions); });
@@ -40,7 +47,7 @@ struct Checkpoint {
     archive.section("state", [&] { archive(time, state, settings); });
     archive.section("outputs", [&] { archive(parts, finished); });
   }
-  std::string bytes() const;  // the whole checkpoint, for example as an entry of `finished`
+  const Finished* finished_run(std::int64_t number_of_run) const;  // null: not among them
 };
 
 // All that a run's state depends on: method, duration, kernels, cards and model.
@@ -50,6 +57,15 @@ Checkpoint checkpoint_of(Run& run);
 
 // Replaces the file, which is complete at any instant. Error: it cannot be written.
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
+// The file's content without its list of finished runs goes to another file. Returns its hash; none if the
+// first file cannot be read. Error: the other one cannot be written.
+std::optional<std::uint64_t> copy_checkpoint(const std::string& from, const std::string& to);
+std::optional<std::uint64_t> hash_of_checkpoint(const std::string& path);  // none: it cannot be read
+// The full path of a finished run's file.
+std::string file_of(const Checkpoint& checkpoint, const Checkpoint::Finished& finished);
+// Error: as read_checkpoint; its content has changed.
+std::shared_ptr<const Checkpoint> read_finished(const Checkpoint& checkpoint,
+                                                const Checkpoint::Finished& finished);
 // Errors: those of format::read_checkpoint; a part whose members differ from this build's (named); a file
 // written with other vector instructions, which would give other bits.
 std::shared_ptr<const Checkpoint> read_checkpoint(const std::string& path);

@@ -103,7 +103,7 @@ void Dynamic::keep_settings(Archive& archive) {
 void Dynamic::begin() {
   const auto targets = assembly_->targets(0);
   if (std::any_of(targets.begin(), targets.end(), [](double t) { return t != 0; }))
-    say("dynamic: a motion is not zero at time 0; the sheet starts with its nodes there");
+    warn("jump", "dynamic: a motion is not zero at time 0; the sheet starts with its nodes there");
   const std::vector<double> still(assembly_->unknowns(), 0);
   assembly_->begin_iterate();
   assembly_->retract(still, 1, targets);
@@ -154,7 +154,7 @@ std::vector<bool> Dynamic::dropped_nodes(const mechanics::NodalRates& rates,
 }
 
 // Gives one notice for all sets together.
-void Dynamic::tell_dropped(const mechanics::NodalRates& rates) const {
+void Dynamic::tell_dropped(const mechanics::NodalRates& rates) {
   constexpr std::size_t most = 3;  // number of sets named
   std::array<bool, 3> axes{};
   const auto dropped = dropped_nodes(rates, axes);
@@ -172,9 +172,9 @@ void Dynamic::tell_dropped(const mechanics::NodalRates& rates) const {
   if (sets.size() > most) names += " and " + std::to_string(sets.size() - most) + " more";
   for (std::size_t i = 0; i < 3; ++i)
     if (axes[i]) along += std::string(" ") + "xyz"[i];
-  notices_->say("dynamic: " + names + (sets.size() == 1 ? " is" : " are") + " dropped along" + along +
-                " at " + std::to_string(nodes) + (sets.size() == 1 ? " of its" : " of their") +
-                " nodes, which are fixed or moved there");
+  warn("dropped", "dynamic: " + names + (sets.size() == 1 ? " is" : " are") + " dropped along" + along +
+                      " at " + std::to_string(nodes) + (sets.size() == 1 ? " of its" : " of their") +
+                      " nodes, which are fixed or moved there");
 }
 
 void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time,
@@ -185,10 +185,10 @@ void Dynamic::watch_jump(const std::vector<double>& from, const std::vector<doub
     const double moved = std::abs(to[i] - from[i]);
     if (motions[i].component > 2 || !(moved > most)) continue;
     now_.told_jump = true;
-    return say(
-        "dynamic: the motion of node " + std::to_string(motions[i].node + 1) + " jumps by " + number(moved) +
-        " m within the step that ends at time " + number(time) +
-        " s: this is an impact, and the energy ledger will show it; use fabric.ramp for a gradual motion");
+    return warn("jump", "dynamic: the motion of node " + std::to_string(motions[i].node + 1) + " jumps by " +
+                            number(moved) + " m within the step that ends at time " + number(time) +
+                            " s: this is an impact, and the energy ledger will show it; use fabric.ramp for "
+                            "a gradual motion");
   }
 }
 
@@ -263,6 +263,7 @@ std::string Dynamic::remedy(const Energy& e) const {
   if (options_.scheme == Scheme::explicit_steps && now_.step > stable_)
     return "step=\"auto\" (the step of " + number(now_.step) + " s is above the stable one, " +
            number(stable_) + " s, of the cloth at rest)";
+  if (const std::string advice = against_long_step(); !advice.empty()) return advice;
   return "a smaller step (now " + number(now_.step) + " s)" +
          (e.created > 0 ? "; or law=\"potential\", which creates no energy" : "") +
          "; ledger_limit=" + number(10 * options_.ledger_limit) + " goes on";
@@ -304,7 +305,7 @@ void Dynamic::check() {
   // and at least with what rounding can cause, so that rounding is no error before anything moves.
   const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal(),
                                  energy_of_rounding(*assembly_, now_.step) / kWarning});
-  const double made = std::abs(e.surplus()) + e.created;
+  const double made = imbalance(e, scale) + e.created;
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
   // first; so it does where a moved body comes to touch.
   const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
@@ -327,9 +328,11 @@ void Dynamic::check() {
   if (!now_.told_error) {
     now_.told_error = true;
     now_.began = suspect();
-    say("dynamic: the ledger's error is " + share + " at time " + number(time()) +
-        " s, most of it about element " + std::to_string(now_.began + 1) +
-        ": repeat with a smaller step to see whether the step is the cause");
+    warn("ledger",
+         "dynamic: the ledger's error is " + share + " at time " + number(time()) +
+             " s, most of it about element " + std::to_string(now_.began + 1) +
+             ": repeat with a smaller step to see whether the step is the cause",
+         now_.began);
   }
   const bool over = !(made <= options_.ledger_limit * scale), twice = now_.was_over;
   now_.was_over = over;
@@ -363,9 +366,10 @@ void Dynamic::weigh_inertia(double kinetic, double scaled) {
   now_.scaled = std::max(now_.scaled, scaled / now_.kinetic);
   if (now_.told_scaled || now_.scaled <= kHeavy) return;
   now_.told_scaled = true;
-  say("dynamic: " + number(100 * scaled / now_.kinetic) +
-      " % of the kinetic energy is in rotary inertia that is scaled up for the step, at time " +
-      number(time()) + " s: inertia=\"true\" takes the thickness' own, with smaller steps");
+  warn("inertia",
+       "dynamic: " + number(100 * scaled / now_.kinetic) +
+           " % of the kinetic energy is in rotary inertia that is scaled up for the step, at time " +
+           number(time()) + " s: inertia=\"true\" takes the thickness' own, with smaller steps");
 }
 
 std::shared_ptr<Dynamic> make_dynamic(std::shared_ptr<model::Model> model, const DynamicOptions& options,

@@ -64,6 +64,8 @@ class Dynamic : public Run {
   std::vector<double> driven_rates() const;  // of the driven freedoms at the trial time, m/s or 1/s
   double driven_kinetic() const override;
   virtual const mechanics::Motion& motion() const = 0;
+  // What to do if the present step is longer than some frequency allows; empty: it is not.
+  virtual std::string against_long_step() const { return {}; }
   // Whether check() examines the ledger after this number of explicit steps, at this time.
   bool looks_after(std::int64_t steps, double time) const;
   mechanics::NodalRates initial_rates() const;
@@ -72,8 +74,7 @@ class Dynamic : public Run {
   void watch_jump(const std::vector<double>& from, const std::vector<double>& to, double time, double most);
   std::vector<bool> dropped_nodes(const mechanics::NodalRates& rates, std::array<bool, 3>& axes) const;
   // Gives a notice about initial velocities of nodes that are held or driven.
-  void tell_dropped(const mechanics::NodalRates& rates) const;
-  void say(const std::string& text) { notices_->say(text); }
+  void tell_dropped(const mechanics::NodalRates& rates);
   std::string remedy(const Energy& energies) const;  // advice for an error of the ledger
 
   virtual void take_options(const DynamicOptions& options) = 0;  // after a change of settings

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "mechanics/rate_bound.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "run/step_control.hpp"
 
@@ -14,12 +15,16 @@ namespace fabricsh::run {
 
 namespace {
 
-constexpr double kUsual = 0.7;     // share of the stable step
-constexpr double kJump = 0.1;      // share of the smallest element: a larger motion in one step is a jump
-constexpr int kStretchEvery = 16;  // number of steps between two checks of the stretch
-constexpr int kBlock = 64;         // number of steps of equal size, with contact
-constexpr int kCalm = 4;           // blocks without need of it, after which a halved step is doubled
-constexpr int kHalvings = 12;      // largest number of halvings of the step for contact
+constexpr double kUsual = 0.7;         // share of the nominal step
+constexpr double kOfBound = 0.9;       // share of the bound that holds whatever the mesh and the loads
+constexpr double kSame = 0.995;        // a bound above this share of the nominal step confirms it
+constexpr double kWorthTelling = 0.5;  // a smaller share of the usual step is told, with its cause
+constexpr double kJump = 0.1;          // share of the smallest element: a larger motion in one step is a jump
+constexpr int kStretchEvery = 16;      // number of steps between two checks of the stretch
+constexpr int kLoadsEvery = 256;       // the same of the stiffness of springs and loads
+constexpr int kBlock = 64;             // number of steps of equal size, with contact
+constexpr int kCalm = 4;               // blocks without need of it, after which a halved step is doubled
+constexpr int kHalvings = 12;          // largest number of halvings of the step for contact
 
 }  // namespace
 
@@ -28,20 +33,48 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
     : Dynamic(std::move(model), options, std::move(notices)),
       motion_(assembly_->lumped_mass(scaled_), options_.gamma, [this] { return driven_rates(); }),
       problem_(*assembly_, motion_, unpolled_) {
-  // Mass damping does not reduce the stable step. Stiffness damping, whose velocity is half a step old,
-  // multiplies it by sqrt(1 + xi^2) - xi, where xi = b omega / 2 at the highest frequency, omega = 2 / dt0.
-  const double xi = options_.stiffness_damping / stable_, undamped = stable_;
-  stable_ *= std::sqrt(1 + xi * xi) - xi;
+  const double undamped = stable_;
+  bound_step();
   assembly_->update_in_place();
   if (assembly_->contact() != nullptr) assembly_->contact()->go_explicit();
   tell_contacts();
   check_stable_step(undamped);
   choose_step();
+  tell_bound();
   farthest_ = {smallest_, std::numbers::pi / 2};
   turns_.reserve(motion_.residual().size());
   for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i) turns_.push_back(assembly_->turns(i) ? 1 : 0);
   added_inertia_ = added_inertia();
   set_motion(initial_rates());  // to be read before the first step
+}
+
+// Mass damping does not reduce the stable step. Stiffness damping, whose velocity is half a step old,
+// multiplies it by sqrt(1 + xi^2) - xi, where xi = b omega / 2 at the highest frequency, omega = 2 / step.
+double Explicit::damped(double step) const {
+  const double xi = options_.stiffness_damping / step;
+  return step * (std::sqrt(1 + xi * xi) - xi);
+}
+
+// The nominal step, of waves that cross the smallest element, is what regular meshes of cloth take. The bound
+// holds for all shapes, springs and loads.
+void Explicit::bound_step() {
+  nominal_ = damped(stable_);
+  added_ = mechanics::added_rates(*assembly_, scaled_);
+  bound_ = bound_of(mechanics::rate_bound(*assembly_, scaled_, added_));
+  stable_ = bound_ >= kSame * nominal_ ? nominal_ : bound_;
+}
+
+bool Explicit::is_of_waves() const { return kOfBound * bound_ >= kUsual * nominal_; }
+
+void Explicit::tell_bound() {
+  const double share = kOfBound * bound_ / (kUsual * nominal_);
+  if (options_.step || share >= kWorthTelling) return;
+  const auto highest = mechanics::fastest_element(*assembly_, scaled_, added_, mechanics::At::trial);
+  warn("step", "dynamic: the step of " + number(now_.step) + " s is " + number(share) +
+                   " of what waves in the cloth allow, because of " +
+                   (2 * highest.added > highest.rate ? "the springs or loads at "
+                                                     : "the shape or the shear stiffness of ") +
+                   shape_text(highest.element));
 }
 
 void Explicit::check_stable_step(double undamped) const {
@@ -57,7 +90,9 @@ void Explicit::check_stable_step(double undamped) const {
 
 double Explicit::usual_step() const {
   const mechanics::Contacts* contact = std::as_const(*assembly_).contact();
-  return contact == nullptr ? kUsual * stable_ : std::min(kUsual * stable_, contact->largest_step(scaled_));
+  if (contact == nullptr) return std::min(kUsual * nominal_, kOfBound * bound_);
+  const double of_cloth = kOfBound * bound_ * contact->share_of_cloth() / kUsual;
+  return std::min({kUsual * nominal_, contact->largest_step(scaled_), of_cloth});
 }
 
 void Explicit::choose_step() {
@@ -70,12 +105,14 @@ void Explicit::choose_step() {
                 number(stable_) + " s, and less where contact is stiff), got " + number(now_.step) +
                 " s (where contact is stiff, a smaller 'stiffness' of m:contact allows more; force=true uses "
                 "this step all the same)");
-  if (now_.step > stable_)
-    throw Error("dynamic: field 'step': expected at most " + number(stable_) +
+  // Supports can make a step stable that is above the bound: where the usual one is that of the waves, steps
+  // up to theirs are accepted.
+  if (const double most = is_of_waves() ? nominal_ : stable_; now_.step > most)
+    throw Error("dynamic: field 'step': expected at most " + number(most) +
                 " s, the stable step of this mesh and card, got " + number(now_.step) +
                 " s (step=\"auto\" takes " + number(usual) + " s; force=true uses this step all the same)");
-  say("dynamic: the step of " + number(now_.step) + " s is above 0.7 of the stable one, " + number(stable_) +
-      " s");
+  warn("step", "dynamic: the step of " + number(now_.step) + " s is above " + number(usual / stable_) +
+                   " of the stable one, " + number(stable_) + " s");
 }
 
 void Explicit::take_options(const DynamicOptions& options) {
@@ -176,23 +213,30 @@ void Explicit::tell_guard() {
   if (block_.told) return;
   block_.told = true;
   const auto nearest = contact.nearest();
-  say("dynamic: at time " + number(time()) + " s " + contact.words(nearest.point) +
-      " are pressed into the last quarter above the smallest distance that contact allows (" +
-      number(nearest.gap) +
-      " m above it): a barrier keeps them apart (its energy: a.energy.guard) and the step is halved "
-      "meanwhile");
+  warn("guard",
+       "dynamic: at time " + number(time()) + " s " + contact.words(nearest.point) +
+           " are pressed into the last quarter above the smallest distance that contact allows (" +
+           number(nearest.gap) +
+           " m above it): a barrier keeps them apart (its energy: a.energy.guard) and the step is halved "
+           "meanwhile");
 }
 
 void Explicit::split() {
-  const double stable = stable_ / std::max(1.0, assembly_->largest_stretch());
+  if (now_.steps % kLoadsEvery == 0) added_ = mechanics::added_rates(*assembly_, scaled_);
+  const double stretched = nominal_ / std::max(1.0, assembly_->largest_stretch());
   const double wanted = options_.step.value_or(usual_step());
+  // A step that was accepted above the bound keeps its distance to it.
+  const double above = is_of_waves() && wanted > bound_ ? nominal_ / bound_ : 1;
+  const double bound = above * bound_of(mechanics::rate_bound(*assembly_, scaled_, added_)),
+               stable = std::min(stretched, bound);
   now_.step = wanted;
   if (options_.force || wanted <= stable) return;
   now_.step = wanted / std::ceil(wanted / stable);
   if (now_.told_split) return;
   now_.told_split = true;
-  say("dynamic: stretch has brought the stable step to " + number(stable) + " s at time " +
-      number(committed_time()) + " s; the step of " + number(wanted) + " s is split from here on");
+  warn("step", "dynamic: stretch has brought the stable step to " + number(stable) + " s at time " +
+                   number(committed_time()) + " s; the step of " + number(wanted) +
+                   " s is split from here on");
 }
 
 bool Explicit::attempt(double size, StepReport& report) {
@@ -225,6 +269,10 @@ bool Explicit::attempt(double size, StepReport& report) {
 
 void Explicit::commit(StepReport& report) {
   assembly_->finish_step();
+  if (const double dt = motion_.dt(); dt != conserved_.dt) {
+    conserved_.moved += (dt * dt - conserved_.dt * conserved_.dt) / 8 * motion_.weight_of_acceleration();
+    conserved_.dt = dt;
+  }
   if (damps()) now_.loss += motion_.loss();
   if (!assembly_->constant_loads()) dead_ = problem_.external();
   work_.add(*assembly_, dead_);
@@ -234,6 +282,15 @@ void Explicit::commit(StepReport& report) {
   motion_.show_trial(false);
   dirty_ = false;
   ++now_.steps;
+}
+
+// Of a mode of frequency w the energies at the ends of steps swing by a share of (w dt / 2)^2, though none is
+// made; what stays is v- . M v+ / 2, with the velocities in the middle of the steps before and after, and the
+// potential energy [belytschko2014]. It stays where the step is too long, too: there it says nothing.
+double Explicit::hidden_energy() const {
+  const double dt = conserved_.dt;
+  if (!(dt <= bound_of(mechanics::rate_bound(*assembly_, scaled_, added_)))) return 0;
+  return conserved_.moved - dt * dt / 8 * motion_.weight_of_acceleration();
 }
 
 const mechanics::NodalRates& Explicit::rates() const {
@@ -264,26 +321,88 @@ std::vector<CentralDifferences::Weight> Explicit::added_inertia() const {
 
 void Explicit::give_up(const StepReport& report) {
   const double now = committed_time();
-  const mesh::Index element = end_ == End::forces ? assembly_->outcome().element : -1;
+  Culprit found = stuck() ? Culprit{} : culprit(report.step);
+  // A term that gives its reason knows where.
+  if (const auto& said = assembly_->outcome(); end_ == End::forces && !said.why.empty())
+    found.element = said.element;
   std::string text = "dynamic: stopped at time " + number(now) + " s: ";
   text += reason() + " in a step of ";
   text += number(report.step) + " s";
-  if (element >= 0) text += ", element " + std::to_string(element + 1);
+  if (found.element >= 0) text += ", about element " + std::to_string(found.element + 1);
   if (stuck())
     text += ".\nTry: more thickness= or stiffness= of m:contact (as it is, it stops cloth that comes with " +
             number(assembly_->contact()->speed_stopped()) +
             " m/s); or loads and velocities that are in SI units.";
   else
-    text += ".\nTry: a step below " + number(std::min(usual_step(), report.step / 2)) +
-            " s (the stable one is " + number(stable_) + " s); or loads and velocities that are in SI units.";
+    text += ".\nTry: " + found.advice + ".";
   std::string why = text.substr(std::string("dynamic: ").size());
   why += "\nstretch    the sheet is stretched to " + number(assembly_->largest_stretch()) +
          " times its length at most, the step in use is " + number(now_.step / stable_) +
          " of the stable one";
+  if (found.element >= 0) why += "\nelement    " + shape_text(found.element);
   if (const mesh::Index node = fastest_node(); node >= 0)
     why +=
         "\nfastest    node " + std::to_string(node + 1) + " with " + number(velocity(node).norm()) + " m/s";
-  fail(NumericalFailure(text, now, element), why);
+  fail(NumericalFailure(text, now, found.element), why);
+}
+
+// Where the reference configuration does not allow the step, its element is named: later all are torn.
+std::optional<Explicit::Culprit> Explicit::frequency_above(double step) const {
+  auto highest = mechanics::fastest_element(*assembly_, scaled_, added_, mechanics::At::reference);
+  if (step <= bound_of(highest.rate))
+    highest = mechanics::fastest_element(*assembly_, scaled_, added_, mechanics::At::trial);
+  const double bound = bound_of(highest.rate);
+  if (!(step > bound)) return {};
+  const bool loads = 2 * highest.added > highest.rate;
+  return Culprit{highest.element,
+                 "a step below " + number(kOfBound * bound) + " s, which " + shape_text(highest.element) +
+                     " allows; or " +
+                     (loads ? "softer springs or loads there" : "a mesh without such an element")};
+}
+
+std::string Explicit::against_long_step() const {
+  const auto found = frequency_above(now_.step);
+  return found ? found->advice : std::string();
+}
+
+Explicit::Culprit Explicit::culprit(double step) const {
+  if (step > nominal_)
+    return {fastest_element(), "step=\"auto\" (the step is above the stable one, " + number(stable_) + " s)"};
+  if (const auto found = frequency_above(step)) return *found;
+  std::string advice =
+      "a step below " + number(step / 2) + " s (the stable one is " + number(stable_) + " s)";
+  if (const mesh::Index node = fastest_node(); node >= 0)
+    advice += "; or loads and velocities that are in SI units (node " + std::to_string(node + 1) +
+              " moves with " + number(velocity(node).norm()) + " m/s)";
+  return {fastest_element(), advice};
+}
+
+// "element 12 (a triangle, 0.02 m long and 0.001 m high)"
+std::string Explicit::shape_text(mesh::Index element) const {
+  const auto& e = model_->mesh().elements[static_cast<std::size_t>(element)];
+  const auto& X = assembly_->reference();
+  const int n = mechanics::corners(e);
+  double longest = 0;
+  for (int a = 0; a < n; ++a) longest = std::max(longest, (X[e[(a + 1) % n]] - X[e[a]]).norm());
+  return "element " + std::to_string(element + 1) + (n == 3 ? " (a triangle, " : " (") + number(longest) +
+         " m long and " + number(mechanics::size(e, X)) + " m high)";
+}
+
+mesh::Index Explicit::fastest_element() const {
+  const auto& X = assembly_->reference();
+  mesh::Index fastest = -1;
+  double most = 0;
+  for (mesh::Index i = 0; i < assembly_->elements(); ++i) {
+    const auto& e = model_->mesh().elements[static_cast<std::size_t>(i)];
+    for (int a = 0, n = mechanics::corners(e); a < n; ++a) {
+      const auto from = e[a], to = e[(a + 1) % n];
+      const double rate = (velocity(to) - velocity(from)).norm() / (X[to] - X[from]).norm();
+      if (!(rate > most)) continue;
+      most = rate;
+      fastest = i;
+    }
+  }
+  return fastest;
 }
 
 bool Explicit::stuck() const {
@@ -312,7 +431,7 @@ mesh::Index Explicit::fastest_node() const {
 }
 
 void Explicit::memory(Archive& archive) {
-  archive(now_, motion_);
+  archive(now_, motion_, added_, conserved_);
   problem_.keep(archive);
   if (assembly_->contact() != nullptr) archive(block_, hooked_);
   if (!archive.reading()) return;

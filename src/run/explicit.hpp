@@ -30,12 +30,21 @@ class Explicit final : public Dynamic {
   double scaled_kinetic() const override;
   std::vector<CentralDifferences::Weight> added_inertia() const;
   const mechanics::Motion& motion() const override { return motion_; }
+  double hidden_energy() const override;
+  std::string against_long_step() const override;
   void memory(Archive& archive) override;
 
   void check_stable_step(double undamped) const;  // s, without stiffness damping
-  double usual_step() const;                      // s: 0.7 of the stable step; at most that of contact
+  // s: 0.7 of the nominal step and at most 0.9 of the bound, or less with contact.
+  double usual_step() const;
   void choose_step();
-  void split();  // reduces the step where stretching of the sheet has made the stable step smaller
+  void bound_step();  // sets the bound and the stable step for the reference configuration
+  // s, with damping by stiffness, which makes a step shorter.
+  double damped(double step) const;
+  double bound_of(double rate) const { return damped(2 / std::sqrt(rate)); }  // s, of a rate_bound()
+  void tell_bound();
+  bool is_of_waves() const;  // whether the usual step is that of waves in the cloth, not that of the bound
+  void split();              // reduces the step where stretch or loads have made the stable step smaller
   // With contact, steps are made in blocks of equal size. If contact needs a smaller step, the run returns to
   // the start of the block and repeats it with half the step: the step does not follow the gap continuously.
   void open_block();
@@ -45,6 +54,15 @@ class Explicit final : public Dynamic {
   std::optional<double> try_shorter(double size, StepReport& report);
   double block_step() const { return std::ldexp(now_.step, -block_.halved); }  // s
   mesh::Index fastest_node() const;                                            // -1: no node moves
+  mesh::Index fastest_element() const;  // whose nodes part fastest for its size; -1: none
+  // What makes a step fail: the element, and what to do.
+  struct Culprit {
+    mesh::Index element = -1;
+    std::string advice;
+  };
+  Culprit culprit(double step) const;
+  std::optional<Culprit> frequency_above(double step) const;  // empty: no frequency forbids the step
+  std::string shape_text(mesh::Index element) const;
   bool stuck() const;          // contact cannot hold what is pressed together
   std::string reason() const;  // the meaning of end_ in words
 
@@ -55,6 +73,14 @@ class Explicit final : public Dynamic {
     bool guarded = false, told = false;
     void keep(Archive& archive) { archive(start, steps, halved, calm, guarded, told); }
   } block_;
+  double nominal_ = 0, bound_ = 0;  // s: the step of the waves in the cloth; one that no frequency forbids
+  std::vector<double> added_;       // see mechanics::added_rates()
+  // Central differences conserve the sum of the energies less dt^2/8 times this weight, sum of m a^2; what
+  // changes of dt have moved of that, J; the dt, s.
+  struct Conserved {
+    double moved = 0, dt = 0;
+    void keep(Archive& archive) { archive(moved, dt); }
+  } conserved_;
   // Per unknown whether it is a rotation; and the limits, m and rad, beyond which an increment means that the
   // run diverges.
   std::vector<unsigned char> turns_;

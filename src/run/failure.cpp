@@ -137,7 +137,9 @@ Blame find_blame(mechanics::Assembly& assembly, const mesh::Mesh& mesh, const so
     blame.x = at(x, blame.node);
     about = elements_about(mesh, blame.node);
   }
-  blame.inverted = assembly.inverted_element();
+  const auto shape = assembly.shape();
+  blame.inverted = shape.inverted;
+  blame.turned = shape.turned;
   const Looks now = look_at_all(assembly);
   assembly.rollback();
   const Looks before = look_at_all(assembly);

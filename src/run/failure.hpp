@@ -27,6 +27,7 @@ struct Blame {
   std::int64_t switching = 0, slack = 0,
                elements = 0;  // elements with a switching yarn; with both yarns slack; all
   mesh::Index inverted = -1;  // an inverted element
+  mesh::Index turned = -1;    // a node whose director is turned over, at sound elements
   std::string reason;         // why a term could not compute its forces; empty: no failure, or that of a law
 };
 

@@ -79,6 +79,23 @@ Jumps find_jumps(const model::Model& model, double duration) {
   return jumps;
 }
 
+std::string moved_bodies_text(const model::Model& model) {
+  std::vector<Jump> moved;
+  for (const model::BodyMotion& motion : model.interactions().motions()) {
+    const std::string what = "the motion of the " + model.interactions().name_of(*motion.body);
+    const auto look = [&](const std::string& component, const model::History& h, const char* unit) {
+      if (const double at = h.value(0); at != 0)
+        moved.push_back({what + " (" + component + " = " + number(at) + " " + unit + ")", at});
+    };
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const auto& h = motion.displacement[i]) look(std::string(1, "xyz"[i]), *h, "m");
+    if (motion.turn) look("turn", motion.turn->angle, "degrees");
+  }
+  if (moved.empty()) return {};
+  return list(moved) + (moved.size() > 1 ? " are" : " is") + " not zero at time 0; the run starts with the " +
+         (moved.size() > 1 ? "bodies" : "body") + " there";
+}
+
 std::string warning_text(const Jumps& jumps, double duration) {
   if (jumps.loads.empty()) return {};
   const std::string value = number(jumps.loads.front().value);

@@ -23,6 +23,8 @@ struct Jumps {
   bool any() const { return !loads.empty() || !motions.empty(); }
 };
 Jumps find_jumps(const model::Model& model, double duration);
+// The rigid bodies that their motion has moved at time 0 already; or empty.
+std::string moved_bodies_text(const model::Model& model);
 // The loads among them, and how to ramp each over the run; or empty.
 std::string warning_text(const Jumps& jumps, double duration);
 // All of them, "gravity (z = -9.81 m/s^2) and the motion of 'top' (z = 0.01 m) are".

@@ -104,11 +104,13 @@ void Implicit::commit(StepReport& report) {
   newmark_.show_trial(false);
   const std::vector<double> driven_before = problem_.driven();
   assembly_->finish_step();
-  // With alpha the inertia forces do not balance those at the step's end, so the balance's work is used.
+  // With alpha the inertia forces do not balance those at the step's end, and rigid bodies have forces that
+  // hold them together, so the balance's work is used.
   double kinetic = 0, work = 0;
   if (damps()) {
+    const bool balances = options_.hht == 0 && assembly_->freedoms().bodies.empty();
     kinetic = newmark_.kinetic();
-    work = options_.hht == 0 ? newmark_.work_of_acceleration() : problem_.work_of_balance();
+    work = balances ? newmark_.work_of_acceleration() : problem_.work_of_balance();
   }
   dead_ = problem_.external();
   work_.add(*assembly_, dead_);

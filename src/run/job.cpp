@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/number.hpp"
+#include "base/utf8.hpp"
 #include "base/version.hpp"
 #include "card/fields.hpp"
 #include "run/vtk_series.hpp"
@@ -48,6 +49,17 @@ format::Json beyond_json(const Run& run) {
   return json.set("strain", far->strain).set("tested", far->tested);
 }
 
+format::Json warnings_json(const Run& run) {
+  format::Json list = format::Json::array();
+  for (const Warning& w : run.warnings()) {
+    format::Json json = format::Json::object();
+    json.set("code", w.code).set("text", w.text).set("time", w.time);
+    if (w.element >= 0) json.set("element", w.element + 1);
+    list.push(json.set("serious", w.serious));
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string hash_text(const std::string& bytes) {
@@ -59,7 +71,9 @@ std::string hash_text(const std::string& bytes) {
 // --- outputs
 
 Job::Job(std::shared_ptr<Run> run, std::shared_ptr<Journal> journal, std::int64_t number)
-    : run_(std::move(run)), journal_(std::move(journal)), number_(number) {}
+    : run_(std::move(run)), journal_(std::move(journal)), number_(number) {
+  run_->on_restore([this](Run&) { come_back(); });
+}
 
 std::string Job::free_path(const std::string& path) const {
   const std::string file = absolute(path);
@@ -77,31 +91,45 @@ void Job::add(Output output, double every, const std::string& written, const Mak
     if (there->kind == output.kind && there->file == absolute(written) && replaceable(*there))
       old = there.get();
   output.file = old != nullptr ? old->file : free_path(written);
-  if (const std::string* kept = claims_.take(output.kind, output.path)) {
+  const std::string* const kept = claims_.take(output.kind, output.path);
+  if (kept == nullptr) system::make_folder_for(written);
+  auto lock = journal_->locks.take(written);
+  if (kept != nullptr) {
     Archive from(*kept);
     output.series = continued(from);
     for (const std::string& file : output.series->lost())
-      run_->notices().say("warning: restart: '" + file + "' is gone, the series goes on without it");
+      run_->warn("lost", "warning: restart: '" + file + "' is gone, the series goes on without it");
   } else {
     output.series = make();
   }
   if (old != nullptr) {
     old->series = output.series;
+    for (const auto& keeper : keepers_) keeper->force();
     return run_->reschedule(old->hook, every);
   }
+  locks_.push_back(std::move(lock));
   paths_.insert(output.file);
   written_.push_back(written);
   const auto added = std::make_shared<Output>(std::move(output));
   const auto frame = [added](Run& a) { added->series->frame(a); };
   constexpr auto repeat = Run::AfterError::repeat;
   added->hook = every > 0 ? run_->every(every, frame, repeat) : run_->every_step(frame, repeat);
-  run_->on_restore([added](Run& a) { added->series->rewind(a.steps().size()); });
   outputs_.push_back(added);
 }
 
+// The run has returned to an earlier state. The last checkpoint counts the rows and frames written since
+// then, so they are removed only after it has been replaced.
+void Job::come_back() {
+  for (const auto& output : outputs_) output->series->forget(run_->steps().size());
+  for (const auto& keeper : keepers_) keeper->replace();
+  for (const auto& output : outputs_) output->series->remove_forgotten();
+}
+
 void Job::record(const std::string& path, const std::vector<Column>& columns, double every) {
-  for (const Column& column : columns)
+  for (const Column& column : columns) {
+    want_plain(column.name + column.unit, "record: field 'columns'");
     if (!column.value) throw Error("record: column '" + column.name + "': expected a function, got none");
+  }
   add(
       {"record", path, "", {}}, every, path, [&] { return std::make_shared<TableSeries>(path, columns); },
       [&](Archive& from) { return std::make_shared<TableSeries>(path, columns, from); });
@@ -120,8 +148,11 @@ std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<d
   if (!every && !minutes) minutes = usual_minutes;
   const auto keeper = std::make_shared<Keeper>(*this, path, every, minutes);
   const std::string file = free_path(path);
+  system::make_folder_for(path);
+  auto lock = journal_->locks.take(path);
   system::remove_leftovers(path);
   system::AtomicFile{path};  // what would prevent writing it in ten minutes is told now
+  locks_.push_back(std::move(lock));
   paths_.insert(file);
   keepers_.push_back(keeper);
   run_->when_settled([keeper](Run&) { keeper->look(); });
@@ -153,6 +184,9 @@ void Job::take_up() {
 
 void Job::begin() {
   claims_.check();
+  std::vector<system::Locks::Lock> locks;
+  for (const std::string& path : paths_) locks.push_back(journal_->locks.take(path));
+  locks_ = std::move(locks);
   for (const auto& output : outputs_) output->series->go_on();
   if (seconds_ == 0) write_report("running", 0);
   clock_ = {};
@@ -169,6 +203,7 @@ void Job::leave(const std::string& status, bool ended, bool broken, const Guarde
     for (const auto& keeper : keepers_) guarded([&keeper] { keeper->write(); });
   }
   guarded([&] { write_report(status, seconds_); });
+  if (ended) locks_.clear();
 }
 
 void Job::advance(double time) {
@@ -210,7 +245,7 @@ format::Json Job::report(const std::string& status, double seconds) const {
   mine.set("card_hash", hash_text(card::lua_text(model.card()))).set("model", model.describe());
   mine.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
   mine.set("steps", steps_json(run)).set("energy_error", run.energy().error);
-  mine.set("beyond", beyond_json(run));
+  mine.set("beyond", beyond_json(run)).set("warnings", warnings_json(run));
   if (run.moves()) mine.set("scaled_inertia", run.scaled_share());
   mine.set("outputs", written_);
   return mine;
@@ -255,8 +290,49 @@ Checkpoint Job::now() {
   return c;
 }
 
+namespace {
+
+std::string own_file(const std::string& path, std::int64_t number) {
+  return absolute(path) + "." + std::to_string(number);
+}
+
+}  // namespace
+
+// If the run's file belongs to another one by now, as in a restarted deck, the end goes into a file of its
+// own.
 void Job::remember_end() {
-  if (!keepers_.empty()) journal_->finished[number_] = now().bytes();
+  for (const auto& keeper : keepers_)
+    if (keeper->holds_end()) {
+      journal_->finished[number_] = {absolute(keeper->path())};
+      return;
+    }
+  if (keepers_.empty() || journal_->finished.count(number_) != 0) return;
+  const std::string file = own_file(keepers_.front()->path(), number_);
+  write_checkpoint(file, now());
+  journal_->finished[number_] = {file};
+}
+
+// A finished run whose file somebody has removed is forgotten: a restart runs it again.
+void Journal::make_way(const std::string& file, std::int64_t number) {
+  for (auto at = finished.begin(); at != finished.end();) {
+    auto& [other, end] = *at;
+    const bool moves = other != number && end.file == file;
+    if (moves) end = {own_file(file, other), copy_checkpoint(file, own_file(file, other))};
+    at = moves && !end.hash ? finished.erase(at) : std::next(at);
+  }
+}
+
+std::vector<Checkpoint::Finished> Journal::list_for(const std::string& folder, std::int64_t except) {
+  std::vector<Checkpoint::Finished> list;
+  for (auto at = finished.begin(); at != finished.end();) {
+    auto& [number, end] = *at;
+    if (number != except && !end.hash) end.hash = hash_of_checkpoint(end.file);
+    if (number != except && end.hash)
+      list.push_back(
+          {number, std::filesystem::path(end.file).lexically_relative(folder).string(), *end.hash});
+    at = number != except && !end.hash ? finished.erase(at) : std::next(at);
+  }
+  return list;
 }
 
 Keeper::Keeper(Job& job, std::string path, std::optional<double> every, std::optional<double> minutes)
@@ -294,8 +370,9 @@ void Keeper::write() {
   try {
     for (const auto& output : job_.outputs()) output->series->sync();
     Checkpoint c = job_.now();
-    for (const auto& [number, bytes] : job_.journal().finished)
-      if (number != job_.number()) c.finished.push_back(bytes);
+    const std::string file = absolute(path_);
+    job_.journal().make_way(file, job_.number());
+    c.finished = job_.journal().list_for(std::filesystem::path(file).parent_path().string(), job_.number());
     write_checkpoint(path_, c);
   } catch (const Error& error) {
     throw Error("checkpoint: " + std::string(error.what()) + " (the run is kept at " +
@@ -305,6 +382,13 @@ void Keeper::write() {
   forced_ = false;
   last_ = std::chrono::steady_clock::now();
   if (every_ && *every_ > 0) next_ = *every_ * (std::floor(run.time() / *every_ + 1e-9) + 1);
+}
+
+bool Keeper::holds_end() const { return !silent_ && written_ == job_.run().steps().size(); }
+
+void Keeper::replace() {
+  forced_ = true;
+  if (job_.from() || written_ != static_cast<std::size_t>(-1)) write();
 }
 
 }  // namespace fabricsh::run

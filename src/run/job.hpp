@@ -21,6 +21,7 @@
 #include "run/series.hpp"
 #include "run/table_series.hpp"
 #include "run/vtk_frame.hpp"
+#include "system/lock.hpp"
 
 namespace fabricsh::run {
 
@@ -34,9 +35,19 @@ struct Journal {
   std::function<void(Checkpoint&)> sign = {};
   // For each folder: the entries of its run.json, by the number of the run.
   std::map<std::string, std::map<std::int64_t, format::Json>> folders = {};
-  // For finished runs that are to be kept: a checkpoint of the end, as bytes, which is included in the
-  // checkpoints of the other runs.
-  std::map<std::int64_t, std::string> finished = {};
+  // For finished runs that are to be kept: the file with a checkpoint of the end, to which the checkpoints of
+  // the other runs refer.
+  struct Finished {
+    std::string file;                     // full path
+    std::optional<std::uint64_t> hash{};  // of its content; computed when it is first needed
+  };
+  std::map<std::int64_t, Finished> finished = {};
+  // Another run is about to write this file: a finished run whose checkpoint it is gets a file of its own.
+  void make_way(const std::string& file, std::int64_t number);
+  // The finished runs but for one, for a checkpoint in the folder. One whose file is gone is no longer kept.
+  std::vector<Checkpoint::Finished> list_for(const std::string& folder, std::int64_t except);
+  // Of the files that are being written.
+  system::Locks locks = {};
 };
 
 // A table or series of a run.
@@ -70,6 +81,8 @@ class Keeper {
   const std::string& path() const { return path_; }
   void look();                      // after a step: writes a checkpoint if one is due
   void write();                     // Error: names the file and the reason
+  void replace();                   // writes one if there is one, or if the run started from one
+  bool holds_end() const;           // the file has the present state of the run
   void force() { forced_ = true; }  // makes the next look() write
   // Another run now writes this file: only the additional parts are stored, in the checkpoints of other runs.
   void write_nothing() { silent_ = true; }
@@ -147,6 +160,7 @@ class Job {
   template <class Make, class Continue>
   void add(Output output, double every, const std::string& written, const Make& make,
            const Continue& continued);
+  void come_back();  // after Run::restore()
   std::string free_path(const std::string& path) const;
   format::Json report(const std::string& status, double seconds) const;  // the run's object in run.json
 
@@ -155,8 +169,9 @@ class Job {
   std::int64_t number_;
   std::vector<std::shared_ptr<Output>> outputs_;
   std::vector<std::shared_ptr<Keeper>> keepers_;
-  std::vector<std::string> written_;  // paths of the outputs, for run.json
-  std::set<std::string> paths_;       // full paths of outputs and checkpoints
+  std::vector<std::string> written_;        // paths of the outputs, for run.json
+  std::set<std::string> paths_;             // full paths of outputs and checkpoints
+  std::vector<system::Locks::Lock> locks_;  // of these, until the run has ended
   Claims claims_;
   bool taken_up_ = false, driving_ = false;
   double seconds_ = 0;  // before the present call

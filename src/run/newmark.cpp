@@ -54,8 +54,13 @@ void Newmark::update() {
     rates->x.resize(3 * nodes);
     rates->d.resize(3 * nodes);
   }
+  const mechanics::Freedoms& freedoms = assembly_.freedoms();
 #pragma omp parallel for schedule(static) if (nodes >= 2048)
   for (std::size_t n = 0; n < nodes; ++n) {
+    if (freedoms.body(static_cast<mechanics::Index>(n)) >= 0) {
+      update_rigid(n, x, old);
+      continue;
+    }
     const Pair node =
         run::update(scheme_, dt(), at(x, n) - at(old, n), at(before_.v.x, n), at(before_.a.x, n));
     at(trial_.v.x, n) = node.v;
@@ -66,6 +71,38 @@ void Newmark::update() {
     at(trial_.v.d, n) = turn.v;
     at(trial_.a.d, n) = turn.a;
   }
+}
+
+// The midpoint's rule, x+ - x = dt (v + v+) / 2, for nodes and directors alike, which then are points of the
+// body.
+void Newmark::update_rigid(std::size_t node, std::span<const double> now, std::span<const double> old) {
+  const auto d = std::as_const(assembly_).state().d();
+  const auto one = [&](const Vec3& moved, const std::vector<double>& v0, std::vector<double>& v,
+                       std::vector<double>& a) {
+    at(v, node) = 2 / dt() * moved - at(v0, node);
+    at(a, node) = (at(v, node) - at(v0, node)) / dt();
+  };
+  one(at(now, node) - at(old, node), before_.v.x, trial_.v.x, trial_.a.x);
+  one(at(d, node) - at(old.subspan(now.size()), node), before_.v.d, trial_.v.d, trial_.a.d);
+}
+
+// The arms are those of the middle of the step: with the midpoint's rule for the velocities, the change of
+// the body's momentum and angular momentum is the impulse of the forces, and that of its energy their work
+// [gonzalez1996; betsch2001].
+std::array<double, 6> Newmark::rate_of_momentum(const mechanics::Body& body) const {
+  const auto& state = std::as_const(assembly_).state();
+  const auto x = state.x(), d = state.d(), old = state.committed_kinematics();
+  const auto old_d = old.subspan(x.size());
+  const Vec3 middle = (assembly_.dofs().centroid(body, x) + assembly_.dofs().centroid(body, old)) / 2;
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+  for (const auto n : body.nodes) {
+    const Vec3 force = inertia_.mass()[n] * at(trial_.a.x, n),
+               turning = inertia_.rotary()[n] * at(trial_.a.d, n);
+    linear += force;
+    angular += ((at(x, n) + at(old, n)) / 2 - middle).cross(force);
+    angular += Vec3((at(d, n) + at(old_d, n)) / 2).cross(turning);
+  }
+  return {linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]};
 }
 
 void Newmark::commit(double time, std::span<const double> targets) {

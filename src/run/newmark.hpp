@@ -4,7 +4,14 @@
 //   M a+ = (1 + alpha) f(x+) - alpha f(x),   f = f_ext - f_int - C v
 //
 // On the sphere of directors the increment is an arc from d to d+, along which vectors at d are carried.
+//
+// The nodes of rigid bodies have accelerations towards the axis of rotation that no force on the unknowns
+// shows, and the formulas above would make energy of their errors. Bodies therefore follow the midpoint's
+// rule with their momentum P (six numbers) and the forces F on their unknowns:
+//
+//   x+ = x + dt (v + v+) / 2,   (P+ - P) / dt = (1 - gamma) F^ + gamma F^+,   F^+ = (1 + alpha) F+ - alpha F
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -38,6 +45,8 @@ class Newmark final : public mechanics::Motion {
   // Starts a run with these velocities; the trial state is the committed one.
   void start(const mechanics::NodalRates& velocities);
   void set_accelerations(mechanics::NodalRates a) { before_.a = std::move(a); }  // at the start
+  // N and N m: the change of a rigid body's momentum and angular momentum in the step, over its length.
+  std::array<double, 6> rate_of_momentum(const mechanics::Body& body) const;
   // Computes the trial motion after dt() from the increment between committed and trial configuration.
   void update();
   // Commits the trial motion. targets: of the driven freedoms at `time`; their displacements get the rate of
@@ -61,6 +70,7 @@ class Newmark final : public mechanics::Motion {
   // J, work of forces equal to mass times `factor` times these rates, without driven displacements.
   double work_on_mass(double factor, const mechanics::NodalRates& before,
                       const mechanics::NodalRates& after) const;
+  void update_rigid(std::size_t node, std::span<const double> now, std::span<const double> old);
   double along(const mechanics::DrivenFreedom& m, std::span<const double> v) const;
 
   mechanics::Assembly& assembly_;

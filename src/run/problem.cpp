@@ -73,6 +73,7 @@ void Problem::remember() {
   if (!iterates()) return;
   if (newmark_ != nullptr) {
     balance(0, balance_);
+    remember_bodies();
     memory_.balance = balance_;
   } else {
     memory_.lead = lead_;
@@ -82,17 +83,28 @@ void Problem::remember() {
   memory_.peak = force_scale();
 }
 
+// Stores the forces F^ of the step, of which the first one has no earlier.
+void Problem::remember_bodies() {
+  const double alpha = newmark_->scheme().hht;
+  const auto& before = memory_.balance.empty() ? balance_ : memory_.balance;
+  memory_.on_bodies.clear();
+  for (const auto& body : assembly_.freedoms().bodies)
+    for (auto i = static_cast<std::size_t>(body.equation); i < static_cast<std::size_t>(body.equation) + 6;
+         ++i)
+      memory_.on_bodies.push_back((1 + alpha) * balance_[i] - alpha * before[i]);
+}
+
 void Problem::keep(Archive& archive) {
   archive(memory_);
   if (archive.reading()) aim(std::as_const(assembly_).state().time());
 }
 
-void Problem::keep_configuration() {
+void Problem::mark() {
   const auto k = std::as_const(assembly_).state().kinematics();
   kept_.assign(k.begin(), k.end());
 }
 
-void Problem::recall() {
+void Problem::return_to_mark() {
   std::copy(kept_.begin(), kept_.end(), assembly_.state().kinematics().begin());
   assembly_.state().touch();
 }
@@ -117,9 +129,11 @@ void Problem::balance(double inertia, std::span<double> r) {
     const double share = inertia * on.acceleration;
     on_x_.resize(external_.size());
     on_d_.resize(external_.size());
+    const auto& freedoms = assembly_.freedoms();
     for (std::size_t i = 0; i < external_.size(); ++i) {
-      on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + share * motion.a.x[i]);
-      on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + share * motion.a.d[i]);
+      const double own = freedoms.body(static_cast<mechanics::Index>(i / 3)) < 0 ? share : 0;
+      on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + own * motion.a.x[i]);
+      on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + own * motion.a.d[i]);
     }
     assembly_.residual(on_x_, r, on_d_);
   }
@@ -133,6 +147,20 @@ void Problem::weigh(std::span<double> r) {
   const double alpha = newmark_->scheme().hht;
   balance(1 / (1 + alpha), r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = (1 + alpha) * r[i] - alpha * memory_.balance[i];
+  move_bodies(r);
+}
+
+// The inertia of rigid bodies, see newmark.hpp; r has the forces F^+ on their unknowns.
+void Problem::move_bodies(std::span<double> r) {
+  const auto& bodies = assembly_.freedoms().bodies;
+  const double gamma = newmark_->scheme().gamma, on = assembly_.on_mass().acceleration;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto rate = newmark_->rate_of_momentum(bodies[b]);
+    for (std::size_t i = 0; i < rate.size(); ++i) {
+      double& force = r[static_cast<std::size_t>(bodies[b].equation) + i];
+      force += ((1 - gamma) * memory_.on_bodies[6 * b + i] - on * rate[i]) / gamma;
+    }
+  }
 }
 
 // The tangent of the scheme from that of the forces: weighted, with damping and inertia.
@@ -146,9 +174,13 @@ void Problem::close(linear::Matrix& K) {
   const double dt = motion_.dt();
   const double c =
       (on.acceleration / scheme.beta / dt + weight() * on.velocity * scheme.gamma / scheme.beta) / dt;
+  const double of_body = 2 * (on.acceleration / scheme.gamma / dt + weight() * on.velocity) / dt;
   std::vector<double> on_x = newmark_->inertia().mass(), on_d = newmark_->inertia().rotary();
-  for (double& m : on_x) m *= c;
-  for (double& m : on_d) m *= c;
+  for (std::size_t n = 0; n < on_x.size(); ++n) {
+    const double factor = assembly_.freedoms().body(static_cast<mechanics::Index>(n)) < 0 ? c : of_body;
+    on_x[n] *= factor;
+    on_d[n] *= factor;
+  }
   assembly_.add_diagonal(on_x, on_d, K);
 }
 
@@ -180,7 +212,7 @@ void Problem::lead_to_targets() {
   for (double& l : lead_) l *= motion_.dt();
 }
 
-Answer Problem::predict(linear::Matrix& K, std::span<double> r) {
+Answer Problem::predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) {
   assembly_.rollback();
   assembly_.begin_iterate();
   lead_to_targets();
@@ -190,7 +222,7 @@ Answer Problem::predict(linear::Matrix& K, std::span<double> r) {
   const auto at = turns ? law::AtSwitch::unloading : law::AtSwitch::loading;
   if (!assembly_.tangent(step(at), K, lead_, product_)) return made(false);
   weigh(r);
-  for (std::size_t i = 0; i < r.size(); ++i) r[i] -= weight() * product_[i];
+  for (std::size_t i = 0; i < r.size(); ++i) lead[i] = -(weight() * product_[i]);
   close(K);
   return Answer::ok;
 }
@@ -204,6 +236,18 @@ Answer Problem::residual(std::span<double> r) {
 
 Answer Problem::tangent(linear::Matrix& K) {
   if (!assembly_.tangent(step(), K, {}, {})) return made(false);
+  close(K);
+  return Answer::ok;
+}
+
+double Problem::turn_of(std::span<const double> delta) const {
+  mechanics::NodalRates way;
+  assembly_.spread_rates(delta, std::vector<double>(lead_.size(), 0), way);
+  return assembly_.largest_turn(way);
+}
+
+Answer Problem::extrapolated_tangent(linear::Matrix& K) {
+  if (!assembly_.tangent(step(), K, {}, {}, true)) return made(false);
   close(K);
   return Answer::ok;
 }

@@ -44,14 +44,11 @@ class Problem final : public solver::PathProblem {
   void keep(Archive& archive);
   // Tells whether a path is at a kink of a history, where loads may reverse.
   void at_kink(bool kink) { memory_.kink = kink; }
-  // Stores the present configuration, to be restored later.
-  void keep_configuration();
-  void recall();
 
   // --- interface of the solvers
   void aim(double time) override;
   solver::Index size() const override { return assembly_.unknowns(); }
-  Answer predict(linear::Matrix& K, std::span<double> r) override;
+  Answer predict(linear::Matrix& K, std::span<double> r, std::span<double> lead) override;
   void retract(std::span<const double> delta, double scale) override {
     assembly_.retract(delta, scale, targets_);
   }
@@ -63,6 +60,10 @@ class Problem final : public solver::PathProblem {
   bool arrived() const override { return assembly_.arrived(); }
   Answer residual(std::span<double> r) override;
   Answer tangent(linear::Matrix& K) override;
+  double turn_of(std::span<const double> delta) const override;
+  Answer extrapolated_tangent(linear::Matrix& K) override;
+  void mark() override;
+  void return_to_mark() override;
   Answer start(linear::Matrix& K, std::span<double> r, std::span<double> q) override;
   Answer tangent_and_rate(linear::Matrix& K, std::span<double> q) override;
   double product(std::span<const double> a, std::span<const double> b) const override;
@@ -81,8 +82,10 @@ class Problem final : public solver::PathProblem {
   void lead_to_targets();
   void balance(double inertia, std::span<double> r);
   void weigh(std::span<double> r);
+  void move_bodies(std::span<double> r);
   void close(linear::Matrix& K);
   void remember();
+  void remember_bodies();
   void set_push(const std::vector<double>& to, const std::vector<double>& from);
   void look_ahead();
   Answer tangent_and_rate(law::AtSwitch at, linear::Matrix& K, std::span<double> q);
@@ -100,9 +103,10 @@ class Problem final : public solver::PathProblem {
     std::vector<double> driven, lead;    // at the last commit; change in the last step
     std::vector<double> external, push;  // dead loads likewise
     std::vector<double> balance;         // forces without inertia at that time, per unknown, N and N m
+    std::vector<double> on_bodies;       // the scheme's forces F^ on rigid bodies then, six each
     double peak = 0;                     // N, the largest nodal force of the run's committed states
     bool kink = true;
-    void keep(Archive& archive) { archive(driven, lead, external, push, balance, peak, kink); }
+    void keep(Archive& archive) { archive(driven, lead, external, push, balance, on_bodies, peak, kink); }
   } memory_;
 };
 

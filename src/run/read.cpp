@@ -19,16 +19,33 @@ void check_index(mesh::Index i, std::size_t size, const char* what) {
                 std::to_string(i + 1));
 }
 
-void add_point(ElementValues& v, double w, const law::Law& law, const double* E, const double* state) {
-  double S[5];
+// Components in axes turned back by an angle: v = 11, 22, 23, 13, 12 of a tensor.
+void turn_back(double angle, double v[5]) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const double a = v[0], b = v[1], d = v[4], e23 = v[2], e13 = v[3];
+  v[0] = c * c * a + s * s * b - 2 * c * s * d;
+  v[1] = s * s * a + c * c * b + 2 * c * s * d;
+  v[2] = c * e23 + s * e13;
+  v[3] = c * e13 - s * e23;
+  v[4] = c * s * (a - b) + (c * c - s * s) * d;
+}
+
+// turn: rad, from the axes of the sum to those of the point.
+void add_point(ElementValues& v, double w, double turn, const law::Law& law, const double* E,
+               const double* state) {
+  double S[5], e[5] = {E[0], E[1], E[2] / 2, E[3] / 2, E[4] / 2};
   law::stress(law, E, state, S);
+  if (turn != 0) {
+    turn_back(turn, e);
+    turn_back(turn, S);
+  }
   const auto energy = law::energy(law, E, state);
   const auto in = law::internal(law, E, state);
-  v.E11 += w * E[0];
-  v.E22 += w * E[1];
-  v.E23 += w * E[2] / 2;
-  v.E13 += w * E[3] / 2;
-  v.E12 += w * E[4] / 2;
+  v.E11 += w * e[0];
+  v.E22 += w * e[1];
+  v.E23 += w * e[2];
+  v.E13 += w * e[3];
+  v.E12 += w * e[4];
   v.S11 += w * S[0];
   v.S22 += w * S[1];
   v.S23 += w * S[2];
@@ -80,24 +97,38 @@ NodeValues Run::node(mesh::Index i) const {
   return v;
 }
 
-const std::vector<ElementValues>& Run::elements() const {
+ElementValues Run::average(mesh::Index e, int ply) const {
+  const auto& section = model_->sections()[static_cast<std::size_t>(model_->region_of(e))];
+  const bool together = ply == mechanics::Cloth::all_plies;
+  const double common = section.common_angle();
+  double volume = 0;
+  std::size_t visited = 0;
+  ElementValues sum;
+  assembly_->visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
+    const auto& point = section.points[visited++ % section.points.size()];
+    if (!together && point.ply != ply) return;
+    volume += w;
+    add_point(sum, w, together ? point.angle - common : 0, law, E, state);
+  });
+  for (const auto member : element_members()) sum.*member /= volume;
+  return sum;
+}
+
+const std::vector<ElementValues>& Run::elements(const std::string& ply) const {
   const auto version = std::as_const(*assembly_).state().version();
-  if (cache_version_ == version) return cache_;
-  cache_.assign(assembly_->elements(), {});
-  const auto& members = element_members();
+  Averages& known = averages_[ply];
+  if (known.version == version) return known.values;
+  known.values.assign(assembly_->elements(), {});
 #pragma omp parallel for schedule(static) if (assembly_->elements() >= 256)
   for (mesh::Index e = 0; e < assembly_->elements(); ++e) {
-    double volume = 0;
-    ElementValues sum;
-    assembly_->visit(e, [&](double w, const law::Law& law, const double* E, const double* state) {
-      volume += w;
-      add_point(sum, w, law, E, state);
-    });
-    for (const auto member : members) sum.*member /= volume;
-    cache_[e] = sum;
+    const int number = ply.empty() ? mechanics::Cloth::all_plies : model_->ply_of(e, ply);
+    if (ply.empty() || number >= 0)
+      known.values[e] = average(e, number);
+    else
+      for (const auto member : element_members()) known.values[e].*member = std::nan("");
   }
-  cache_version_ = version;
-  return cache_;
+  known.version = version;
+  return known.values;
 }
 
 ElementValues Run::element(mesh::Index i) const {
@@ -125,18 +156,29 @@ FieldPart number_of(const Run& run, const std::string& name) {
   return part;
 }
 
+// The nodes or elements over which a mean of the field's part is taken.
+std::vector<mesh::Index> all_of(const Run& run, const FieldPart& part, const std::string& set) {
+  std::vector<mesh::Index> all = inside(run.model(), *part.field, set);
+  if (part.ply.empty()) return all;
+  for (const mesh::Index e : all)
+    if (run.model().ply_of(e, part.ply) < 0)
+      throw Error("mean: element " + run.model().element_name(e) + " of set '" + set + "' has no ply '" +
+                  part.ply + "'");
+  return all;
+}
+
 }  // namespace
 
 void check_mean(const Run& run, const std::string& name, const std::string& set) {
-  inside(run.model(), *number_of(run, name).field, set);
+  all_of(run, number_of(run, name), set);
 }
 
 double Run::mean(const std::string& name, const std::string& set) const {
   const FieldPart part = number_of(*this, name);
-  const auto all = inside(*model_, *part.field, set);
+  const auto all = all_of(*this, part, set);
   double sum = 0, values[5];
   for (const auto i : all) {
-    part.field->values(*this, i, values);
+    part.field->values(*this, i, part.ply, values);
     sum += values[part.component];
   }
   return sum / static_cast<double>(all.size());
@@ -158,6 +200,7 @@ Energy Run::energy() const {
     if (energy.account == mechanics::Account::moving) sum.rigid += energy.value;
     if (energy.name == "contact") sum.contact += energy.value;
     if (energy.name == "guard") sum.guard += energy.value;
+    if (energy.name == "directors") sum.directors += energy.value;
     if (energy.account != mechanics::Account::dissipated) continue;
     if (energy.name == "friction") sum.friction += energy.value;
     if (energy.name == "warp") sum.dissipated_warp += energy.value;
@@ -171,11 +214,18 @@ Energy Run::energy() const {
   sum.kinetic = sum.kinetic + driven_kinetic() + sum.rigid;
   sum.scaled = scaled_kinetic();
   sum.damping += scheme_loss();
+  sum.relaxed = relaxed();
   sum.external = work_.total() + (started_ ? driven_work() : 0);
   sum.initial = started_ ? initial_energy_ : sum.kinetic + sum.internal();
   const double scale = std::max(work_.largest(), sum.initial);
-  if (scale > 0) sum.error = std::abs(sum.surplus()) / scale;
+  if (scale > 0) sum.error = imbalance(sum, scale) / scale;
   return sum;
+}
+
+double Run::imbalance(const Energy& sum, double scale) const {
+  constexpr double small = 1e-3;
+  const double whole = std::abs(sum.surplus());
+  return whole <= small * scale ? whole : std::min(whole, std::abs(sum.surplus() + hidden_energy()));
 }
 
 }  // namespace fabricsh::run

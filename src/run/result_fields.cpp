@@ -20,6 +20,15 @@ using Members = std::vector<double V::*>;
 
 constexpr std::size_t kMostNumbers = 5;
 
+// m, of a ply or (empty) of the whole sheet; NaN: the element has no such ply.
+double thickness(const model::Model& model, mesh::Index e, const std::string& ply) {
+  if (ply.empty()) return model.thickness_of(e);
+  const int number = model.ply_of(e, ply);
+  if (number < 0) return std::nan("");
+  const auto& plies = model.regions()[static_cast<std::size_t>(model.region_of(e))].options.plies;
+  return plies.empty() ? model.thickness_of(e) : plies[static_cast<std::size_t>(number)].thickness;
+}
+
 struct Table {
   std::vector<ResultField> rows;
   Members members;
@@ -28,7 +37,7 @@ struct Table {
   template <class Read>
   void vectors(std::string name, std::string unit, std::string sentence, Names components, std::string letter,
                const Read& read) {
-    const auto values = [read](const Run& run, mesh::Index i, double* out) {
+    const auto values = [read](const Run& run, mesh::Index i, const std::string&, double* out) {
       const Vec3 v = read(run, i);
       std::copy_n(v.data(), 3, out);
     };
@@ -54,7 +63,7 @@ struct Table {
   }
   void touched(const std::string& name, std::string unit, std::string sentence,
                double (mechanics::Contacts::*what)(mechanics::Index) const) {
-    const auto values = [name, what](const Run& run, mesh::Index i, double* out) {
+    const auto values = [name, what](const Run& run, mesh::Index i, const std::string&, double* out) {
       if (run.assembly().contact() == nullptr)
         throw Error("field '" + name + "': nothing touches in this model (see model:contact)");
       *out = (run.assembly().contact()->*what)(i);
@@ -65,29 +74,50 @@ struct Table {
   void average(std::string name, std::string unit, Shape shape, std::string sentence, Names components,
                const Members& what, Names labels) {
     members.insert(members.end(), what.begin(), what.end());
-    const auto values = [what](const Run& run, mesh::Index e, double* out) {
-      const V& v = run.elements()[e];
+    const auto values = [what](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+      const V& v = run.elements(ply)[e];
       for (const auto member : what) *out++ = v.*member;
     };
     rows.push_back({std::move(name), std::move(unit), shape, Place::element, std::move(sentence),
                     std::move(components), values, std::move(labels)});
+    rows.back().by_ply = true;
+  }
+  // Of yarns, which plies with different axes have each for itself.
+  void of_yarns(std::string name, std::string sentence, Names components, const Members& what) {
+    average(std::move(name), "", Shape::pair, std::move(sentence), std::move(components), what,
+            {"warp", "weft"});
+    rows.back().of_yarns = true;
   }
   void direction(std::string name, std::string sentence, Vec3 std::pair<Vec3, Vec3>::*which) {
-    const auto values = [which](const Run& run, mesh::Index e, double* out) {
-      const Vec3 v = run.assembly().yarns(e).*which;
+    const auto values = [which](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+      const int number = ply.empty() ? mechanics::Cloth::all_plies : run.model().ply_of(e, ply);
+      Vec3 v = Vec3::Constant(std::nan(""));
+      if (ply.empty() || number >= 0) v = run.assembly().yarns(e, number).*which;
       std::copy_n(v.data(), 3, out);
     };
     rows.push_back({std::move(name), "", Shape::vector, Place::element, std::move(sentence), {}, values});
+    rows.back().by_ply = true;
   }
   // A scalar of elements, written to files only on request.
   void scalar(const std::string& name, std::string unit, std::string sentence,
               std::function<double(const Run&, mesh::Index)> value) {
-    const auto values = [value = std::move(value)](const Run& run, mesh::Index e, double* out) {
-      *out = value(run, e);
+    const auto values = [value = std::move(value)](const Run& run, mesh::Index e, const std::string&,
+                                                   double* out) { *out = value(run, e); };
+    rows.push_back(
+        {name, std::move(unit), Shape::scalar, Place::element, std::move(sentence), {name}, values});
+    rows.back().usual = false;
+  }
+  // The same computed from strains and stresses, value(values, thickness in m), of a ply or of all.
+  void computed(const std::string& name, std::string unit, std::string sentence,
+                double (*value)(const V&, double)) {
+    const auto values = [value](const Run& run, mesh::Index e, const std::string& ply, double* out) {
+      const double t = thickness(run.model(), e, ply);
+      *out = std::isnan(t) ? t : value(run.elements(ply)[e], t);
     };
     rows.push_back(
         {name, std::move(unit), Shape::scalar, Place::element, std::move(sentence), {name}, values});
     rows.back().usual = false;
+    rows.back().by_ply = true;
   }
 };
 
@@ -103,9 +133,13 @@ std::array<double, 3> cauchy(const V& v) {
           (a * d * v.S12 + b * d * v.S22) / J};
 }
 
-// Tension in N/m: S (Pa) acts along the present direction of the yarn, on its reference area.
-double tension(const Run& run, mesh::Index e, double S, double E) {
-  return run.model().thickness_of(e) * S * stretch(E);
+// Force along a yarn over the reference area, Pa: S acts along the present direction of the yarn.
+double nominal(double S, double E) { return S * stretch(E); }
+
+double shear_angle(const V& v) {
+  const double lengths = stretch(v.E11) * stretch(v.E22);
+  const double sine = lengths > 0 ? std::clamp(2 * v.E12 / lengths, -1.0, 1.0) : 0;
+  return std::asin(sine) * (180 / std::numbers::pi);
 }
 
 Table make_table() {
@@ -132,49 +166,34 @@ Table make_table() {
             {"E11", "E22", "E23", "E13", "E12"});
   t.average("S", "Pa", Shape::tensor, "2nd Piola-Kirchhoff stress", {"S11", "S22", "S23", "S13", "S12"},
             {&V::S11, &V::S22, &V::S23, &V::S13, &V::S12}, {"S11", "S22", "S23", "S13", "S12"});
-  t.average("residual", "", Shape::pair, "strain that a yarn keeps when it is unloaded",
-            {"residual1", "residual2"}, {&V::residual1, &V::residual2}, {"warp", "weft"});
-  t.average("slack", "", Shape::pair, "strain by which a slack yarn is below its residual strain",
-            {"slack1", "slack2"}, {&V::slack1, &V::slack2}, {"warp", "weft"});
+  t.of_yarns("residual", "strain that a yarn keeps when it is unloaded", {"residual1", "residual2"},
+             {&V::residual1, &V::residual2});
+  t.of_yarns("slack", "strain by which a slack yarn is below its residual strain", {"slack1", "slack2"},
+             {&V::slack1, &V::slack2});
   t.average("energy", "J/m^3", Shape::pair, "per reference volume: stored, and dissipated so far",
             {"stored", "dissipated"}, {&V::stored, &V::dissipated}, {"stored", "dissipated"});
   t.direction("warp", "unit vector along the deformed warp", &std::pair<Vec3, Vec3>::first);
   t.direction("weft", "unit vector along the deformed weft", &std::pair<Vec3, Vec3>::second);
-  t.scalar("shear_angle", "degrees", "90 degrees less the angle between warp and weft; has the sign of E12",
-           [](const Run& run, mesh::Index e) {
-             const auto [warp, weft] = run.assembly().yarns(e);
-             return std::asin(std::clamp(warp.dot(weft), -1.0, 1.0)) * (180 / std::numbers::pi);
-           });
-  t.scalar("tension_warp", "N/m", "force along the warp yarns per reference width",
-           [](const Run& run, mesh::Index e) {
-             const V& v = run.elements()[e];
-             return tension(run, e, v.S11, v.E11);
-           });
-  t.scalar("tension_weft", "N/m", "force along the weft yarns per reference width",
-           [](const Run& run, mesh::Index e) {
-             const V& v = run.elements()[e];
-             return tension(run, e, v.S22, v.E22);
-           });
-  t.scalar("nominal_strain_warp", "", "change of length along the warp over the reference length",
-           [](const Run& run, mesh::Index e) { return stretch(run.elements()[e].E11) - 1; });
-  t.scalar("nominal_strain_weft", "", "change of length along the weft over the reference length",
-           [](const Run& run, mesh::Index e) { return stretch(run.elements()[e].E22) - 1; });
-  t.scalar("nominal_stress_warp", "Pa", "force along the warp yarns over the reference area",
-           [](const Run& run, mesh::Index e) {
-             const V& v = run.elements()[e];
-             return v.S11 * stretch(v.E11);
-           });
-  t.scalar("nominal_stress_weft", "Pa", "force along the weft yarns over the reference area",
-           [](const Run& run, mesh::Index e) {
-             const V& v = run.elements()[e];
-             return v.S22 * stretch(v.E22);
-           });
-  t.scalar("cauchy_11", "Pa", "Cauchy stress along the deformed warp (current width, reference thickness)",
-           [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[0]; });
-  t.scalar("cauchy_22", "Pa", "Cauchy stress across the deformed warp, in the surface",
-           [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[1]; });
-  t.scalar("cauchy_12", "Pa", "Cauchy shear stress, along and across the deformed warp",
-           [](const Run& run, mesh::Index e) { return cauchy(run.elements()[e])[2]; });
+  t.computed("shear_angle", "degrees", "90 degrees less the angle between warp and weft; has the sign of E12",
+             [](const V& v, double) { return shear_angle(v); });
+  t.computed("tension_warp", "N/m", "force along the warp yarns per reference width",
+             [](const V& v, double thick) { return thick * v.S11 * stretch(v.E11); });
+  t.computed("tension_weft", "N/m", "force along the weft yarns per reference width",
+             [](const V& v, double thick) { return thick * v.S22 * stretch(v.E22); });
+  t.computed("nominal_strain_warp", "", "change of length along the warp over the reference length",
+             [](const V& v, double) { return stretch(v.E11) - 1; });
+  t.computed("nominal_strain_weft", "", "change of length along the weft over the reference length",
+             [](const V& v, double) { return stretch(v.E22) - 1; });
+  t.computed("nominal_stress_warp", "Pa", "force along the warp yarns over the reference area",
+             [](const V& v, double) { return nominal(v.S11, v.E11); });
+  t.computed("nominal_stress_weft", "Pa", "force along the weft yarns over the reference area",
+             [](const V& v, double) { return nominal(v.S22, v.E22); });
+  t.computed("cauchy_11", "Pa", "Cauchy stress along the deformed warp (current width, reference thickness)",
+             [](const V& v, double) { return cauchy(v)[0]; });
+  t.computed("cauchy_22", "Pa", "Cauchy stress across the deformed warp, in the surface",
+             [](const V& v, double) { return cauchy(v)[1]; });
+  t.computed("cauchy_12", "Pa", "Cauchy shear stress, along and across the deformed warp",
+             [](const V& v, double) { return cauchy(v)[2]; });
   t.scalar("beyond", "",
            "largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card "
            "states none",
@@ -212,8 +231,18 @@ std::size_t ResultField::size() const {
   return sizes.at(static_cast<std::size_t>(shape));
 }
 
+namespace {
+
+bool turned_plies(const Run& run) {
+  const auto& sections = run.model().sections();
+  return std::any_of(sections.begin(), sections.end(), [](const auto& s) { return s.turned_plies(); });
+}
+
+}  // namespace
+
 bool has(const Run& run, const ResultField& field) {
-  return (!field.moving || run.moves()) && (!field.touching || run.assembly().contact() != nullptr);
+  return (!field.moving || run.moves()) && (!field.touching || run.assembly().contact() != nullptr) &&
+         (!field.of_yarns || !turned_plies(run));
 }
 
 const std::vector<ResultField>& result_fields() { return table().rows; }
@@ -228,7 +257,9 @@ std::vector<const ResultField*> fields_of(const Run& run) {
 }
 
 ResultField field_of(const mechanics::Shown& shown) {
-  const auto value = [value = shown.value](const Run&, mesh::Index i, double* out) { *out = value(i); };
+  const auto value = [value = shown.value](const Run&, mesh::Index i, const std::string&, double* out) {
+    *out = value(i);
+  };
   return {shown.name,     shown.unit,   Shape::scalar, shown.of_elements ? Place::element : Place::node,
           shown.sentence, {shown.name}, value};
 }
@@ -254,22 +285,51 @@ FieldPart look_up(const Run& run, const std::string& name) {
   return look_up(name);
 }
 
+std::string list(const Names& words) {
+  std::string text;
+  for (const std::string& word : words) text += " " + word;
+  return text;
+}
+
+// Error unless the run has the ply of the part, or (without one) values of all plies together.
+void check_ply(const Run& run, const FieldPart& part, const std::string& name) {
+  const Names plies = run.model().plies();
+  if (part.ply.empty()) {
+    if (part.field->of_yarns && turned_plies(run))
+      throw Error("field '" + name +
+                  "': the plies of this model have different axes, so each has yarns of its own: "
+                  "expected the field of a ply, as in '" +
+                  plies.front() + "." + name + "'");
+    return;
+  }
+  if (std::find(plies.begin(), plies.end(), part.ply) == plies.end())
+    throw Error("field '" + name + "': unknown ply '" + part.ply + "'" + did_you_mean(part.ply, plies) +
+                " (known:" + list(plies) + ")");
+}
+
 }  // namespace
 
 bool is_field(const Run& run, const std::string& name) { return look_up(run, name).field != nullptr; }
 
 FieldPart find_field(const Run& run, const std::string& name) {
-  const FieldPart part = look_up(run, name);
-  return part.field != nullptr ? part : find_field(name);
+  const FieldPart found = look_up(run, name), part = found.field != nullptr ? found : find_field(name);
+  check_ply(run, part, name);
+  return part;
 }
 
 FieldPart find_field(const std::string& name) {
   if (const FieldPart part = look_up(name); part.field != nullptr) return part;
+  if (const auto dot = name.rfind('.'); dot != name.npos && dot > 0) {
+    FieldPart part = find_field(name.substr(dot + 1));
+    if (!part.field->by_ply)
+      throw Error("field '" + name + "': '" + name.substr(dot + 1) +
+                  "' is not of single plies: expected it alone");
+    part.ply = name.substr(0, dot);
+    return part;
+  }
   const std::string guess = did_you_mean(name, field_names());
   if (!guess.empty()) throw Error("unknown field '" + name + "'" + guess);
-  std::string known;
-  for (const std::string& word : field_names()) known += " " + word;
-  throw Error("unknown field '" + name + "' (known:" + known + ")");
+  throw Error("unknown field '" + name + "' (known:" + list(field_names()) + ")");
 }
 
 Names scalar_names() {
@@ -298,7 +358,7 @@ std::vector<double> values_of(const Run& run, const FieldPart& part) {
   out.reserve(part.component < 0 ? n * size : n);
   std::array<double, kMostNumbers> all{};
   for (std::size_t i = 0; i < n; ++i) {
-    part.field->values(run, static_cast<mesh::Index>(i), all.data());
+    part.field->values(run, static_cast<mesh::Index>(i), part.ply, all.data());
     if (part.component < 0)
       out.insert(out.end(), all.begin(), all.begin() + static_cast<std::ptrdiff_t>(size));
     else

@@ -30,14 +30,16 @@ struct ResultField {
   // Names of its single values, each of which is available alone: "E11". A scalar has its own name; empty:
   // only the whole field is available.
   std::vector<std::string> components;
-  // Computes the values for one node or element; out has room for all of them.
-  std::function<void(const Run&, mesh::Index, double* out)> values;
+  // Computes the values for one node or element, of a ply or (empty) of all; out has room for all of them.
+  std::function<void(const Run&, mesh::Index, const std::string& ply, double* out)> values;
   std::vector<std::string> labels = {};  // of the components in a file; empty: x y z
   std::string letter = {};               // for a vector's length in a picture: |u|
   bool usual = true;                     // written to files for which no fields were chosen
   bool moving = false;                   // only in dynamic runs
   bool touching = false;                 // only in runs with contact
   bool continuous = true;                // of elements: the mean over neighbours is meaningful
+  bool by_ply = false;                   // each ply has values of its own
+  bool of_yarns = false;                 // of plies with different axes there are only those
 
   std::size_t size() const;
 };
@@ -48,14 +50,19 @@ bool has(const Run& run, const ResultField& field);
 std::vector<const ResultField*> fields_of(const Run& run);
 ResultField field_of(const mechanics::Shown& shown);
 
-// A field, or one of its values.
+// A field, or one of its values; of one ply, or of all together.
 struct FieldPart {
   const ResultField* field;
-  int component;  // -1: the whole field
+  int component;         // -1: the whole field
+  std::string ply = {};  // see Model::ply_of; empty: all
+  std::string array() const { return (ply.empty() ? "" : ply + ".") + field->name; }  // its name in a file
 };
-// Error: unknown name; the message has the nearest one.
+// "E11", "E"; of a ply "ply2.E11", or by its name "face.E11". Errors: unknown name (the message has the
+// nearest one); a field that has no values by ply. Whether there is such a ply is known to a run alone.
 FieldPart find_field(const std::string& name);
-FieldPart find_field(const Run& run, const std::string& name);  // also of its added terms
+// Also of its added terms. Further errors: the run has no such ply; a field that plies with different axes
+// have only each for itself.
+FieldPart find_field(const Run& run, const std::string& name);
 bool is_field(const Run& run, const std::string& name);
 
 // Errors: the run has no such field, because nothing touches in it; one of several numbers; a set that is

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "run/failure.hpp"
 #include "run/foresight.hpp"
@@ -33,8 +34,10 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   assembly_ = std::make_unique<mechanics::Assembly>(*model_);
   model_->seal();
   kinks_ = model_->kinks();
-  if (const std::string words = bending_warning(*model_, *assembly_); !words.empty())
+  if (const std::string words = bending_warning(*model_, *assembly_); !words.empty()) {
     notices_->once("bending of card " + model_->card().name, "warning: " + words);
+    note("bending", words);
+  }
 }
 
 Run::~Run() = default;
@@ -106,9 +109,14 @@ void Run::stop(const std::string& reason) {
 
 void Run::start() {
   if (started_) return;
-  if (!told_idle_)
-    for (const std::string& words : idle_loads(*model_, *assembly_, duration_))
-      notices_->say("warning: " + std::string(kind()) + ": " + words);
+  for (const std::string& words : idle_loads(*model_, *assembly_, duration_)) {
+    const std::string text = "warning: " + std::string(kind()) + ": " + words;
+    told_idle_ ? note("idle", text) : warn("idle", text);
+  }
+  if (const std::string words = moved_bodies_text(*model_); !words.empty()) {
+    const std::string text = std::string(kind()) + ": " + words;
+    told_idle_ ? note("jump", text) : warn("jump", text);
+  }
   told_idle_ = true;
   begin();
   initial_energy_ = energy().kinetic + energy().internal();
@@ -136,6 +144,7 @@ void Run::advance(double to) {
   run_pending();
   while (!stopped_ && time() < to - same_time * duration_) advance_to(to);
   watch_shape();
+  refuse_serious();
 }
 
 void Run::step() {
@@ -198,6 +207,7 @@ void Run::advance_to(double limit) {
   mark_due();
   run_pending();
   check();
+  refuse_serious();
   for (std::size_t i = 0; i < settled_.size(); ++i) settled_[i](*this);
   if (monitor_) monitor_(*this);
 }
@@ -212,21 +222,60 @@ void Run::watch_strain() {
   beyond_ = {share, yarns[most.yarn], most.element, time(), first, most.strain, most.tested};
   if (stops_beyond_ && before <= told_share && share > told_share)
     stop("strain beyond what was tested: " + beyond_text(beyond_));
-  if (told_beyond_ || before > told_share || share <= told_share) return;
-  told_beyond_ = true;
-  notices_->say(
+  if (warned("beyond") || before > told_share || share <= told_share) return;
+  const std::string text =
       "warning: " + std::string(kind()) + ": at time " + number(time()) + " s " + beyond_text(beyond_) +
       ", about " + place_text(assembly_->centre(most.element)) +
-      ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json");
+      ": from here on the card extrapolates; warned once, the largest excess is in a.beyond and run.json";
+  told_beyond_ ? note("beyond", text, most.element) : warn("beyond", text, most.element);
+  told_beyond_ = true;
 }
 
 void Run::watch_shape() {
-  const mesh::Index element = told_inverted_ ? -1 : assembly_->inverted_element();
-  if (element < 0) return;
-  told_inverted_ = true;
-  notices_->say("warning: " + std::string(kind()) + ": element " + model_->element_name(element) +
-                " is turned inside out at time " + number(time()) + " s: the results from here on are " +
-                (moves() ? "doubtful" : "not valid"));
+  const bool told_inverted = warned("inverted"), told_turned = warned("director");
+  if (told_inverted && told_turned) return;
+  const auto shape = assembly_->shape();
+  const std::string then = " at time " + number(time()) + " s: the results from here on are " +
+                           (moves() ? "doubtful" : "not valid");
+  if (!told_inverted && shape.inverted >= 0)
+    warn("inverted",
+         "warning: " + std::string(kind()) + ": element " + model_->element_name(shape.inverted) +
+             " is turned inside out" + then,
+         shape.inverted);
+  if (!told_turned && shape.turned >= 0)
+    warn("director",
+         "warning: " + std::string(kind()) + ": the director at node " + std::to_string(shape.turned + 1) +
+             ", about " + place_text(at(std::as_const(*assembly_).state().x(), shape.turned)) +
+             ", is turned over: it is more than 90 degrees from the normal of the sheet, whose elements "
+             "there are sound," +
+             then);
+}
+
+void Run::note(const char* code, const std::string& text, mesh::Index element) {
+  constexpr std::string_view prefix = "warning: ";
+  const bool serious = warning_kind(code).serious || (stops_beyond_ && code == std::string_view("beyond"));
+  warnings_->push_back(
+      {code, text.starts_with(prefix) ? text.substr(prefix.size()) : text, time(), element, serious});
+}
+
+void Run::warn(const char* code, const std::string& text, mesh::Index element) {
+  note(code, text, element);
+  notices_->say(text);
+}
+
+bool Run::warned(std::string_view code) const {
+  return std::any_of(warnings_->begin(), warnings_->end(), [&](const Warning& w) { return w.code == code; });
+}
+
+void Run::refuse_serious() {
+  if (!strict_) return;
+  const auto found = std::find_if(warnings_->begin() + static_cast<std::ptrdiff_t>(thrown_), warnings_->end(),
+                                  [](const Warning& w) { return w.serious; });
+  if (found == warnings_->end()) return;
+  thrown_ = static_cast<std::uint64_t>(found - warnings_->begin()) + 1;
+  const std::string text = found->text + " (an error under --strict)", own = std::string(kind()) + ": ";
+  fail(NumericalFailure(text, time(), found->element),
+       text.starts_with(own) ? text.substr(own.size()) : text);
 }
 
 double Run::elements_beyond() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "mechanics/assembly.hpp"
 #include "model/model.hpp"
 #include "run/values.hpp"
+#include "run/warnings.hpp"
 #include "run/work.hpp"
 
 namespace fabricsh::run {
@@ -77,7 +79,10 @@ class Run {
   ElementValues element(mesh::Index i) const;  // from 0; Error outside
   double mean(const std::string& name, const std::string& set = "all") const;
   std::vector<double> field(const std::string& name) const;  // see result_fields.hpp
-  const std::vector<ElementValues>& elements() const;        // of the present state, computed once per state
+  // Of the present state, computed once per state. ply: see Model::ply_of; an element without that ply has no
+  // numbers (NaN). Without one all plies together, their components in the axes that they have in common,
+  // or else in those of the section.
+  const std::vector<ElementValues>& elements(const std::string& ply = {}) const;
   Energy energy() const;
   // How far the run has exceeded the tested range of its card; empty: it has not, or the card does not state
   // it.
@@ -89,11 +94,22 @@ class Run {
   double elements_beyond() const;
   // Stops the run at the first step that exceeds the tested range.
   void stop_beyond() { stops_beyond_ = true; }
+  // What has been said about the results so far; part of the state. The list outlives the run for whoever
+  // holds it.
+  const std::vector<Warning>& warnings() const { return *warnings_; }
+  std::shared_ptr<const std::vector<Warning>> shared_warnings() const { return warnings_; }
+  // Each serious warning ends the call that runs into it with a NumericalFailure.
+  void be_strict() { strict_ = true; }
+  // Says the text, and keeps it as a warning of this kind. element: from 0; -1: no particular one.
+  void warn(const char* code, const std::string& text, mesh::Index element = -1);
+  // Keeps it without saying it.
+  void note(const char* code, const std::string& text, mesh::Index element = -1);
 
   const model::Model& model() const { return *model_; }
   const mechanics::Assembly& assembly() const { return *assembly_; }
   const std::vector<StepReport>& steps() const { return reports_; }
-  const std::string& why() const { return why_; }  // the last failure, in lines; empty: none
+  const std::string& why() const { return why_; }                // the last failure, in lines; empty: none
+  void remember_why(std::string why) { why_ = std::move(why); }  // of a failure before a restart
   Notices& notices() { return *notices_; }
   virtual const char* kind() const = 0;    // "static", "dynamic"
   virtual std::string method() const = 0;  // all options on which the state depends, as text
@@ -148,6 +164,7 @@ class Run {
   [[noreturn]] virtual void give_up(const StepReport& report) = 0;
   // Reports once an element that is turned inside out in the committed state.
   void watch_shape();
+  bool warned(std::string_view code) const;  // in the present state
   // Throws the failure and stores the report for why().
   [[noreturn]] void fail(NumericalFailure failure, const std::string& why);
   // J, the part of the kinetic energy in rotary inertia beyond that of the thickness; 0 if rotary inertia is
@@ -155,8 +172,14 @@ class Run {
   virtual double scaled_kinetic() const { return 0; }
   virtual double driven_kinetic() const { return 0; }  // J, of driven displacements
   virtual double scheme_loss() const { return 0; }     // J, dissipated by the time scheme
-  virtual double driven_work() const { return 0; }     // J, external work not contained in work_
-  virtual void check() {}                              // after a step and its hooks; may throw
+  // J: by how much the sum of the energies is below the one that the time scheme conserves; 0: it is that.
+  virtual double hidden_energy() const { return 0; }
+  // J, of an energy that is made or lost. Where the sum is off by more than a thousandth of `scale`, what
+  // only swings between the ends of the steps is left out.
+  virtual double imbalance(const Energy& sum, double scale) const;
+  virtual double relaxed() const { return 0; }      // J, taken away by relaxation
+  virtual double driven_work() const { return 0; }  // J, external work not contained in work_
+  virtual void check() {}                           // after a step and its hooks; may throw
   virtual Vec3 inertia(mesh::Index) const {
     return Vec3::Zero();
   }  // N, to be overcome by the support of a driven node
@@ -229,6 +252,7 @@ class Run {
   void check_interval(double interval) const;
   void start();
   void advance_to(double limit);  // one committed step towards the limit
+  void refuse_serious();          // throws if strict and a serious warning has not been thrown yet
   void watch_strain();            // of the committed state: reports once a strain beyond the tested range
   void measure(Event& event);
   double land(double size, StepReport& report);  // shortens the step to the first event in it
@@ -254,10 +278,16 @@ class Run {
   bool started_ = false, stopped_ = false, busy_ = false;
   std::string stop_reason_;
   Beyond beyond_;
-  bool told_beyond_ = false, stops_beyond_ = false, told_inverted_ = false;
-  bool told_idle_ = false;  // of loads that supports take up, by this object
-  mutable std::vector<ElementValues> cache_;
-  mutable std::uint64_t cache_version_ = 0;
+  std::shared_ptr<std::vector<Warning>> warnings_ = std::make_shared<std::vector<Warning>>();
+  std::uint64_t thrown_ = 0;  // number of warnings up to the last one that was thrown
+  bool stops_beyond_ = false, strict_ = false;
+  bool told_beyond_ = false, told_idle_ = false;  // said by this object, whatever state it has returned to
+  struct Averages {
+    std::uint64_t version = 0;
+    std::vector<ElementValues> values;
+  };
+  ElementValues average(mesh::Index element, int ply) const;
+  mutable std::map<std::string, Averages> averages_;  // by ply
 };
 
 }  // namespace fabricsh::run

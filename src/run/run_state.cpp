@@ -1,4 +1,5 @@
 // The content of snapshots and checkpoints of a run, and returning to them.
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -23,7 +24,8 @@ void Run::keep(Archive& archive) {
     assembly_->aim(trial_time_);
   }
   archive.section("ledger", [&] { archive(dead_, initial_energy_, work_, reports_); });
-  archive.section("progress", [&] { archive(started_, stopped_, stop_reason_, beyond_, told_inverted_); });
+  archive.section("progress",
+                  [&] { archive(started_, stopped_, stop_reason_, beyond_, *warnings_, thrown_); });
   archive.section(kind(), [&] { memory(archive); });
   archive.section("hooks", [&] { keep_hooks(archive); });
 }
@@ -109,6 +111,7 @@ std::string Run::kept() {
 void Run::resume(const std::string& bytes) {
   const Busy busy(*this, "restart");
   const std::string before = kept();
+  const std::vector<Warning> said = *warnings_;
   Archive archive(bytes);
   try {
     keep(archive);
@@ -118,6 +121,10 @@ void Run::resume(const std::string& bytes) {
     keep(back);
     throw;
   }
+  for (const Warning& w : said)  // of the restart itself
+    if (!std::any_of(warnings_->begin(), warnings_->end(),
+                     [&](const Warning& kept) { return kept.text == w.text; }))
+      warnings_->push_back(w);
 }
 
 }  // namespace fabricsh::run

@@ -5,6 +5,7 @@ namespace fabricsh::run {
 void Series::frame(const run::Run& run) {
   if (!steps_.empty() && run.steps().size() == steps_.back()) return;
   in_trouble_ = true;
+  remove_forgotten();
   write(run);
   in_trouble_ = false;
   steps_.push_back(run.steps().size());
@@ -18,22 +19,23 @@ void Series::extra_frame(const run::Run& run) {
 
 void Series::go_on() {
   if (!extra_) return;
-  cut(steps_.size() - 1);
   steps_.pop_back();
   extra_ = false;
+  remove_forgotten();
 }
 
-void Series::rewind(std::size_t step) {
+void Series::forget(std::size_t step) {
   while (!steps_.empty() && steps_.back() > step) {
     steps_.pop_back();
     extra_ = false;
   }
-  cut(steps_.size());
 }
 
 void Series::keep(Archive& archive) {
-  archive(steps_, extra_);
-  keep_place(archive);
+  std::vector<std::size_t> counted = steps_;
+  if (extra_) counted.pop_back();
+  archive(counted);
+  keep_place(archive, counted.size());
 }
 
 }  // namespace fabricsh::run

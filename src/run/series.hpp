@@ -17,23 +17,25 @@ class Series {
 
   // Writes a frame of the present state, unless its step already has one.
   void frame(const run::Run& run);
-  // Writes a frame where a run has ended by an error; it is removed when the run continues.
+  // Writes a frame where a run has ended by an error. It is removed when the run continues; checkpoints do
+  // not count it, so that they stay usable after that.
   void extra_frame(const run::Run& run);
   void go_on();
   virtual std::vector<std::string> lost() const { return {}; }  // files missing when the series was continued
   bool in_trouble() const { return in_trouble_; }               // writing the last frame failed
-  void rewind(std::size_t step);                                // removes frames after a step
-  virtual void sync() = 0;                                      // forces the files to the disk
+  void forget(std::size_t step);  // no longer counts the frames after a step; their files stay
+  void remove_forgotten() { cut(steps_.size()); }
+  virtual void sync() = 0;  // forces the files to the disk
   // Archives the state of the series, for a program that continues it.
   void keep(Archive& archive);
 
  protected:
   Series() = default;
-  explicit Series(Archive& from) { from(steps_, extra_); }
+  explicit Series(Archive& from) { from(steps_); }
   std::size_t frames() const { return steps_.size(); }
   virtual void write(const run::Run& run) = 0;
-  virtual void cut(std::size_t frames) = 0;  // keeps only the first ones
-  virtual void keep_place(Archive& archive) = 0;
+  virtual void cut(std::size_t frames) = 0;                           // keeps only the first ones
+  virtual void keep_place(Archive& archive, std::size_t frames) = 0;  // of the first ones
 
  private:
   std::vector<std::size_t> steps_;  // the steps of the frames

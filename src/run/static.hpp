@@ -12,6 +12,7 @@
 #include "solver/arc_length.hpp"
 #include "solver/descent.hpp"
 #include "solver/relaxation.hpp"
+#include "solver/trust_region.hpp"
 
 namespace fabricsh::run {
 
@@ -29,8 +30,9 @@ struct StaticOptions {
   double duration = 0;              // s, required, positive
   std::optional<double> step = {};  // largest step, s; default duration / 20
   double tolerance = 1e-10;         // residual over the largest nodal force so far
+  double ledger_limit = 0.05;       // energy made from nothing over external work at which the run stops
   // Slack cloth at small strains switches many yarns, which takes many iterations.
-  int max_iterations = 50;
+  int max_iterations = 200;
   int max_cuts = 12;  // halvings of one step before the run fails
   bool line_search = true;
   double min_step = 0;  // s: smallest size of a step
@@ -66,6 +68,8 @@ class Static final : public Run {
   bool attempt(double size, StepReport& report) override;
   double largest_step() const override { return options_.step.value_or(options_.duration / 20); }
   double no_size() const override;
+  double relaxed() const override { return now_.relaxed; }
+  double imbalance(const Energy&, double) const override { return now_.made; }
   double tried_size(double size) const override;
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
@@ -81,15 +85,22 @@ class Static final : public Run {
   bool cut(double size);                              // halves the size; false: too small
   void grow(const StepReport& report);                // sets the size of the next step
   void grow_arc(const StepReport& report);
-  solver::NewtonResult relax();
+  solver::NewtonResult relax(solver::NewtonOptions options);
+  solver::NewtonResult complete(const solver::NewtonResult& relaxed, const solver::NewtonOptions& options);
   bool finish(const solver::NewtonResult& result, double end, StepReport& report);
   void tell(const StepReport& report);  // gives notices
+  void check_balance();                 // stops the run if energy was made from nothing
+  double internal() const;              // J, of the trial state; see Now
+  bool turns_inside_out() const;        // whether an element or a director does that had not before
+  void note_shape();
 
   StaticOptions options_;
   const StaticOptions given_;
   std::unique_ptr<Problem> problem_;
   mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none
-  std::unique_ptr<solver::Newton> newton_;             // each is created if it is used
+  std::unique_ptr<solver::Newton> newton_;             // instead of the next, for laws without an energy
+  std::unique_ptr<solver::Newton> polish_;             // completes dynamic relaxation, and helps out
+  std::unique_ptr<solver::TrustRegion> stable_;        // each is created if it is used
   std::unique_ptr<solver::ArcLength> arc_;
   std::unique_ptr<solver::Relaxation> relaxation_;
   std::unique_ptr<solver::Descent> descent_;  // in its place, where cloth has bending of its own
@@ -101,12 +112,16 @@ class Static final : public Run {
     StepControl step;
     double arc_length = 0, tried_length = 0, longest_length = 0, landing = 0;  // along an arc
     bool told_pivots = false, told_damping = false, told_error = false;
-    bool jumps = false;    // whether loads or motions begin with a jump at time 0
-    bool settled = false;  // whether that first step was relaxed
-    double jumped = 0;  // J, surplus work in the first step of loads that begin with a jump; no state has it
+    bool jumps = false;                     // whether loads or motions begin with a jump at time 0
+    bool settled = false;                   // whether that first step was relaxed
+    bool inverted = false, turned = false;  // whether an element or a director of the committed state is
+    double relaxed = 0;                     // J, see Energy
+    double made = 0;                        // J, stored beyond what loads and supports can have given
+    double jumped = 0;    // J, the part of it in the first step of loads that begin with a jump
+    double internal = 0;  // J, stored, dissipated and lost to damping in the committed state
     void keep(Archive& archive) {
       archive(step, arc_length, tried_length, longest_length, landing, told_pivots, told_damping, told_error,
-              jumps, settled, jumped);
+              jumps, settled, inverted, turned, relaxed, made, jumped, internal);
     }
   } now_;
 };

@@ -16,8 +16,8 @@ void TableSeries::write(const Run& run) {
   writer_.row(values);
 }
 
-void TableSeries::keep_place(Archive& archive) {
-  format::CsvPlace place = writer_.place();
+void TableSeries::keep_place(Archive& archive, std::size_t frames) {
+  format::CsvPlace place = writer_.place(frames);
   archive(place);
 }
 

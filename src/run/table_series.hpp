@@ -26,7 +26,7 @@ class TableSeries final : public Series {
  private:
   void write(const Run& run) override;
   void cut(std::size_t rows) override { writer_.keep(rows); }
-  void keep_place(Archive& archive) override;
+  void keep_place(Archive& archive, std::size_t frames) override;
   format::CsvPlace place(Archive& from) const;
   std::vector<std::string> headings() const;
 

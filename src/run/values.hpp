@@ -25,16 +25,20 @@ struct NodeValues {
 struct Energy {  // J
   double kinetic = 0, stored = 0, dissipated = 0, external = 0;
   double damping = 0;  // to viscous forces, and to the integrator if it damps (gamma > 1/2, hht < 0)
+  double relaxed = 0;  // taken away by relaxation in static runs: what loads did more than cloth stores
   double scaled = 0;   // part of kinetic: in rotary inertia beyond that of the thickness
   double contact = 0, guard = 0;  // part of stored: contact, and the guard above its floor
+  double directors = 0;           // part of stored: the guard of the directors
   double friction = 0;            // part of dissipated: friction of contact
   double rigid = 0;               // part of kinetic: free rigid bodies
   double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
   double internal() const { return stored + dissipated; }
   double initial = 0;  // kinetic, stored and dissipated energy at the beginning
-  // kinetic + stored + dissipated + damping - external - initial; zero if no energy is created.
-  double surplus() const { return kinetic + stored + dissipated + damping - external - initial; }
-  double error = 0;  // |surplus| / largest |external| so far (a free flight: / initial)
+  // kinetic + stored + dissipated + damping + relaxed - external - initial; zero if no energy is created.
+  double surplus() const { return kinetic + stored + dissipated + damping + relaxed - external - initial; }
+  // |surplus| / largest |external| so far (a free flight: / initial). In statics of the part that is more
+  // than loads and supports can have given, whatever the way from one state to the next.
+  double error = 0;
 };
 
 // Where a run exceeded the tested range of its card most.

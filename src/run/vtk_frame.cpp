@@ -35,34 +35,51 @@ bool has_array(const std::vector<format::Array>& arrays, const std::string& name
   return std::any_of(arrays.begin(), arrays.end(), [&name](const auto& a) { return a.name == name; });
 }
 
-// The array of a field with the wanted numbers alone; without components if none is wanted.
-format::Array chosen(const Run& run, const std::vector<std::string>& fields, const ResultField& field) {
+// The array of a field, of one ply or (empty) of all, with the wanted numbers alone; without components if
+// none is wanted.
+format::Array chosen(const Run& run, const std::vector<std::string>& fields, const ResultField& field,
+                     const std::string& ply) {
   std::vector<int> numbers;
+  const FieldPart all_of_it{&field, -1, ply};
   bool whole = fields.empty() && field.usual;
   whole = whole || field.name == "displacement" || field.name == "reference";
   for (const std::string& name : fields) {
     const FieldPart part = find_field(run, name);
-    if (part.field != &field) continue;
+    if (part.field != &field || part.ply != ply) continue;
     whole = whole || part.component < 0 || field.size() == 1 || field.shape == Shape::vector;
     if (std::find(numbers.begin(), numbers.end(), part.component) == numbers.end())
       numbers.push_back(part.component);
   }
-  if (whole) return array_of(run, field);
-  format::Array array{field.name, static_cast<int>(numbers.size()), {}, {}, false, field.unit};
+  if (whole) return array_of(run, all_of_it);
+  format::Array array{all_of_it.array(), static_cast<int>(numbers.size()), {}, {}, false, field.unit};
   if (numbers.empty()) return array;
-  const std::vector<double> all = values_of(run, {&field, -1});
+  const std::vector<double> all = values_of(run, all_of_it);
   for (const int c : numbers) array.component_names.push_back(field.labels[c]);
   for (std::size_t i = 0; i < all.size(); i += field.size())
     for (const int c : numbers) array.values.push_back(all[i + c]);
   return array;
 }
 
+// The plies that the names ask for, each once; first "", all together.
+std::vector<std::string> plies_of(const Run& run, const std::vector<std::string>& fields) {
+  std::vector<std::string> plies = {""};
+  for (const std::string& name : fields)
+    if (const std::string ply = find_field(run, name).ply;
+        std::find(plies.begin(), plies.end(), ply) == plies.end())
+      plies.push_back(ply);
+  return plies;
+}
+
 }  // namespace
 
-format::Array array_of(const Run& run, const ResultField& field) {
-  format::Array array{
-      field.name, static_cast<int>(field.size()), values_of(run, {&field, -1}), field.labels, false,
-      field.unit};
+format::Array array_of(const Run& run, const FieldPart& part) {
+  const ResultField& field = *part.field;
+  format::Array array{part.array(),
+                      static_cast<int>(field.size()),
+                      values_of(run, {&field, -1, part.ply}),
+                      field.labels,
+                      false,
+                      field.unit};
   return field.shape == Shape::tensor ? six(std::move(array)) : array;
 }
 
@@ -79,13 +96,16 @@ void check_fields(const Run& run, const VtkContents& contents, const std::string
 VtkFrame::VtkFrame(const Run& run, const VtkContents& contents)
     : points_(points_of(run, contents.reference)), grid_{points_, run.model().mesh().elements} {
   grid_.time = run.time();
-  for (const ResultField* field : fields_of(run)) add_field(run, contents, *field);
+  for (const std::string& ply : plies_of(run, contents.fields))
+    for (const ResultField* field : fields_of(run))
+      if (ply.empty() || field->by_ply) add_field(run, contents, *field, ply);
   add_sets(run);
 }
 
-void VtkFrame::add_field(const Run& run, const VtkContents& contents, const ResultField& field) {
-  if (!has(run, field)) return;
-  format::Array array = chosen(run, contents.fields, field);
+void VtkFrame::add_field(const Run& run, const VtkContents& contents, const ResultField& field,
+                         const std::string& ply) {
+  if (ply.empty() && !has(run, field)) return;
+  format::Array array = chosen(run, contents.fields, field, ply);
   if (array.components == 0) return;
   if (field.place == Place::node) return grid_.point_data.push_back(std::move(array));
   if (contents.averaged && field.continuous) add_average(run, array, field.shape == Shape::vector);

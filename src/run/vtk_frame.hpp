@@ -17,7 +17,7 @@ struct VtkContents {
 // Points, cells, and arrays: displacement and reference position always, the fields, and the node sets as 0
 // and 1 (but for those of all nodes). A name of one number of a tensor or pair ("E12") puts that number
 // alone into the array of its field; where that leaves a tensor whole, it is in VTK's order: 11 22 33 12
-// 23 13.
+// 23 13. Fields of single plies follow in arrays of their own, "ply2.E".
 class VtkFrame {
  public:
   VtkFrame(const Run& run, const VtkContents& contents);
@@ -26,7 +26,8 @@ class VtkFrame {
   const format::Grid& grid() const { return grid_; }
 
  private:
-  void add_field(const Run& run, const VtkContents& contents, const ResultField& field);
+  void add_field(const Run& run, const VtkContents& contents, const ResultField& field,
+                 const std::string& ply);
   void add_average(const Run& run, format::Array array, bool directions);
   void add_sets(const Run& run);
   std::vector<Vec3> points_;
@@ -36,7 +37,7 @@ class VtkFrame {
 // Error, of the call's name: a name that is no field's.
 void check_fields(const Run& run, const VtkContents& contents, const std::string& call);
 
-// A field of a run as an array of a file.
-format::Array array_of(const Run& run, const ResultField& field);
+// The whole field of a run, of the part's ply, as an array of a file.
+format::Array array_of(const Run& run, const FieldPart& part);
 
 }  // namespace fabricsh::run

@@ -23,8 +23,8 @@ VtkSeries::VtkSeries(const std::string& stem, VtkContents contents)
 VtkSeries::VtkSeries(const std::string& stem, VtkContents contents, Archive& from)
     : Series(from), series_(continued(stem, frames(), from)), contents_(std::move(contents)) {}
 
-void VtkSeries::keep_place(Archive& archive) {
-  format::PvdPlace place = series_.place();
+void VtkSeries::keep_place(Archive& archive, std::size_t frames) {
+  format::PvdPlace place = series_.place(frames);
   archive(place);
 }
 

@@ -21,7 +21,7 @@ class VtkSeries final : public Series {
  private:
   void write(const run::Run& run) override;
   void cut(std::size_t frames) override { series_.keep(frames); }
-  void keep_place(Archive& archive) override;
+  void keep_place(Archive& archive, std::size_t frames) override;
   static std::vector<format::PvdPart> bodies_of(const run::Run& run);
   format::PvdSeries series_;
   VtkContents contents_;

@@ -135,6 +135,9 @@ void advise_on_tangent(const Failure& f, std::vector<std::string>& all) {
     all.push_back(std::string(f.moved > 0 ? "less stroke" : "less load") +
                   ", or a finer mesh there (element " + std::to_string(f.blame.inverted + 1) +
                   " is turned inside out)");
+  if (f.blame.turned >= 0)
+    all.push_back("a smaller step, or a finer mesh there (the director at node " +
+                  std::to_string(f.blame.turned + 1) + " is turned over, the elements about it are sound)");
 }
 
 void advise_on_iterations(const Failure& f, std::vector<std::string>& all) {

@@ -14,6 +14,11 @@ class ExternalWork {
   // loads at that time, N, 3 per node. The first state of a run does no work.
   void start(mechanics::Assembly& assembly, std::span<const double> dead);
   void add(mechanics::Assembly& assembly, std::span<const double> dead);
+  // The same where the way between the states is not known. The forces of either state bound the work.
+  struct Bounded {
+    double work = 0, half = 0;  // J, by the trapezoidal rule; how far the work can lie from that
+  };
+  Bounded add_bounded(mechanics::Assembly& assembly, std::span<const double> dead);
   // J, adds work known from elsewhere.
   void add(double work);
   void keep(Archive& archive) { archive(total_, largest_, before_.on_x, before_.on_d); }
@@ -21,6 +26,7 @@ class ExternalWork {
   double largest() const { return largest_; }  // J, the largest |total| so far
 
  private:
+  Bounded of_step(mechanics::Assembly& assembly, std::span<const double> dead, bool bounded);
   double total_ = 0, largest_ = 0;
   mechanics::WorkingForces before_, now_;
   std::optional<bool> loaded_;  // whether constant dead loads are other than zero, once known

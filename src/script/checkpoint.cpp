@@ -62,9 +62,8 @@ std::shared_ptr<const run::Checkpoint> load_checkpoint(const std::string& path) 
 std::shared_ptr<const run::Checkpoint> part_of(const std::shared_ptr<const run::Checkpoint>& checkpoint,
                                                std::int64_t analysis) {
   if (checkpoint->number == analysis) return checkpoint;
-  for (const auto& other : checkpoint->others)
-    if (other->number == analysis) return other;
-  return nullptr;
+  const auto* finished = checkpoint->finished_run(analysis);
+  return finished == nullptr ? nullptr : run::read_finished(*checkpoint, *finished);
 }
 
 void begin_from(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
@@ -72,10 +71,11 @@ void begin_from(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
   run.same_deck = checkpoint->deck_hash == deck_hash(options);
   run.before = calls_of(*checkpoint);
   run.job.begin_from(checkpoint);
-  if (!options.deck.empty() && !run.same_deck)
-    run.session.notices().once("restart", "restart: the deck or its arguments are not those that wrote '" +
-                                              checkpoint->path +
-                                              "'; the problem is the same, so the run goes on");
+  if (options.deck.empty() || run.same_deck) return;
+  const std::string words = "restart: the deck or its arguments are not those that wrote '" +
+                            checkpoint->path + "'; the problem is the same, so the run goes on";
+  run.session.notices().once("restart", words);
+  run.analysis->note("restart", words);
 }
 
 void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint) {
@@ -84,7 +84,9 @@ void begin_finished(Run& run, std::shared_ptr<const run::Checkpoint> checkpoint)
     return run.session.notices().say("restart: analysis " + std::to_string(run.number()) +
                                      " is run again: it differs from the finished one in '" +
                                      checkpoint->path + "' in " + differs);
-  run.job.journal().finished[run.number()] = checkpoint->bytes();
+  const auto& begun = *run.session.restart();
+  const auto& finished = *begun.finished_run(run.number());
+  run.job.journal().finished[run.number()] = {run::file_of(begun, finished), finished.hash};
   begin_from(run, std::move(checkpoint));
 }
 
@@ -92,7 +94,12 @@ void take_up(Run& run) {
   if (!run.job.from() || run.job.taken_up()) return;
   const run::Checkpoint& c = *run.job.from();
   run.job.take_up();
+  run.calls.made = run.before.made;
   run.calls.failed = run.before.failed;
+  run.calls.read = run.before.read;
+  run.calls.tables = run.before.tables;
+  for (const FailedCall& failed : run.before.failed)
+    if (failed.numerical) run.analysis->remember_why(failed.why);
   const auto& begun = run.session.restart();
   const bool finished = begun != nullptr && begun->number != c.number;
   run.session.notices().say(

@@ -11,6 +11,7 @@ namespace fabricsh::script {
 std::shared_ptr<const run::Checkpoint> load_checkpoint(const std::string& path);
 
 // The checkpoint of one analysis within `checkpoint`: its own, or one finished earlier. Null: none.
+// Error: the file of the finished one is gone, damaged or another one.
 std::shared_ptr<const run::Checkpoint> part_of(const std::shared_ptr<const run::Checkpoint>& checkpoint,
                                                std::int64_t analysis);
 

@@ -8,6 +8,7 @@
 #include "script/call/words.hpp"
 #include "script/called_off.hpp"
 #include "script/checkpoint.hpp"
+#include "script/replay.hpp"
 #include "script/values/lua_table.hpp"
 
 namespace fabricsh::script {
@@ -54,7 +55,7 @@ class Watch {
     p.steps = a.steps().size();
     p.iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
     p.elapsed = run_.job.seconds();
-    const double done = a.time() - from_, left = run_.calls.under_way.target - a.time();
+    const double done = a.time() - from_, left = run_.calls.made.back().target - a.time();
     if (done > 0) p.remaining = now * std::max(0.0, left) / done;
     p.ledger_error = [&a] { return a.energy().error; };
     options.progress(p);
@@ -96,8 +97,8 @@ void leave(Run& run, const std::string& status, bool ended, bool broken) {
   if (!broken) return all.finish();
   for (const auto& output : run.job.outputs())
     if (output->series->in_trouble())
-      run.session.notices().say("'" + output->file + "' lacks a row or frame: solve() tries it again; a:" +
-                                output->kind + " of the same path puts a new one in its place");
+      run.analysis->warn("lost", "'" + output->file + "' lacks a row or frame: solve() tries it again; a:" +
+                                     output->kind + " of the same path puts a new one in its place");
 }
 
 // The value raised by a hook, on top of the stack, packed if it is plain; else empty.
@@ -124,6 +125,8 @@ std::string plain_error(lua_State* L) {
   throw Error("an error in a hook");  // not reached
 }
 
+}  // namespace
+
 void note_failure(Run& run, const std::exception& trouble) {
   FailedCall failed;
   failed.call = run.calls.count;
@@ -138,9 +141,13 @@ void note_failure(Run& run, const std::exception& trouble) {
   run.calls.failed.push_back(failed);
 }
 
-// Whether the call was made before the checkpoint of a restarted run.
+namespace {
+
+// Whether the call was made before the checkpoint of a restarted run. If it was, its effects on the deck are
+// repeated.
 bool passes_over(Run& run) {
-  if (run.calls.count >= run.passing) return false;
+  if (!run.passes_over()) return false;
+  repeat_tables(run);
   for (const FailedCall& failed : run.calls.failed) {
     if (failed.call != run.calls.count) continue;
     if (!failed.value.empty()) raise(run.session.active(), failed.value);
@@ -157,46 +164,57 @@ void refuse_in_hook(const Run& run) {
   if (run.job.driving()) throw Error("not from a hook of the same run");
 }
 
+// Whether it is the call in which the checkpoint of a restarted run was written.
+bool is_under_way(const Run& run) { return run.passing > 0 && run.calls.count == run.passing; }
+
 // Starts from the checkpoint if there is one; counts the call.
-void begin_call(Run& run) {
+void begin_call(Run& run, const Drive& call) {
   if (run.job.from() && !run.job.taken_up()) {
     take_up(run);
     run.passing = run.before.count;
   }
+  if (!run.lost.empty()) throw Error(run.lost);
   ++run.calls.count;
+  run.calls.changes = 0;
+  check_call(run, call);
+  if (run.passes_over() || (is_under_way(run) && run.same_deck)) return;
+  run.calls.made.resize(static_cast<std::size_t>(run.calls.count));
+  run.calls.made.back() = call;
+  run.calls.made.back().from = run.analysis->steps().size();
 }
 
 // Whether the call in which the checkpoint was written is complete: a hook stopped it, or its step is done.
 bool is_over(const Run& run) {
-  const Drive& call = run.before.under_way;
-  return run.analysis->stopped() || (call.single && run.analysis->steps().size() > call.from);
+  const Drive& call = run.before.made.back();
+  return run.analysis->stopped() || (call.made == Made::step && run.analysis->steps().size() > call.from);
 }
 
 void work(Run& run) {
-  if (run.calls.under_way.single)
+  const Drive& call = run.calls.made.back();
+  if (call.made == Made::step)
     run.analysis->step();
   else
-    run.analysis->advance(run.calls.under_way.target);
+    run.analysis->advance(call.target);
 }
 
 }  // namespace
 
-void drive(Run& run, Drive call) {
+void drive(Run& run, const Drive& call) {
   if (run.session.options().check) return;
   refuse_in_hook(run);
   const Still still(run.session, &run);
-  begin_call(run);
+  begin_call(run, call);
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
   if (is_called_off(run.session)) throw Interrupted("interrupted before this run continued");
-  const bool under_way = run.passing > 0 && run.calls.count == run.passing;
-  const bool over = under_way && is_over(run);
-  call.from = run.analysis->steps().size();
-  if (under_way && run.same_deck) call = run.before.under_way;
-  if (!under_way) run.job.journal().finished.erase(run.number());
+  const bool over = is_under_way(run) && is_over(run);
+  if (is_under_way(run))
+    restore_tables(run);
+  else
+    run.job.journal().finished.erase(run.number());
   run.job.begin();
   std::erase_if(run.calls.failed, [&](const FailedCall& failed) { return failed.call == run.calls.count; });
-  run.calls.under_way = call;
+  begin_tables(run);
   run::Run& a = *run.analysis;
   Watch watch(run);
   a.monitor([&watch](run::Run&) {
@@ -205,21 +223,24 @@ void drive(Run& run, Drive call) {
   });
   a.poll([&watch] { watch.listen(); });
   try {
-    if (!over) work(run);
+    if (!over) Collector::with_room(run.session.active(), [&run] { work(run); });
   } catch (const Interrupted&) {
     leave(run, "interrupted", true, true);
     throw;
   } catch (const std::exception& trouble) {
     note_failure(run, trouble);
+    note_tables(run);
     leave(run, trouble.what(), true, true);
     if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) run.job.remember_end();
     throw;
   } catch (...) {  // a Lua error in a hook; its message remains where Lua has it
     note_failure(run, Error("an error in a hook"));
     run.calls.failed.back().value = plain_error(run.session.active());
+    note_tables(run);
     leave(run, "an error in a hook", false, true);
     throw;
   }
+  note_tables(run);
   const bool ended = a.stopped() || a.time() >= a.duration() * (1 - 1e-12);
   leave(run, a.stopped() ? "stopped: " + a.stop_reason() : ended ? "done" : "under way", ended, false);
   if (ended) run.job.remember_end();
@@ -228,14 +249,14 @@ void drive(Run& run, Drive call) {
 void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot) {
   refuse_in_hook(run);
   const Still still(run.session, &run);
-  begin_call(run);
-  if (passes_over(run) || (run.passing > 0 && run.calls.count == run.passing)) return;
+  begin_call(run, {Made::restore});
+  if (passes_over(run)) return;
+  if (is_under_way(run)) return restore_tables(run);
   const auto& gone = run.passed_snapshots;
   if (std::find(gone.begin(), gone.end(), snapshot) != gone.end())
     throw Error("this snapshot was taken in a part of the run that the restart skips");
   run.job.journal().finished.erase(run.number());
   run.analysis->restore(*snapshot);
-  for (const auto& keeper : run.job.keepers()) keeper->force();
 }
 
 }  // namespace fabricsh::script

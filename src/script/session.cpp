@@ -12,12 +12,16 @@
 #include "script/checkpoint.hpp"
 #include "script/sandbox/sandbox.hpp"
 #include "script/show/said_once.hpp"
+#include "script/warning_log.hpp"
 #include "system/paths.hpp"
 
 namespace fabricsh::script {
 
 Session::Session(Options options)
-    : process_(getpid()), options_(std::move(options)), notices_(said_once_by_copies(options_.notice)) {
+    : process_(getpid()),
+      options_(std::move(options)),
+      notices_(said_once_by_copies(options_.notice)),
+      log_(std::make_unique<WarningLog>()) {
   main_ = luaL_newstate();
   if (main_ == nullptr) throw std::bad_alloc();
   active_ = main_;
@@ -28,6 +32,11 @@ Session::Session(Options options)
   confine(*this);
   limits_ = std::make_unique<Limits>(*options_.safe);
   limits_->watch(main_);
+}
+
+void Session::warn(const char* code, const std::string& text) {
+  log_->add({code, text});
+  notices_.once(text, "warning: " + text);
 }
 
 bool Session::forked() const { return getpid() != process_; }

@@ -13,6 +13,7 @@
 
 #include "base/notice.hpp"
 #include "script/call/entry.hpp"
+#include "script/collector.hpp"
 #include "script/sandbox/limits.hpp"
 
 namespace fabricsh::run {
@@ -21,6 +22,8 @@ struct Journal;
 }  // namespace fabricsh::run
 
 namespace fabricsh::script {
+
+class WarningLog;
 
 // The progress of a run.
 struct Progress {
@@ -36,6 +39,7 @@ struct Options {
   std::optional<SafeOptions> safe;  // --safe, with its limits
   bool check = false;               // validate everything, but run and write nothing
   bool quiet = false;               // no progress
+  bool strict = false;              // serious warnings of runs are errors
   int threads = 0;                  // 0: OMP_NUM_THREADS, else all cores
   std::vector<std::string> command_line;
   std::vector<std::string> arguments = {};         // of the deck
@@ -58,7 +62,11 @@ class Session {
   lua_State* active() const { return active_; }
   const Options& options() const { return options_; }
   Notices& notices() { return notices_; }
+  // Says a warning that is not of a run, each text once, and logs it. code: see run/warnings.hpp.
+  void warn(const char* code, const std::string& text);
+  WarningLog& log() { return *log_; }
   Registry& registry() { return registry_; }
+  Collector& collector() { return collector_; }
   // Null unless --safe.
   Limits* limits() { return limits_.get(); }
   // Whether this process is a copy of the one that created the session.
@@ -105,7 +113,9 @@ class Session {
   const int process_;
   Options options_;
   Notices notices_;
+  std::unique_ptr<WarningLog> log_;
   Registry registry_;
+  Collector collector_;
   std::unique_ptr<Limits> limits_;  // outlives the state, because it provides the allocator
   lua_State* main_ = nullptr;
   lua_State* active_ = nullptr;

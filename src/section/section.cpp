@@ -53,13 +53,14 @@ void check(double thickness, double offset) {
 }
 
 // Adds the points of a ply between zeta = low and zeta = high.
-void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle) {
+void add_points(Section& s, const card::Card& card, int points, double low, double high, double angle,
+                int ply) {
   const auto law = law::compile(card);
   s.symmetric = s.symmetric && law::symmetric(*law);
   for (const auto& [zeta, weight] : gauss_legendre(points)) {
     const double half = (high - low) / 2;
     s.points.push_back(
-        {(low + high) / 2 + half * zeta, half * weight, angle, card.density, law, s.state_size});
+        {(low + high) / 2 + half * zeta, half * weight, angle, card.density, law, s.state_size, ply});
     s.state_size += law::state_size(*law);
   }
 }
@@ -96,6 +97,11 @@ law::Pressed pressed(const card::Card& card, double thickness) {
 
 }  // namespace
 
+bool Section::turned_plies() const {
+  return std::any_of(points.begin(), points.end(),
+                     [this](const Point& p) { return p.angle != points.front().angle; });
+}
+
 Section integrated(const card::Card& card, double thickness, int points, double offset) {
   check(thickness, offset);
   Section s;
@@ -104,7 +110,7 @@ Section integrated(const card::Card& card, double thickness, int points, double 
   s.areal_mass = card.density * thickness;
   s.fibre = fibre_of(card, thickness);
   s.compression = law::pressed_together({pressed(card, thickness)});
-  add_points(s, card, card.bending ? 1 : points, -1, 1, 0);
+  add_points(s, card, card.bending ? 1 : points, -1, 1, 0, 0);
   if (card.bending) add_bending(s, card);
   find_plain(s);
   return s;
@@ -129,9 +135,10 @@ Section stacked(const std::vector<Ply>& plies, int points, double offset) {
   s.offset = offset;
   check(s.thickness, offset);
   double low = -1;
-  for (const auto& ply : plies) {
-    const double high = low + 2 * ply.thickness / s.thickness;
-    add_points(s, ply.card, points, low, high, ply.angle * std::numbers::pi / 180);
+  for (std::size_t i = 0; i < plies.size(); ++i) {
+    const double high = low + 2 * plies[i].thickness / s.thickness;
+    add_points(s, plies[i].card, points, low, high, plies[i].angle * std::numbers::pi / 180,
+               static_cast<int>(i));
     low = high;
   }
   find_plain(s);

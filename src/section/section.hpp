@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "card/card.hpp"
@@ -23,6 +24,7 @@ struct Point {
   double density = 0;  // kg/m^3
   std::shared_ptr<const law::Law> law;
   int state = 0;  // index in the section's state at which its own begins
+  int ply = 0;    // number of its ply, from 0 below; 0 in a section of one card
 };
 
 struct Section {
@@ -44,14 +46,25 @@ struct Section {
   std::array<law::BendingSpring, 3> bending;
   int bending_state = -1;  // -1: no friction
   int bending_states = 2;  // numbers of each of warp and weft
+
+  // Whether the plies have different axes. Then no warp is that of all of them.
+  bool turned_plies() const;
+  // rad, from the section's warp to the axes in which components of all plies together are given: those that
+  // the plies have in common, otherwise those of the section.
+  double common_angle() const { return turned_plies() ? 0 : points.front().angle; }
 };
 
 // One ply of a stack; the first ply is on the side away from the normal.
 struct Ply {
   card::Card card;
-  double thickness = 0;  // m
-  double angle = 0;      // degrees from the model's warp direction
+  double thickness = 0;   // m
+  double angle = 0;       // degrees from the model's warp direction
+  std::string name = {};  // by which its fields are asked for; empty: by its number alone
 };
+
+// Whether the section answers to the mirror image of a deformation by the mirror image of its stresses, for a
+// mirror perpendicular to the surface whose normal lies at an angle (rad) from the section's warp.
+bool mirrored(const Section& section, double angle);
 
 // A section with Gauss-Legendre points in every ply. Errors: no ply; a ply of zero thickness
 // (with its number); a ply whose card has bending of its own; a card refused by its law.

@@ -70,7 +70,8 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
     return result;
   };
   for (auto* v : {&r_, &delta_, &trial_r_}) v->assign(static_cast<std::size_t>(problem.size()), 0.0);
-  if (const Answer answer = problem.predict(K_, r_); answer != Answer::ok) return stop(status_of(answer));
+  if (const Answer answer = problem.predict(K_, r_, trial_r_); answer != Answer::ok)
+    return stop(status_of(answer));
   problem.retract(delta_, 0);  // the supports to their targets
   if (const Answer answer = checked(problem.residual(r_), r_); answer != Answer::ok)
     return stop(status_of(answer));

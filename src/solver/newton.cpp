@@ -21,6 +21,10 @@ const char* describe(NewtonStatus status) {
       return "the residual grew without bound";
     case NewtonStatus::turned_back:
       return "the path turned back to time 0";
+    case NewtonStatus::unstable:
+      return "the equilibrium found is not stable, and no lower one was found beside it";
+    case NewtonStatus::inverted:
+      return "an element turned inside out, or a director turned over, on the way";
     case NewtonStatus::broken:
       return "the forces cannot be computed, whatever the step";
     default:
@@ -70,7 +74,8 @@ NewtonResult failed(Answer answer) {
 
 NewtonResult Newton::solve(Problem& problem, const NewtonOptions& options) {
   resize(problem.size());
-  const Answer answer = checked(problem.predict(K_, r_), r_);
+  const Answer answer = checked(problem.predict(K_, r_, trial_r_), r_);
+  for (std::size_t i = 0; i < r_.size(); ++i) r_[i] += trial_r_[i];
   return answer == Answer::ok ? iterate(problem, options, true) : failed(answer);
 }
 

@@ -26,10 +26,10 @@ class Problem {
  public:
   virtual ~Problem() = default;
   virtual Index size() const = 0;
-  // At the committed configuration: the tangent K, which takes over the problem's
-  // pattern, and the residual r, in which the motion of the supports to their targets
-  // is linearised: r = f_ext - f_int - K_fp du_p. Sets iterate = trial = committed.
-  virtual Answer predict(Matrix& K, std::span<double> r) = 0;
+  // At the committed configuration: the tangent K, which takes over the problem's pattern, the residual r =
+  // f_ext - f_int, and the linearised forces of the supports' motion to their targets, lead = - K_fp du_p.
+  // Sets iterate = trial = committed.
+  virtual Answer predict(Matrix& K, std::span<double> r, std::span<double> lead) = 0;
   // trial = iterate moved by scale * delta, with the supports at their targets.
   virtual void retract(std::span<const double> delta, double scale) = 0;
   // The share of a step from the iterate along delta that is safe, at most 1. At 0
@@ -44,6 +44,13 @@ class Problem {
   virtual bool arrived() const { return true; }
   virtual Answer residual(std::span<double> r) = 0;  // r = f_ext - f_int at the trial configuration
   virtual Answer tangent(Matrix& K) = 0;             // at the trial configuration
+  // The tangent at the trial configuration for the stresses of the strains that the step from the iterate
+  // predicts linearly; the residual is as before. Without quadratic strains: the tangent.
+  virtual Answer extrapolated_tangent(Matrix& K) { return tangent(K); }
+  // rad: the largest turn that a step along delta makes, of a director, or of a mean edge by its end.
+  virtual double turn_of(std::span<const double> delta) const = 0;
+  virtual void mark() = 0;            // stores the iterate
+  virtual void return_to_mark() = 0;  // trial = the iterate stored last
   // The largest entry of a residual in N (moments are divided by
   // the problem's length), and the unknown that has it (-1: none).
   virtual std::pair<double, Index> largest(std::span<const double> r) const = 0;
@@ -57,6 +64,9 @@ struct NewtonOptions {
   double tolerance = 1e-10;
   int max_iterations = 25;
   bool line_search = true;
+  // Stable equilibria: an unstable one is left if the energy falls in no more than so many directions; with a
+  // smaller step they may be met one after another, so that the shape does not depend on the step.
+  Index most_unstable = 1;
 };
 
 // law_failed: the forces could not be evaluated with this step; broken: with no step, however small.
@@ -67,6 +77,8 @@ enum class NewtonStatus {
   diverged,
   too_many_iterations,
   turned_back,
+  unstable,
+  inverted,
   broken
 };
 const char* describe(NewtonStatus status);
@@ -106,7 +118,7 @@ class Newton {
   void resize(Index size);
   std::unique_ptr<LinearSolver> linear_;
   Matrix K_;
-  linear::Vector r_, delta_, trial_r_;
+  linear::Vector r_, delta_, trial_r_;  // trial_r_: also the forces of the supports' motion
 };
 
 }  // namespace fabricsh::solver

@@ -32,7 +32,7 @@ Answer Relaxation::masses(Problem& problem) {
 NewtonResult Relaxation::solve(Problem& problem, const RelaxationOptions& options) {
   resize(problem.size());
   std::fill(velocity_.begin(), velocity_.end(), 0.0);
-  if (const Answer answer = problem.predict(K_, r_); answer != Answer::ok) {
+  if (const Answer answer = problem.predict(K_, r_, mass_); answer != Answer::ok) {
     NewtonResult result;
     result.status = status_of(answer);
     return result;

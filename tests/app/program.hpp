@@ -28,7 +28,14 @@ class Program {
   explicit Program(std::vector<std::string> words, const std::string& log = "/dev/null",
                    const std::string& in = "") {
     words.insert(words.begin(), FABRICSH_PROGRAM);
+    // A signal that comes before the program has begun ends the child, and not by the test's own handler.
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
     process_ = fork();
+    if (process_ == 0)
+      for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
+    sigprocmask(SIG_SETMASK, &before, nullptr);
     if (process_ != 0) return;
     const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     dup2(out, STDOUT_FILENO);
@@ -46,6 +53,11 @@ class Program {
     if (process_ > 0) end(SIGKILL);
   }
   void signal(int number) const { kill(process_, number); }
+  bool runs() const {
+    siginfo_t about{};
+    return waitid(P_PID, static_cast<id_t>(process_), &about, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           about.si_pid == 0;
+  }
   // Exit code; 128 and the signal's number where one ended it.
   int wait() {
     int status = 0;

@@ -165,6 +165,45 @@ TEST_CASE("a standard output that is full is told, and is no success") {
   CHECK(run("-e 'for i = 1, 3 do io.write(i) end'").out == "123");
 }
 
+TEST_CASE("what is printed goes into no file where the caller has closed a stream") {
+  write("closed.lua",
+        "local file = io.open(arg[1], 'w') file:write 'time,force\\n' file:flush()\n"
+        "print 'a message' io.stdout:flush() io.stderr:write 'another' require 'fabric'.warn 'a third'\n"
+        "assert(io.read() == nil)\n"
+        "file:write '0,1\\n' file:close()\n");
+  const std::pair<std::string, int> cases[] = {{">&-", 1},      {"2>&-", 0},    {"<&-", 0},
+                                               {">&- 2>&-", 1}, {"<&- >&-", 1}, {"<&- >&- 2>&-", 1}};
+  for (const auto& [closed, code] : cases) {  // a message that nobody hears is told
+    INFO(closed);
+    CHECK(run("closed.lua closed.csv " + closed + "; }", "{ : | ").code == code);
+    CHECK(test::content_of("closed.csv") == "time,force\n0,1\n");
+  }
+}
+
+#if !defined(__SANITIZE_ADDRESS__)  // whose frames are larger
+TEST_CASE("runs within hooks of runs end in an error where the stack does") {
+  write("nest.lua",
+        "local fabric = require 'fabric'\n"
+        "local mesh = fabric.mesh.rectangle{ width=0.2, height=0.1, nx=2, ny=1 }\n"
+        "local deepest = 0\n"
+        "local function level(n)\n"
+        "  deepest = n\n"
+        "  local m = fabric.model{ mesh=mesh, card=fabric.card 'blend' }\n"
+        "  m:fix('all', 'z rotation'):fix('left', 'x y'):move('right', { x=fabric.ramp(1e-3, 1), y=0 })\n"
+        "  local a, within = fabric.static{ model=m, duration=1, step=0.5 }, n > 300\n"
+        "  a:every(1, function() if not within then within = true level(n + 1) end end)\n"
+        "  a:solve()\n"
+        "  return a.time\n"
+        "end\n"
+        "local ok, why = pcall(level, 1)\n"
+        "print(ok, tostring(why):match 'nested too deeply' or tostring(why):match 'stack overflow', deepest "
+        "> 3)\n"
+        "deepest = 300 print(level(301))\n");
+  CHECK(run("nest.lua", "ulimit -s 256; ").out == "false\tnested too deeply\ttrue\n1.0\n");
+  CHECK(has(run("nest.lua", "ulimit -s 8192; ").out, "\ttrue\n1.0\n"));
+}
+#endif
+
 TEST_CASE("a program without its files says what is missing and what to set") {
   std::system("rm -rf lonely && mkdir -p lonely/bin && cp '" FABRICSH_PROGRAM "' lonely/bin/alone");
   const std::string alone = "; env -u FABRICSH_HOME lonely/bin/alone -e ";
@@ -201,6 +240,21 @@ TEST_CASE("Ctrl-C while gnuplot draws is an interruption, and gnuplot ends with 
   CHECK(test::content_of("slow-gnuplot/log") == "fabricsh: (command line):1: plot: interrupted\n");
   CHECK_FALSE(std::filesystem::exists("slow-gnuplot/late"));
   CHECK_FALSE(std::filesystem::exists("slow-gnuplot/a.svg"));
+}
+
+TEST_CASE("Ctrl-C that comes as soon as gnuplot has begun is an interruption, too") {
+  std::system("rm -rf soon-gnuplot && mkdir soon-gnuplot");
+  write("soon-gnuplot/gnuplot", "#!/bin/sh\nkill -INT $PPID\nsleep 60\n");
+  std::system("chmod +x soon-gnuplot/gnuplot");
+  const std::string path = std::getenv("PATH");
+  for (int i = 0; i < 3; ++i) {
+    setenv("PATH", ("soon-gnuplot:" + path).c_str(), 1);
+    test::Program program({"-e", "plot{ file='soon-gnuplot/a.svg', curves={ {x={0, 1}, y={0, 1}} } }"},
+                          "soon-gnuplot/log");
+    setenv("PATH", path.c_str(), 1);
+    CHECK(program.wait() == 128 + SIGINT);
+    CHECK(test::content_of("soon-gnuplot/log") == "fabricsh: (command line):1: plot: interrupted\n");
+  }
 }
 
 TEST_CASE("kernels that are none are refused") {

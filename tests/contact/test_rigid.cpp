@@ -128,3 +128,15 @@ TEST_CASE("rigid: a surface moves from shape to shape in straight lines and stan
        "shape 2 has 0 vertices, the first has 1");
   says(message_of([] { MovingShape({1, 1}, {{Vec3::Zero()}, {Vec3::Zero()}}); }), "times (s) that ascend");
 }
+
+TEST_CASE("rigid: a closed surface tells inside from outside, near it and far away", "[contact]") {
+  // A box without one of its corners: not convex.
+  const std::vector<Vec3> x = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}, {0, 0, 2}, {1.4, 1.1, 0.5}};
+  const std::vector<Triangle> t = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {0, 4, 3},
+                                   {1, 2, 5}, {1, 5, 4}, {2, 3, 5}, {3, 4, 5}};
+  REQUIRE(solid_mass(x, t, 1).mass == 1);  // closed, and seen from outside counter-clockwise
+  for (const Vec3& in : {Vec3(0.1, 0.1, 1.5), Vec3(1, 1, 0.2), Vec3(3.4, 0.2, 0.05), Vec3(0.1, 0.1, 1e-6)})
+    CHECK(encloses(x, t, in));
+  for (const Vec3& out : {Vec3(1.4, 1.1, 0.6), Vec3(3, 2, 1), Vec3(0.1, 0.1, -1e-6), Vec3(-50, 70, 20)})
+    CHECK_FALSE(encloses(x, t, out));
+}

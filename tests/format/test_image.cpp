@@ -141,8 +141,17 @@ TEST_CASE("what a picture says of its size is not believed", "[files]") {
   says(claim(0x40), "damaged or cut short");  // libpng's own limit of a million rows
   png[16] = png[20] = 0;
   png[17] = png[21] = 0;
-  png[18] = png[22] = 0x20;
-  says(claim(0), "bytes can't hold 8232 x 8212 pixels");
-  png[18] = png[22] = static_cast<char>(0xf0);
-  says(claim(0), "more than the 268435456 that are read");
+  png[18] = png[22] = 0x0f;
+  says(claim(0), "bytes can't hold 3880 x 3860 pixels");
+  // A file as small as this is not to fill the memory, whatever its packing could hold.
+  png[18] = png[22] = 0x10;
+  says(claim(0), "it says to have 4136 x 4116 pixels, more than the 16777216 that are read from a file of ");
+  // A longer one may have 64 pixels for each byte, up to 2^27.
+  const auto long_claim = [&](char middle, std::size_t bytes) {
+    png[18] = png[22] = middle;
+    claim(0);
+    return message_of([&] { parse_image("large.png", png + std::string(bytes - png.size(), '\0')); });
+  };
+  says(long_claim(0x2f, 3'000'000), "more than the 134217728 that are read from a file of 3000000 bytes");
+  says(long_claim(0x2f, 2'000'000), "more than the 128000000 that are read from a file of 2000000 bytes");
 }

@@ -15,6 +15,8 @@
 #include <vtkUnstructuredGridWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
+
 #include "format/mesh_file.hpp"
 #include "mesh/generators.hpp"
 #include "mesh_samples.hpp"
@@ -212,6 +214,122 @@ TEST_CASE("a surface without sets: .obj, .ply, .stl", "[files]") {
   write_mesh(folder / "x.ply", m);
   CHECK(content_of(folder / "x.ply").find("end_header\n0 0 0\n1 0 0\n2 0 0.125\n") != std::string::npos);
   CHECK(content_of(folder / "x.ply").ends_with("4 0 1 4 3\n4 1 2 5 4\n3 2 6 5\n"));
+  const auto ply = read_mesh(folder / "x.ply");
+  CHECK(ply.nodes == m.nodes);
+  CHECK(ply.elements == m.elements);
+}
+
+namespace {
+
+template <class T>
+void add_bytes(std::string& text, T value, bool high_first) {
+  std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+  if (high_first) std::reverse(bytes.begin(), bytes.end());
+  text += bytes;
+}
+
+// Four corners of a wedge and a face of each kind, with a property and an element that nobody needs.
+std::string binary_ply(bool high_first) {
+  std::string text =
+      "ply\r\nformat binary_" + std::string(high_first ? "big" : "little") +
+      "_endian 1.0\ncomment made by hand\nelement vertex 5\nproperty float x\nproperty uchar red\n"
+      "property double y\nproperty float z\nelement edge 1\nproperty list uchar short ends\nelement "
+      "face 2\nproperty list uchar int vertex_index\nproperty short flag\nend_header\n";
+  const double places[5][3] = {{0, 0, 0}, {2, 0, 0.5}, {3, 1.25, 0}, {1, 2, 0}, {-0.5, 1, 0}};
+  for (const auto& x : places) {
+    add_bytes(text, static_cast<float>(x[0]), high_first);
+    text += '\x07';
+    add_bytes(text, x[1], high_first);
+    add_bytes(text, static_cast<float>(x[2]), high_first);
+  }
+  text += '\x02';
+  for (const std::int16_t end : {1, 2}) add_bytes(text, end, high_first);
+  text += '\x05';
+  for (const std::int32_t corner : {0, 1, 2, 3, 4}) add_bytes(text, corner, high_first);
+  add_bytes(text, std::int16_t{-1}, high_first);
+  text += '\x03';
+  for (const std::int32_t corner : {0, 4, 1}) add_bytes(text, corner, high_first);
+  add_bytes(text, std::int16_t{-1}, high_first);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("PLY: text and both orders of bytes, faces of many corners as triangles", "[files]") {
+  for (const bool high_first : {false, true}) {
+    Remarks remarks;
+    const auto m = read_ply("x.ply", binary_ply(high_first), &remarks);
+    CHECK(m.nodes[2] == Vec3(3, 1.25, 0));
+    CHECK(m.nodes[1].z() == 0.5);
+    CHECK(m.elements == decltype(m.elements){{0, 1, 2, -1}, {0, 2, 3, -1}, {0, 3, 4, -1}, {0, 4, 1, -1}});
+    CHECK(remarks ==
+          Remarks{"x.ply: 1 face with more than four corners cut into triangles from the first corner"});
+  }
+  says(message_of([] { read_ply("x.ply", "plx\n"); }), "x.ply:1: expected a file that begins with 'ply'");
+  says(message_of([] {
+         read_ply("x.ply", "ply\nformat ascii 1.0\nelement face 999999999\nproperty int a\nend_header\n1");
+       }),
+       "expected a number of elements from 0 to");
+  const std::string cut = binary_ply(false);
+  says(message_of([&] { read_ply("x.ply", cut.substr(0, cut.size() - 9)); }), "x.ply: byte ");
+}
+
+TEST_CASE("OBJ: what is not known is passed over and told, names have blanks, faces many corners",
+          "[files]") {
+  Remarks remarks;
+  const auto m =
+      read_obj("x.obj",
+               "o my shirt\nv 0 0 0\nv 2 0 0\nv 3 1 0\nv 1 2 0.5\nv -1 1 0\ncstype bezier\nf 1 2 3 4 5\n"
+               "o the other\nv 0 -1 0\nf 1 6 2\nmg 1\n",
+               &remarks);
+  CHECK(m.elements == decltype(m.elements){{0, 1, 2, -1}, {0, 2, 3, -1}, {0, 3, 4, -1}, {0, 5, 1, -1}});
+  CHECK(m.set("my shirt") == mesh::NodeSet{0, 1, 2, 3, 4});
+  CHECK(m.set("the other") == mesh::NodeSet{0, 1, 5});
+  CHECK(remarks ==
+        Remarks{"x.obj:7: statement 'cstype' is not known and is passed over (2 such lines)",
+                "x.obj: 1 face with more than four corners cut into triangles from the first corner"});
+}
+
+TEST_CASE("STL: facets with two corners at one place are left out and told", "[files]") {
+  const auto facet = [](const char* corners) {
+    std::string text = " facet normal 0 0 1\n  outer loop\n";
+    for (const char* c = corners; *c != 0; ++c)
+      text += std::string("vertex ") + (*c == 'a' ? "0 0 0" : *c == 'b' ? "1 0 0" : "0.25 1 0") + "\n";
+    return text + "endloop\nendfacet\n";
+  };
+  Remarks remarks;
+  const auto m =
+      read_stl("x.stl", "solid\n" + facet("abc") + facet("aab") + facet("cbc") + "endsolid\n", &remarks);
+  CHECK(m.elements.size() == 1);
+  CHECK(remarks == Remarks{"x.stl: 2 facets with two corners at one place left out, the first is facet 2"});
+}
+
+TEST_CASE("Gmsh: the parts of a mesh that is cut into partitions keep their groups", "[files]") {
+  // surface 3 is cut into 4 and 5, curve 1 into 6: 4 has groups of its own, 5 and 6 those of the whole
+  const auto m = read_gmsh(
+      "x.msh",
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 7 \"left\"\n2 8 \"plate\"\n2 9 \"sheet\"\n"
+      "$EndPhysicalNames\n$Entities\n0 1 1 0\n1 0 0 0 0 1 0 1 7 0\n3 0 0 0 2 1 0 1 9 1 1\n$EndEntities\n"
+      "$PartitionedEntities\n2\n1\n1 2\n0 1 2 0\n6 1 1 1 1 0 0 0 0 1 0 0 0\n4 2 3 1 1 0 0 0 1 1 0 1 8 1 6\n"
+      "5 2 3 2 1 2 1 0 0 2 1 0 0 0\n$EndPartitionedEntities\n"
+      "$Nodes\n1 6 1 6\n2 4 0 6\n1\n2\n3\n4\n5\n6\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n"
+      "$Elements\n3 3 1 3\n1 6 1 1\n1 1 4\n2 4 3 1\n2 1 2 5 4\n2 5 3 1\n3 2 3 6 5\n$EndElements\n");
+  CHECK(m.set("left") == mesh::NodeSet{0, 3});
+  CHECK(m.set("plate") == mesh::NodeSet{0, 1, 3, 4});
+  CHECK(m.set("sheet") == mesh::NodeSet{1, 2, 4, 5});
+}
+
+TEST_CASE("a mesh of 20 m or of 20 um is asked about its units", "[files]") {
+  const ScratchFolder folder;
+  for (const double size : {20.0, 20e-6, 0.5}) {
+    write_mesh(folder / "x.obj", mesh::rectangle(size, size / 3, 2, 2));
+    Remarks remarks;
+    read_mesh(folder / "x.obj", &remarks);
+    REQUIRE(remarks.size() == (size == 0.5 ? 0 : 1));
+    if (size != 0.5)
+      says(remarks[0], size > 1 ? "the mesh spans 20 m, far from what cloth is: are its lengths in m?"
+                                : "the mesh spans 2e-05 m, far from what cloth is");
+  }
 }
 
 // A square of two facets, with 0 and -0 for one corner.
@@ -285,7 +403,7 @@ TEST_CASE("names that cannot be written or read by their ending", "[files]") {
   says(message_of([&] { write_mesh(folder / "x.step", m); }),
        "expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad");
   says(message_of([&] { read_mesh("x.rad"); }),
-       "expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k");
+       "expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k");
   says(message_of([&] { read_mesh(folder / "none.msh"); }), "No such file or directory");
   says(message_of([&] { read_mesh("/dev/null/x.msh"); }), "Not a directory");
   std::filesystem::create_directory(folder / "folder.msh");

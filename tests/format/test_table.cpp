@@ -109,7 +109,69 @@ TEST_CASE("words under the last row are no rows", "[files]") {
   CHECK(t.columns[1].values == std::vector<double>{0, 2, 4, 6, 8, 10, 12, 14, 16});
   CHECK(trouble("u,P\n0,0\n1,1\n2,2\n3,3\n4\n").ends_with(":6: expected 2 cells, got 1"));
   CHECK(trouble("u,P\n0,0\n1,1\n2,2\n3,3\nend\n4,4\n").ends_with(":6: expected 2 cells, got 1"));
-  CHECK(trouble("u,P\n0,0\n1,1\n2,2\n3,3\nMean,1,2\n").ends_with(":6: expected 2 cells, got 3"));
+  // a row of totals is one too, and told; rows that share their word belong to a specimen of that name
+  const Table totals = parse_table("b", "u,P\n0,0\n1,1\n2,2\n3,3\nMean,1,2\nMaximum,3\n");
+  CHECK(totals.columns[0].values == std::vector<double>{0, 1, 2, 3});
+  REQUIRE(totals.left_out.size() == 2);
+  CHECK(totals.left_out[1].line == 7);
+  CHECK(totals.left_out[1].text == "Maximum,3");
+  CHECK(trouble("k,u\n1,0\n1,1\n2,0\n2,1\nA,0\nA,1\n")
+            .ends_with(":6: column 'k': expected a finite number, got 'A'"));
+}
+
+TEST_CASE("a file holds as many tables as it has headings", "[files]") {
+  const std::string text =
+      "Run 1\nu (mm);P (N)\n0;0\n1;2,5\n2;4\n\nRun 2\nLength;25\nu (mm);P "
+      "(kN);t\n0;0;1\n1;0,5;2\n2;1;3\n3;2;4\n";
+  const auto tables = parse_tables("a", text);
+  REQUIRE(tables.size() == 2);
+  CHECK(tables[0].columns[1].values == std::vector<double>{0, 2.5, 4});
+  CHECK(tables[1].columns.size() == 3);
+  CHECK(tables[1].columns[1].unit == "kN");
+  CHECK(tables[1].columns[1].values == std::vector<double>{0, 0.5, 1, 2});
+  CHECK(tables[1].preamble == std::vector<std::string>{"Run 2", "Length;25", "u (mm);P (kN);t"});
+  CHECK(tables[1].lines == std::vector<std::size_t>{10, 11, 12, 13});
+  CHECK(trouble(text).ends_with(
+      "a further table begins here, table 2 of 2: expected one table; blocks=true reads each"));
+  // equal headings over columns that go on are one table
+  const Table one = parse_table("b", "t,u\n0,0\n1,2\n2,4\nt,u\n3,6\nt,u\n4,8\n");
+  CHECK(one.columns[1].values == std::vector<double>{0, 2, 4, 6, 8});
+  CHECK(parse_tables("c", "t,u\n0,0\n1,2\n2,4\nt,u\n0,6\n1,7\n").size() == 2);
+  // words that repeat are no heading
+  CHECK(trouble("t,u\n0,0\n1,2\nover,over\n3,4\n")
+            .ends_with(":4: column 't': expected a finite number, got 'over'"));
+}
+
+TEST_CASE("the whole file decides what stands between cells", "[files]") {
+  CHECK(trouble("u,P\n0,0\n1\n2,4\n3,6\n4,8\n5,10\n").ends_with(":3: expected 2 cells, got 1"));
+  CHECK(parse_table("a", "P\n0\n0,5\n1\n1,5\n").columns[0].values == std::vector<double>{0, 0.5, 1, 1.5});
+}
+
+TEST_CASE("typographic signs, and thousands that the deck names", "[files]") {
+  const Table t = parse_table("a", "%;N\n\u22120,5;1\u202f234,5\n1;-2\u00a0000\n2;3\u2019000,25\n");
+  CHECK(t.columns[0].name == "%");
+  CHECK(t.columns[0].values == std::vector<double>{-0.5, 1, 2});
+  CHECK(t.columns[1].values == std::vector<double>{1234.5, -2000, 3000.25});
+  CHECK(trouble("0,5;1\n0,5;1\n0,5;1\n0,5;1\n1;1.234\n").ends_with("got '1.234'"));
+  CHECK(parse_table("b", "0,5;1,5\n1;1.234\n", {0, 0, false, '.'}).columns[1].values ==
+        std::vector<double>{1.5, 1234});
+  CHECK(trouble("0;1\n0;1\n0;1\n0;1\n1;12 34\n").ends_with("got '12 34'"));
+  CHECK(trouble("0;1\n0;1\n0;1\n0;1\n1;1 234 56\n").ends_with("got '1 234 56'"));
+}
+
+TEST_CASE("an empty last column and units with gaps keep their headings", "[files]") {
+  const Table t = parse_table("a", "k,u,error\n1,2,\n2,3,\n");
+  REQUIRE(t.columns.size() == 3);
+  CHECK(t.columns[2].name == "error");
+  CHECK(t.columns[1].values == std::vector<double>{2, 3});
+  const Table filled = parse_table("b", "k,u,error\n1,2,\n2,3,\n3,4,\n4,5,\n5,6,broken\n");
+  CHECK(filled.columns[2].words == std::vector<std::string>{"", "", "", "", "broken"});
+  const Table gaps =
+      parse_table("c", "Data:\tNo.\tTime\tForce\tStatus\n\t\t[s]\t[N]\n\t1\t0\t2\t\n\t2\t1\t3\t\n");
+  REQUIRE(gaps.columns.size() == 5);
+  CHECK(gaps.columns[2].unit == "s");
+  CHECK(gaps.columns[3].unit == "N");
+  CHECK(gaps.columns[4].name == "Status");
 }
 
 TEST_CASE("thousands are read where they cannot be decimals", "[files]") {
@@ -218,4 +280,32 @@ TEST_CASE("a million rows are read", "[files]") {
   const Table table = read_table(folder / "long.csv");
   for (const auto& column : table.columns) CHECK(column.values.size() == 1000000);
   CHECK(table.columns[2].values.back() == Approx(999999 * 3.1e-4).epsilon(1e-5));  // six digits were written
+}
+
+TEST_CASE("a line too long for a table is refused before it is split") {
+  const std::string rows = "a,b\n1,2\n3,4\n";
+  CHECK(parse_table("long.csv", rows + std::string(16 << 20, ' ') + "\n5,6\n").columns[0].values.size() == 3);
+  says(message_of([&] { parse_table("long.csv", rows + std::string((16 << 20) + 1, '1') + "\n5,6\n"); }),
+       "long.csv:4: expected a line of at most 16777216 bytes, got one of 16777217");
+  says(message_of([&] { parse_table("long.csv", std::string(20 << 20, ',')); }),
+       "long.csv:1: expected a line of at most 16777216 bytes, got one of 20971520");
+}
+
+TEST_CASE(
+    "a quoted number of a nought, a comma and three digits has a decimal comma: thousands begin with no "
+    "nought",
+    "[files]") {
+  // Alone it settles the others of its file, which might be thousands.
+  const Table t = parse_table("a", "u,P\n1,\"1,500\"\n2,\"0,123\"\n3,\"-0,456\"\n4,\"12,345\"\n");
+  CHECK(t.form.decimal == ',');
+  CHECK(t.columns[1].values == std::vector<double>{1.5, 0.123, -0.456, 12.345});
+  CHECK(t.columns[0].values == std::vector<double>{1, 2, 3, 4});
+  // Nor do numbers of two or four digits behind the comma stand for thousands.
+  CHECK(parse_table("b", "u,P\n1,\"1,50\"\n2,\"1,234\"\n").columns[1].values ==
+        std::vector<double>{1.5, 1.234});
+  CHECK(parse_table("c", "u,P\n1,\"1,5000\"\n2,\"1,234\"\n").columns[1].values ==
+        std::vector<double>{1.5, 1.234});
+  // 10,123 may be ten thousand.
+  says(trouble("u,P\n1,\"10,123\"\n2,\"20,456\"\n"),
+       "its comma may be a decimal sign or stand between thousands");
 }

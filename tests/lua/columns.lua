@@ -94,6 +94,16 @@ file:close()
 local read = fabric.columns(fabric.table { file = path })
 os.remove(path)
 assert(read:interpolate("force", "time", 1.5) == 3.75)
+-- printed in the order of the file; names that occur twice stay apart
+local printed, real_print = {}, print
+print = function(text) printed[#printed + 1] = text end -- luacheck: ignore
+fabric.show(read)
+fabric.write(path, "time,force,angle,force\n0,1,2,3\n1,4,5,6\n")
+fabric.show(fabric.table { file = path })
+print = real_print -- luacheck: ignore
+os.remove(path)
+assert(printed[1] == "  time  force" and printed[3] == "     1    2.5" and printed[5] == "  time  force  angle  force (4)" and printed[7] == "     1      4      5          6",
+  table.concat(printed, "\n"))
 
 -- as a table, the middle of a long one left out
 local lines, print_ = {}, print

@@ -280,6 +280,10 @@ assert(r.material == "ELASTIC")
 for _, row in ipairs(r.losses) do near("SVK, " .. row.path, row.worst, 0, 1e-5) end
 r = fabric.export.card { card = svk, to = "openradioss" }
 assert(r.material == "LAW19" and r.lost.warp.worst > 1)
+-- R_E in columns 1 to 20, nothing up to 40, ZEROSTRESS, FSCALE_POR, the sensor in 81 to 90; each name ends with its number
+local names, numbers = r.text:match "\n(#[^\n]*ZEROSTRESS[^\n]*)\n([^\n]*)"
+assert(names:find("R?E", 18) and select(2, names:find "ZEROSTRESS") == 60 and select(2, names:find "FSCALE_POR") == 80 and #names == 90 and #numbers == 90, names)
+assert(numbers:sub(21, 40):match "^ +$" and tonumber(numbers:sub(41, 60)) == 0 and tonumber(numbers:sub(81, 90)) == 0)
 
 -- --- files and refusals ---
 local path = os.tmpname() .. ".k"

@@ -162,6 +162,20 @@ assert(not part.warp and not part.weft and #part.further == 7)
 says(part, "warp.loading", "assumed: straight, 11 times the initial modulus in shear")
 says(part, "shear.loading", "fitted to 1 specimen")
 assert(report.write(part, place .. "/out").shear)
+-- where the shear stiffens, that rule would let the yarns stretch in a test that is evaluated as if they did not: E = S12 at its end over 1 %
+do
+  local card = fabric.lab.card { name = "bias", density = 500, thickness = 1e-3, assume = true, shear = { loading = { 1e5, 0, 9e7 }, tested = 0.4 } }
+  local stiff = (1e5 * 0.4 + 9e7 * 0.4 ^ 3 / 3) / 0.01
+  assert(math.abs(card.warp.loading[1] / stiff - 1) < 1e-12 and card.provenance["weft.loading"]:find("assumed: straight, 196 MPa, with which the yarns stretch by 1 %", 1, true),
+    card.provenance["weft.loading"])
+  -- what is assumed is told where it is written for others
+  local before = #warned
+  fabric.warn = function(words) warned[#warned + 1] = words end
+  local out = fabric.export.card { card = card, to = "abaqus" }
+  fabric.warn = warn
+  assert(#warned == before + 1 and warned[#warned]:find("export: card 'bias': the loading of the warp and weft was not measured, it is assumed (straight, 196 MPa", 1, true), warned[#warned])
+  assert(out.report:find "not measured: warp.loading, assumed: straight, 196 MPa" and out.report:find "not measured: warp.poisson, assumed: 0.4")
+end
 -- a yarn that softens to a tenth of its first modulus: the assumed ratio is less, and where no strip can be run the report says so
 local soft = { "Extension (mm),Load (N)" }
 for k = 0, 249 do soft[#soft + 1] = ("%.4f,%.5f"):format(0.04 * k, 100 * (1 - math.exp(-k / 60))) end

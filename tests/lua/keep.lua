@@ -59,6 +59,7 @@ b:solve()
 same_files("whole", "part", pull)
 assert(#whole == 21 and table.concat(whole, " ") == table.concat(part, " "))
 for name, value in pairs(a.energy) do assert(b.energy[name] == value, name) end
+collectgarbage() -- the run that was left holds its outputs until then
 assert(#fabric.folder "part" == #fabric.folder "whole")
 
 -- outputs come after it

@@ -73,9 +73,9 @@ assert(columns(twice, { columns = { force = 3 } }).force[3] == 9)
 
 -- what nobody needs does not stop the read
 r = columns "Time;Label;Extension (mm);Load (N);Temperature (F)\n12:00:01;1-Load;0;0;70\n12:00:02;1-Load;1;0,5;\n12:00:03;2-Load;2;1;x\n"
-assert(type(r) == "table" and r.force[2] == 0.5 and not r.time, tostring(r))
-assert(columns("Time;Extension (mm);Load (N)\n12:00:01;0;0\n12:00:02;1;2\n", { columns = { time = 1 }, units = { time = "s" } }):find
-  ":2: column 'Time': expected a finite number, got '12:00:01'")
+assert(type(r) == "table" and r.force[2] == 0.5 and r.time[1] == 43201, tostring(r))
+assert(columns("Time;Extension (mm);Load (N)\n12.00 h;0;0\n12.01 h;1;2\n", { columns = { time = 1 }, units = { time = "s" } }):find
+  ":2: column 'Time': expected a finite number, got '12.00 h'")
 r = columns "Time (weeks),Strain 1 (%),Strain 2 (%),Extension (mm),Load (N)\n0,0,0,0,0\n1,1,2,1,2\n"
 assert(r.force[2] == 2 and not r.time and not r.strain)
 assert(columns("Extension (mm),Load (N)\n0,\n1,2\n2,3\n"):find ":2: column 'Load': expected a finite number, got ''")

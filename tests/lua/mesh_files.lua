@@ -45,8 +45,29 @@ refused("orient: the mean normal of part 1 of the mesh is square to the directio
 
 -- Errors name the file and its line.
 refused("read: cannot read 'none.msh': No such file or directory", fabric.mesh.read, "none.msh")
-refused("expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k", fabric.mesh.read, "mesh.rad")
+refused("expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k", fabric.mesh.read, "mesh.rad")
 refused("bad.obj:2: expected three coordinates", fabric.mesh.read, write("bad.obj", "v 0 0 0\nv 1 0\n"))
 refused("bad.msh: the file is empty", fabric.mesh.read, write("bad.msh", ""))
 refused("bad.vtu:1: expected <VTKFile>, got <html>", fabric.mesh.read, write("bad.vtu", "<html></html>"))
 refused("bad.vtk:1: expected a .vtk file", fabric.mesh.read, write("bad.vtk", ("\0\255"):rep(1000)))
+
+-- What is written as .msh is read by meshio, with the sets: the elements' group, and each set's nodes.
+local meshio = [[%s -c "
+import meshio
+mesh = meshio.read('out/disk.msh')
+cells = {kind: sum(len(block) for block in mesh.cells if block.type == kind) for kind in ('quad', 'vertex')}
+print(cells['quad'], cells['vertex'], sorted(mesh.field_data))
+" 2>&1]]
+local has, python
+for _, program in ipairs { "python3", "/usr/bin/python3" } do
+  if not has then has, python = os.execute(program .. " -c 'import meshio' 2>/dev/null"), program end
+end
+if has then
+  local of_sets = 0
+  for _, name in ipairs { "all", "boundary", "centre", "core", "half" } do of_sets = of_sets + #disk:set(name) end
+  local answer = io.popen(meshio:format(python)):read "a"
+  local want = ("%d %d ['all', 'boundary', 'centre', 'core', 'half']"):format(#disk.elements, of_sets)
+  assert(answer:find(want, 1, true), answer .. "want " .. want)
+else
+  print "SKIPPED: meshio is not installed (apt install python3-meshio), so that it does not read our .msh"
+end

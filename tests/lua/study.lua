@@ -42,7 +42,7 @@ for workers = 1, 4 do
     assert(case.values.none == 1 / 0 or case.values.none ~= case.values.none)
   end
 end
-assert(tables[1]:find("case,a,b,c,good,name,none,third,whole,trouble\n1,x,1,true,false,\"x,1\",inf,0.333333333333333", 1, true) == 1)
+assert(tables[1]:find("case,a,b,c,good,name,none,third,whole,warnings,trouble\n1,x,1,true,false,\"x,1\",inf,0.333333333333333", 1, true) == 1)
 
 -- Again: nothing runs. More values: only the new ones do, and the old table is not mixed up.
 local again = fabric.study { parameters = grid, run = counted("grid1", values), folder = here .. "/grid1" }
@@ -130,7 +130,7 @@ local clash = fabric.study { parameters = { a = { 1, 2 } }, run = function(p) re
 assert(clash.failed == 2 and clash[1].trouble:find("no result can be named 'case': study.csv has a column of that name", 1, true), clash[1].trouble)
 assert(clash[2].trouble:find("no result can be named 'a': a parameter has that name", 1, true), clash[2].trouble)
 local echo = fabric.study { parameters = { a = { 1, 2 } }, run = function(p) return { a = p.a, b = 2 * p.a } end, folder = here .. "/echo" }
-assert(content(echo.file) == "case,a,b,trouble\n1,1,2,\n2,2,4,\n", content(echo.file))
+assert(content(echo.file) == "case,a,b,warnings,trouble\n1,1,2,,\n2,2,4,,\n", content(echo.file))
 local good, message = pcall(fabric.study, { parameters = { trouble = { 1 } }, run = values, folder = here .. "/clash2" })
 assert(not good and tostring(message):find("no parameter can be named 'trouble'", 1, true), message)
 os.execute("rm -rf " .. here)

@@ -148,3 +148,38 @@ TEST_CASE("contact: forces and energies have the same bits for one, two and four
   }
   omp_set_num_threads(most);
 }
+
+TEST_CASE("contact: a rollback takes back the couplings of the states that were tried") {
+  // A ball just below a sheet; a step that brings them together couples nodes of the sheet with each other.
+  const Pile pile(0.2);
+  mechanics::Assembly a(*pile.model), untried(*pile.model);
+  const auto n = static_cast<std::size_t>(a.unknowns());
+  const auto pattern_at = [&](mechanics::Assembly& b, const std::vector<double>& step) {
+    b.aim(1);
+    b.begin_iterate();
+    b.retract(step, 1, b.targets(1));
+    linear::Matrix K;
+    b.tangent({0, 1}, K, {}, {});
+    return std::pair(K.pattern->column, K.pattern->row);
+  };
+  // The upper sheet slides by several elements, so that other nodes are near each other.
+  std::vector<double> slide(n, 0);
+  const auto first = a.freedoms().nodes.size() - 16;
+  for (std::size_t i = first; i < a.freedoms().nodes.size(); ++i) {
+    slide[static_cast<std::size_t>(a.freedoms().nodes[i].equation[0])] = 0.009;
+    slide[static_cast<std::size_t>(a.freedoms().nodes[i].equation[1])] = -0.007;
+  }
+  const std::vector<double> still(n, 0);
+  const auto clean = pattern_at(untried, still), tried = pattern_at(a, slide);
+  REQUIRE(tried != clean);
+  a.rollback();
+  CHECK(pattern_at(a, still) == clean);
+  // What was committed stays.
+  a.rollback();
+  pattern_at(a, slide);
+  a.commit(1);
+  const auto kept = pattern_at(a, still);
+  a.rollback();
+  CHECK(pattern_at(a, still) == kept);
+  CHECK(kept != clean);
+}

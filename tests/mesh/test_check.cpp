@@ -80,14 +80,44 @@ TEST_CASE("check: elements that cannot be are named from 1", "[mesh]") {
   CHECK(found(report, "nonmanifold").elements == Ids{0, 1, 2, 3});
 }
 
+TEST_CASE("check: folds at which a shell has no normal", "[mesh]") {
+  // a strip of two wide elements and one narrow one, folded by an angle before the last
+  const auto folded = [](double degrees, bool split) {
+    Mesh m = rectangle(3, 1, 3, 1);
+    const double angle = degrees * 3.14159265358979 / 180;
+    for (const Index n : {3, 7})
+      m.nodes[n] = {2 + 0.3 * std::cos(angle), m.nodes[n].y(), 0.3 * std::sin(angle)};
+    if (split) {
+      m.elements.pop_back();
+      m.elements.push_back({2, 3, 6, -1});
+      m.elements.push_back({3, 7, 6, -1});
+    }
+    return m;
+  };
+  // At the fold the mean normal of areas 1 and 0.3 leans towards the large element: against the small one
+  // beyond 90 degrees and a bit, since at its far end the director is its own.
+  for (const bool split : {false, true}) {
+    CHECK(check(folded(60, split)).ok());
+    CHECK(check(folded(100, split)).find("fold") == nullptr);
+    const Report sharp = check(folded(170, split));
+    CHECK_FALSE(sharp.ok());
+    CHECK(found(sharp, "fold").elements.front() == 2);
+  }
+  Mesh flat = rectangle(2, 1, 2, 1);  // one element lies upon the other
+  for (const Index n : {2, 5}) flat.nodes[n].x() = 0;
+  const Finding fold = found(check(flat), "fold");
+  CHECK(fold.nodes == Ids{1, 4});
+  says(fold.text, "nodes 2, 5: no normal, its elements cancel");
+}
+
 TEST_CASE("check: nodes at one place, and nodes in no element", "[mesh]") {
   Mesh m = annulus({.inner = 1, .outer = 2, .around = 12, .across = 2, .slit = true});
   CHECK(found(check(m), "duplicate").nodes == m.set("end"));
   m.nodes.push_back(Vec3(0, 0, 5));
   const Report report = check(m);
   CHECK(found(report, "unused").nodes == Ids{39});
-  says(report.text(), "warning: node 40: in no element");
-  CHECK(report.ok());
+  says(report.text(), "error: node 40: in no element");
+  CHECK_FALSE(report.ok());  // a model refuses it too
   m = rectangle(1, 1, 20, 20);
   for (int k = 0; k < 3; ++k) {  // as near as rounding, in every direction
     m.nodes.push_back(m.nodes[static_cast<std::size_t>(100 + k)] + Vec3(1e-13, -1e-13, k == 1 ? 1e-13 : 0));
@@ -133,4 +163,42 @@ TEST_CASE("orient: two parts, triangles, and a strip with one side", "[mesh]") {
   two.elements.erase(two.elements.begin() + 1);
   CHECK(check(two).measures.parts == 2);
   CHECK(check(two).measures.borders == 2);
+}
+
+TEST_CASE("check: nodes that lie so that strains suffer", "[mesh]") {
+  // One quadrilateral with a corner of almost 180 degrees, and the same with it moved out.
+  Mesh m = rectangle(0.02, 0.02, 1, 1);
+  m.nodes[3] = Vec3(0.011, 0.0105, 0);
+  says(found(check(m), "wide").text,
+       "element 1: corners of quadrilaterals up to 171.4 degrees, almost a straight line");
+  m.nodes[3] = Vec3(0.02, 0.014, 0);
+  CHECK(check(m).find("wide") == nullptr);
+  // A trapezoid: its corners span areas as its parallel sides are long, here 1 to 5 and 1 to 3.
+  for (const double top : {0.2, 1.0 / 3}) {
+    Mesh t = rectangle(0.03, 0.02, 1, 1);
+    t.nodes[3].x() = top * 0.03;
+    const Report report = check(t);
+    const Finding* taper = report.find("taper");
+    CHECK((taper != nullptr) == (top < 0.25));
+    if (taper != nullptr)
+      says(taper->text, "element 1: the narrowest corner spans down to 0.2 of the area of");
+  }
+}
+
+TEST_CASE("check: nodes on the side of an element that has none there", "[mesh]") {
+  // Two strips side by side, of four and of six elements: three of the inner nodes of either side hang.
+  Mesh m = rectangle(0.4, 0.1, 4, 1);
+  const Mesh other = rectangle(0.4, 0.1, 6, 1, Vec3(0, 0.1, 0));
+  const auto first = static_cast<Index>(m.nodes.size());
+  m.nodes.insert(m.nodes.end(), other.nodes.begin(), other.nodes.end());
+  for (auto e : other.elements) {
+    for (Index& n : e) n += first;
+    m.elements.push_back(e);
+  }
+  const Report report = check(m);
+  CHECK(found(report, "hanging").nodes == Ids{6, 8, 11, 12, 14, 15});
+  CHECK(found(report, "hanging").elements == Ids{0, 1, 2, 3, 5, 8});
+  CHECK(found(report, "duplicate").nodes == Ids{10, 13, 16});
+  m = rectangle(0.4, 0.1, 4, 1);
+  CHECK(check(m).find("hanging") == nullptr);
 }

@@ -16,7 +16,6 @@ data = pathlib.Path("jupyter").resolve()
 for name in ("JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR", "JUPYTER_CONFIG_DIR"):
     os.environ[name] = str(data)
 import subprocess
-import threading
 
 subprocess.run([sys.executable, str(kernel), "install"], check=True, stdout=subprocess.DEVNULL)
 assert json.loads((data / "kernels/fabricsh/kernel.json").read_text())["display_name"] == "fabricsh"
@@ -30,16 +29,19 @@ manager = KernelManager(kernel_name="fabricsh")
 manager.start_kernel(env={**os.environ})
 client = manager.blocking_client()
 client.start_channels()
-client.wait_for_ready(timeout=60)
+client.wait_for_ready(timeout=240)
 
 
-def cell(code, wait=60):
+def cell(code, wait=240, on_busy=None):
     heard = {"stdout": "", "stderr": "", "shown": []}
 
     def hear(message):
         content = message["content"]
         if message["msg_type"] == "stream":
+            before = heard[content["name"]]
             heard[content["name"]] += content["text"]
+            if on_busy and "busy" in heard[content["name"]] and "busy" not in before:
+                on_busy()
         elif message["msg_type"] == "display_data":
             heard["shown"].append(sorted(content["data"]))
 
@@ -63,8 +65,7 @@ try:
     assert cell("x, strip == nil")[1]["stdout"] == "1\tfalse\n"
     assert cell("'\u00e4'")[1]["stdout"].strip().strip("\"'") == "\u00e4"
     # An interrupt stops what runs; the session and its values stay.
-    threading.Timer(1.5, manager.interrupt_kernel).start()
-    reply, heard = cell("while true do end")
+    reply, heard = cell("io.stderr:write 'busy\\n' while true do end", on_busy=manager.interrupt_kernel)
     assert reply["status"] == "error" and "interrupt" in heard["stderr"], (reply, heard)
     assert cell("x")[1]["stdout"] == "1\n"
     reply, heard = cell("fabric = require 'fabric'\nfabric.plot{ file='curve.svg', curves={ { x={0, 1, 2}, y={0, 1, 4} } } }")

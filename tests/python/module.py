@@ -6,7 +6,6 @@ import pathlib
 import struct
 import subprocess
 import sys
-import time
 import unittest
 
 if importlib.util.find_spec("numpy") is None:
@@ -83,10 +82,11 @@ class Module(unittest.TestCase):
         error = self.refused(fabricsh.NumericalFailure, lambda: fabricsh.run_text(hard))
         self.assertEqual(error.deck, "stdin")
         self.assertIn("Try:", str(error))
-        begun = time.time()
-        error = self.refused(fabricsh.Interrupted, lambda: fabricsh.run_text("print 'begun' io.stdout:flush() while true do end", timeout=1))
+        for seconds in (1, 10, 100):  # a busy machine may take longer to begin
+            error = self.refused(fabricsh.Interrupted, lambda: fabricsh.run_text("print 'begun' io.stdout:flush() while true do end", timeout=seconds))
+            if error.stdout:
+                break
         self.assertEqual(error.stdout, "begun\n")
-        self.assertLess(time.time() - begun, 30)
         self.assertIn("no program 'no-such-program'", str(self.refused(FileNotFoundError, lambda: fabricsh.run_text("", program="no-such-program"))))
 
     def test_a_record(self):

@@ -60,6 +60,23 @@ TEST_CASE("keywords, globals, fields") {
   CHECK(whole.from == 6);
 }
 
+TEST_CASE("a large table is completed from a part of it, and no beginning is made up") {
+  Bench words;
+  words.run("big = {} for i = 1, 30000 do big[('a%05d'):format(i)] = i end big.zebra = 1 big.zeal = 2");
+  const auto all = repl::complete(words.session, "big.");
+  CHECK(all.candidates.size() == 10'000);
+  CHECK(all.common.empty());  // there is a z, too
+  CHECK(words("big.ze") == Words{"zeal", "zebra"});
+  CHECK(words.common("big.zeb") == "zebra");
+  CHECK(words.common("big.a000") == "a000");
+  CHECK(words("big.a0000").size() == 9);
+  // as many keys as are looked at, then one more
+  words.run("list = {} for i = 1, 1e6 do list[i] = i end list.name = 1");
+  CHECK(words("list.") == Words{});
+  words.run("list[#list] = nil");
+  CHECK(words("list.") == Words{"name"});
+}
+
 TEST_CASE("methods behind a colon, properties behind a dot") {
   Bench words;
   CHECK(words("sheet:el") == Words{"elements"});

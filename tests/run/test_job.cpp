@@ -142,6 +142,161 @@ TEST_CASE("what would prevent an output is told when it is declared") {
   std::ofstream(scratch / "file") << "x";
   CHECK(message_of([&] { job.checkpoint(scratch / "file/x.ckpt"); }).find("Not a directory") !=
         std::string::npos);
-  job.checkpoint(scratch / "run.ckpt");
   CHECK(scratch.listing() == std::set<std::string>{"file", "folder"});
+  job.checkpoint(scratch / "run.ckpt");
+  CHECK(scratch.listing() == std::set<std::string>{".fabricsh.lock", "file", "folder"});  // held from here on
+}
+
+namespace {
+
+// Tables and series with rows at other times than the interruption; a checkpoint is written only where a run
+// ends, as by default in the first ten minutes.
+void sparse_outputs(run::Job& job, const std::string& folder) {
+  job.record(folder + "/fall.csv", {{"z", [](const run::Run& r) { return r.node(15).u.z(); }, "m"}}, 1.5e-4);
+  job.vtk(folder + "/fall", 4e-4, {"displacement"});
+  job.checkpoint(folder + "/fall.ckpt");
+}
+
+std::shared_ptr<run::Job> gone_on(const std::string& folder) {
+  auto job = std::make_shared<run::Job>(falling());
+  job->restart(folder + "/fall.ckpt");
+  sparse_outputs(*job, folder);
+  return job;
+}
+
+// Throws after the step that passes the time, as a signal does.
+void interrupt_at(run::Job& job, double time) {
+  job.run().monitor([time](run::Run& r) {
+    if (r.time() > time) throw Error("interrupted");
+  });
+}
+
+void check_same(const ScratchFolder& one, const ScratchFolder& other) {
+  for (const char* name : {"fall.csv", "fall.pvd", "fall_00000.vtu", "fall_00001.vtu", "fall_00002.vtu"}) {
+    INFO(name);
+    CHECK((content_of(one / name) == content_of(other / name)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an interrupted job goes on from its checkpoint however often it is killed before the next one") {
+  const ScratchFolder whole, cut;
+  run::Job undisturbed(falling());
+  sparse_outputs(undisturbed, whole.path);
+  undisturbed.solve();
+  {
+    run::Job job(falling());
+    sparse_outputs(job, cut.path);
+    interrupt_at(job, 3.7e-4);
+    CHECK(message_of([&] { job.solve(); }) == "interrupted");
+  }
+  const auto rows = [&] {
+    const std::string table = content_of(cut / "fall.csv");
+    return std::count(table.begin(), table.end(), '\n');
+  };
+  CHECK(rows() == 1 + 3 + 1);  // the last one at the moment of the interruption
+  for (const double time : {4e-4, 5e-4, 9.5e-4}) {
+    const auto job = gone_on(cut.path);
+    job->take_up();
+    job->begin();
+    CHECK(rows() == 1 + 3);
+    job->run().advance(time);  // then the process is killed
+  }
+  {
+    const auto job = gone_on(cut.path);  // interrupted again, so that there is a new checkpoint
+    interrupt_at(*job, 6.2e-4);
+    CHECK(message_of([&] { job->solve(); }) == "interrupted");
+  }
+  {
+    const auto begun = gone_on(cut.path);  // killed at once
+    begun->take_up();
+    begun->begin();
+  }
+  gone_on(cut.path)->solve();
+  check_same(whole, cut);
+}
+
+TEST_CASE("a job killed after it has returned to a snapshot goes on from the checkpoint") {
+  const ScratchFolder whole, cut;
+  run::Job undisturbed(falling());
+  sparse_outputs(undisturbed, whole.path);
+  undisturbed.advance(2e-4);
+  undisturbed.solve();
+  {
+    run::Job job(falling());
+    sparse_outputs(job, cut.path);
+    job.advance(2e-4);
+    const auto snapshot = job.run().snapshot();
+    interrupt_at(job, 7.1e-4);
+    CHECK(message_of([&] { job.solve(); }) == "interrupted");  // the checkpoint counts rows up to here
+    job.run().restore(*snapshot);
+  }
+  const std::string table = content_of(cut / "fall.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 2);
+  const auto job = gone_on(cut.path);
+  job->take_up();
+  CHECK(job->run().time() == 2e-4);
+  job->solve();
+  check_same(whole, cut);
+}
+
+namespace {
+
+std::uintmax_t bytes_in(const ScratchFolder& scratch) {
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.path))
+    bytes += entry.path().string().find(".ckpt") != std::string::npos ? entry.file_size() : 0;
+  return bytes;
+}
+
+// As many jobs as a deck of many small runs makes, each with its checkpoint in a file of its own or in one.
+void run_many(const ScratchFolder& scratch, int count, bool own) {
+  const auto journal = std::make_shared<run::Journal>();
+  for (int i = 1; i <= count; ++i) {
+    run::Job job(falling(), journal, i);
+    job.checkpoint(scratch / (own ? std::to_string(i) + ".ckpt" : "all.ckpt"), 2.5e-4);
+    job.solve();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("checkpoints of many finished jobs keep each of them once") {
+  for (const bool own : {true, false}) {
+    const ScratchFolder few, many;
+    run_many(few, 4, own);
+    run_many(many, 16, own);
+    // Besides the states there are only the names of the others.
+    CHECK(static_cast<double>(bytes_in(many)) < 4.4 * static_cast<double>(bytes_in(few)));
+    const auto last = run::read_checkpoint(many / (own ? "16.ckpt" : "all.ckpt"));
+    CHECK(last->number == 16);
+    REQUIRE(last->finished.size() == 15);
+    for (const auto& finished : last->finished) {
+      CHECK(finished.file ==
+            (own ? "" : "all.ckpt.") + std::to_string(finished.number) + (own ? ".ckpt" : ""));
+      CHECK(run::read_finished(*last, finished)->number == finished.number);
+    }
+    CHECK(last->finished_run(3)->number == 3);
+    CHECK(last->finished_run(16) == nullptr);
+    const std::string file = many / last->finished[4].file;
+    std::filesystem::copy_file(many / last->finished[7].file, file,
+                               std::filesystem::copy_options::overwrite_existing);
+    CHECK(message_of([&] { run::read_finished(*last, last->finished[4]); }) ==
+          "checkpoint '" + file + "': it is not as it was when '" + last->path + "' was written");
+  }
+}
+
+TEST_CASE("a finished job whose checkpoint somebody has removed is forgotten by the others") {
+  const ScratchFolder scratch;
+  const auto journal = std::make_shared<run::Journal>();
+  for (int i = 1; i <= 3; ++i) {
+    run::Job job(falling(), journal, i);
+    job.checkpoint(scratch / "all.ckpt", 2.5e-4);
+    if (i == 2) std::filesystem::remove(scratch / "all.ckpt");
+    job.solve();
+  }
+  const auto last = run::read_checkpoint(scratch / "all.ckpt");
+  REQUIRE(last->finished.size() == 1);
+  CHECK(last->finished[0].number == 2);
 }

@@ -85,13 +85,13 @@ TEST_CASE("arc length: the 6.35 mm roof snaps back, in load and in displacement"
   CHECK(path.back().load == 1200);
 }
 
-TEST_CASE(
-    "load control gets stuck at a limit point; relaxation and stabilisation jump to where the path goes on") {
+TEST_CASE("at a limit point load control, relaxation and stabilisation jump to where the path goes on") {
   const Roof thin{.thickness = 6.35, .load = 1200, .cells = 6};
   auto below = thin;
   below.path = {{0, -0.8}, {1, 1}};
   const auto path = follow(below, {.duration = 1, .step = 0.02, .control = Control::arc});
-  CHECK_THROWS_AS(follow(thin, {.duration = 1, .step = 0.1}), NumericalFailure);
+  const auto stable = follow(thin, {.duration = 1, .step = 0.1});
+  CHECK(std::abs(stable.back().sag / path.back().sag - 1) < 1e-6);
   const auto relaxed = follow(thin, {.duration = 1, .step = 0.1, .method = run::Method::either});
   CHECK(std::abs(relaxed.back().sag / path.back().sag - 1) < 1e-6);
   const auto damped = follow(thin, {.duration = 1, .step = 0.1, .stabilise = run::usual_stabilisation});

@@ -42,7 +42,8 @@ double tangent_error(run::Problem& problem) {
   const auto n = static_cast<std::size_t>(problem.size());
   linear::Matrix K;
   std::vector<double> r(n), product(n, 0);
-  REQUIRE(problem.predict(K, r) == Answer::ok);
+  REQUIRE(problem.predict(K, r, product) == Answer::ok);
+  std::fill(product.begin(), product.end(), 0.0);
   problem.retract(some(n, 1e-4, 1), 1);
   problem.accept();
   REQUIRE(problem.residual(r) == Answer::ok);

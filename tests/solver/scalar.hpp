@@ -34,13 +34,15 @@ class Scalar final : public solver::PathProblem {
 
   Index size() const override { return 1; }
   void aim(double time) override { time_ = time; }
-  Answer predict(Matrix& K, std::span<double> r) override {
+  Answer predict(Matrix& K, std::span<double> r, std::span<double> lead) override {
     trial_ = iterate_ = committed;
+    lead[0] = 0;
     return worse(tangent(K), residual(r));
   }
   Answer start(Matrix& K, std::span<double> r, std::span<double> q) override {
+    trial_ = iterate_ = committed;
     q[0] = rate;
-    return predict(K, r);
+    return worse(tangent(K), residual(r));
   }
   Answer tangent_and_rate(Matrix& K, std::span<double> q) override {
     q[0] = rate;
@@ -62,13 +64,16 @@ class Scalar final : public solver::PathProblem {
     K.value[0] = stiffness(trial_);
     return Answer::ok;
   }
+  double turn_of(std::span<const double> delta) const override { return std::abs(delta[0]); }
+  void mark() override { mark_ = iterate_; }
+  void return_to_mark() override { trial_ = mark_; }
   double product(std::span<const double> a, std::span<const double> b) const override { return a[0] * b[0]; }
   std::pair<double, Index> largest(std::span<const double> r) const override { return {std::abs(r[0]), 0}; }
   double force_scale() const override { return 1; }
   double rounding_floor(const Matrix&) const override { return 0; }
 
  private:
-  double trial_ = 0, iterate_ = 0, time_ = 0;
+  double trial_ = 0, iterate_ = 0, mark_ = 0, time_ = 0;
 };
 
 }  // namespace fabricsh::test

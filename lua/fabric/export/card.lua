@@ -47,6 +47,29 @@ local function target_of(t)
     target and target.name or t.to, kind, #fits > 0 and table.concat(fits, ", ") or "none of the materials known here"))
 end
 
+-- What the card assumes and no test has shown, by what matters: a curve of loading first, a sentence each; and the parts whose loading is assumed.
+local function assumed(card)
+  local loading, others, parts = {}, {}, {}
+  for field, words in pairs(card.provenance or {}) do
+    if words:find "^assumed" then
+      local part = field:match "^(%w+)%.loading$"
+      if part then parts[#parts + 1] = part end
+      table.insert(part and loading or others, ("not measured: %s, %s"):format(field, words))
+    end
+  end
+  table.sort(loading)
+  table.sort(others)
+  table.sort(parts)
+  return table.move(others, 1, #others, #loading + 1, loading), parts
+end
+
+-- Nothing that a deck is made of is written as a measurement if it is none.
+local function tell_assumed(t, parts)
+  if #parts == 0 then return end
+  fabric.warn(("export: card '%s': the loading of the %s was not measured, it is assumed (%s); what is written for %s is a guess"):format(tame(t.card.name),
+    table.concat(parts, " and "), t.card.provenance[parts[1] .. ".loading"]:match "^assumed: *(.*)", #parts == 1 and "it" or "them"))
+end
+
 -- Returns {target, parameters, rows, sentences, header} for a card; `t`: the fields of fabric.export.card.
 function export.prepare(t)
   local target = target_of(t)
@@ -61,6 +84,9 @@ function export.prepare(t)
   end
   local rows = loss.rows(t.card, function() return target.law(p) end)
   local sentences = loss.sentences(t.card, target)
+  local guesses, parts = assumed(t.card)
+  table.move(guesses, 1, #guesses, #sentences + 1, sentences)
+  tell_assumed(t, parts)
   return target, p, rows, sentences
 end
 

@@ -92,7 +92,7 @@ function radioss.law19(card, name, p, u, id)
     head "RHO_I", reals(card.density * u.density),
     head("E11", "E22", "NU12"), reals(p.E11 * s, p.E22 * s, p.NU12),
     head("G12", "G23", "G31"), reals(p.G12 * s, p.G12 * s, p.G12 * s),
-    head("RE", "ZEROSTRESS", "FSCALE_POR", "SENS_ID"), reals(p.RE, 0.0, 0.0) .. units.line(10, { 0 }),
+    head("RE", "", "ZEROSTRESS", "FSCALE_POR") .. ("%10s"):format "SENS_ID", reals(p.RE, "", 0.0, 0.0) .. units.line(10, { 0 }),
   }, "\n")
 end
 

@@ -59,7 +59,7 @@ local function radioss_units(path)
     if l:sub(1, 1) == "/" then
       unit, below = l:match "^/UNIT/(%d+)" or (l:find "^/BEGIN" and "begin") or nil, 0
       local key = { key = l:match "^%S+", line = i }
-      if l:find "^/MAT/LAW58/" or l:find "^/MAT/FABR_A/" then material = material or key end
+      if l:find "^/MAT/LAW58/" or l:find "^/MAT/FABR_A/" or l:find "^/MAT/LAW19/" or l:find "^/MAT/FABRI/" then material = material or key end
       if l:find "^/PROP/TYPE16/" or l:find "^/PROP/SH_FABR/" then section = key end
     elseif unit and l:sub(1, 1) ~= "#" then
       below = below + 1
@@ -164,6 +164,8 @@ local function funct(path, blocks, id, scale, stress)
   fail(("card: %s: there is no /FUNCT/%d, which LAW58 names"):format(path, id))
 end
 
+read.columns = columns
+
 -- The half of a curve for x >= 0, on which the stress has to rise.
 local function positive(path, c)
   local out = { x = { 0 }, y = { 0 } }
@@ -178,6 +180,8 @@ local function positive(path, c)
   return out
 end
 
+read.positive = positive
+
 -- The intersection {x, y} of two curves beyond 0; without one, the end of the first, and true.
 local function crossing(a, b, value)
   for i = 2, #a.x do
@@ -189,6 +193,8 @@ local function crossing(a, b, value)
   end
   return { a.x[#a.x], a.y[#a.y] }, true
 end
+
+read.crossing = crossing
 
 -- Without functions: E1 x - B1 x^2 / 2 up to its maximum, and shear as two straight lines in tan(angle).
 local function analytic(E, B)
@@ -214,6 +220,16 @@ local function analytic_shear(G0, GT, angle)
   return c
 end
 
+-- The first material LAW19 of a deck; nil if there is none, or if LAW58 is there too.
+function read.law19_block(path)
+  local found
+  for _, b in ipairs(read.blocks(path)) do
+    if b.key:find "^/MAT/LAW58/" or b.key:find "^/MAT/FABR_A/" then return end
+    if b.key:find "^/MAT/LAW19/" or b.key:find "^/MAT/FABRI/" then found = found or b end
+  end
+  return found
+end
+
 -- {density, name, warp, weft, shear: {loading, unloading, meet, ended: true where `meet` is but the end of the curve, slope, elastic}, E1, E2, S1, S2, FLEX, thickness?}
 function read.law58(path, u, value)
   local blocks, mat, thickness = read.blocks(path), nil, nil
@@ -226,7 +242,7 @@ function read.law58(path, u, value)
     for _, b in ipairs(blocks) do
       if b.key:find "^/MAT/" then others[#others + 1] = ("line %d: %s is there, which is not read"):format(b.line, b.key:match "^/MAT/[^/]*") end
     end
-    fail(("card: %s: there is no /MAT/LAW58 (or /MAT/FABR_A)%s"):format(path, #others > 0 and "; " .. table.concat(others, "; ") or ""))
+    fail(("card: %s: there is no /MAT/LAW58 (or /MAT/FABR_A), and no /MAT/LAW19%s"):format(path, #others > 0 and "; " .. table.concat(others, "; ") or ""))
   end
   if #mat < 6 then trouble(path, mat.line, "expected a title and at least five lines of LAW58") end
   local young = columns(path, mat[3], { 20, 20, 20, 20, 20 })

@@ -11,6 +11,7 @@ local rule = {
   poisson = { value = 0.4, said = "0.12 to 2.04" },
   shear = { value = 0.09, said = "0.05 to 0.27" }, -- times the mean initial modulus of the yarns
   yarns = { value = 11, said = "4 to 20" },        -- times the initial modulus in shear, the same rule the other way round
+  inextensible = 0.01,                             -- largest strain of the yarns in a bias test, which is evaluated as if they had none
   stable = 0.9,                                    -- of the largest ratio with which the law stays stable
 }
 
@@ -80,6 +81,27 @@ local function tangents(loading, tested)
   return steepest, loading[1], least
 end
 
+-- The stress of a loading curve at `tested`, Pa.
+local function stress_at(loading, tested)
+  if type(loading[1]) == "table" then return loading[#loading][2] end
+  local S = 0
+  for k, d in ipairs(loading) do S = S + d * (tested or 0) ^ k / k end
+  return S
+end
+
+-- The modulus of yarns that no test has pulled, from the shear: that of the rule, but as stiff as the bias test took them to be. In a pull at
+-- 45 degrees the stress along either yarn is the shear stress.
+local function yarns_from_shear(shear)
+  local _, first = tangents(shear.loading, shear.tested)
+  local by_rule, stiff = rule.yarns.value * first, stress_at(shear.loading, shear.tested) / rule.inextensible
+  if by_rule >= stiff then
+    return by_rule, ("assumed: straight, %g times the initial modulus in shear (%s on the shipped cloths), since no pull was made along a yarn"):format(
+      rule.yarns.value, rule.yarns.said)
+  end
+  return stiff, ("assumed: straight, %.3g MPa, with which the yarns stretch by %g %% at the end of the bias test, whose evaluation takes them for inextensible, "
+    .. "since no pull was made along a yarn"):format(stiff / 1e6, 100 * rule.inextensible)
+end
+
 -- The deck's value for a missing parameter (assume = { ["warp.unloading"]=... }); nil if the rule shall be used. An error if
 -- nothing may be assumed. lacks: what no test has shown.
 local function assumed(t, field, lacks)
@@ -141,10 +163,9 @@ local function missing_part(t, name, told)
     if not t.shear or type(t.shear.loading) ~= "table" then
       fail(("card: field '%s': expected a result of fabric.lab.fit for one direction, or of shear, at least"):format(name))
     end
-    local _, first = tangents(t.shear.loading, t.shear.tested)
-    told[name .. ".loading"] = ("assumed: straight, %g times the initial modulus in shear (%s on the shipped cloths), since no pull was made along a yarn"):format(
-      rule.yarns.value, rule.yarns.said)
-    return { loading = { rule.yarns.value * first } }
+    local modulus
+    modulus, told[name .. ".loading"] = yarns_from_shear(t.shear)
+    return { loading = { modulus } }
   end
   local sum, n = 0, 0
   for _, yarn in ipairs { t.warp or false, t.weft or false } do

@@ -1,7 +1,7 @@
 -- A folder of measurements, reduced to fits and a card. It contains laboratory.lua, which returns
 --
 --   { name=, source=, gauge_length=, width=, thickness=, plies=, density= | mass_per_area=, markers={rows, columns},
---     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, default_units={...} (where
+--     compliance=, slip=, shared= (relative uncertainty of all moduli together), units={...}, columns={...}, thousands="." (as in fabric.lab.read), default_units={...} (where
 --     a heading says none), vocabulary= (a table, or the file in this folder that returns it), degree=, rule=,
 --     bias={width=, length=} (of bias specimens without markers, if their size differs), zero= (subtract the first row),
 --     poisson={warp=, weft=}, assume={['warp.unloading']=, ...} (instead of the rules of fabric.lab.card),
@@ -9,7 +9,7 @@
 --     loops=true (a card whose yarns unload along curves, where the records show it: fabric.lab.loops),
 --     grips="free"|"clamped" (for the simulation: ends that can contract, such as loops on pins, or jaws; default free) }
 --
--- and files whose names give their meaning; K is the specimen:
+-- and files whose names give their meaning; K is the specimen (a file may hold several, as fabric.lab.read finds them):
 --   warp-K.csv, weft-K.csv   a testing machine's record            warp-K-markers.csv   frame, marker, x, y
 --   bias-K-frames.csv        displacement and force at each photograph, with bias-K-markers.csv
 --   bias-K.csv               a bias test without markers (shear up to 30 degrees is computed from the displacement), as are frames without theirs;
@@ -85,10 +85,12 @@ end
 -- The tensile tests in a direction; nil if there are none.
 local function along(about, path, direction)
   local tests, grids = {}, {}
-  for i, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
-    tests[i] = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, default_units = about.default_units,
-      vocabulary = about.vocabulary, zero = about.zero }))
+  for _, s in ipairs(specimens(path, "^" .. direction .. "%-(%w+)")) do
+    local made = lab.tensile(options(about, { file = s.file, columns = about.columns, units = about.units, default_units = about.default_units,
+      vocabulary = about.vocabulary, thousands = about.thousands, zero = about.zero }))
     local markers = s.stem .. "-markers.csv"
+    if #made > 0 and exists(markers) then stop(("%s: expected one specimen, whose markers are in %s, got %d"):format(s.file, markers, #made)) end
+    table.move(#made > 0 and made or { made }, 1, math.max(1, #made), #tests + 1, tests)
     if exists(markers) then grids[#grids + 1] = grid_of(about, markers) end
   end
   if #tests == 0 then return end
@@ -134,10 +136,18 @@ local function paired(record, grid, file)
   return both, kept
 end
 
--- A record of a bias pull: strains and forces per width count for the specimen's size.
+-- The records of a file of bias pulls: strains and forces per width count for the specimen's size.
+local function records_of(about, file, width, length)
+  local found = lab.read { file = file, columns = about.columns, units = about.units, default_units = about.default_units, vocabulary = about.vocabulary,
+    thousands = about.thousands, width = width, gauge_length = length }
+  return #found > 0 and found or { found }
+end
+
+-- The record of one bias pull, whose photographs are in other files.
 local function record_of(about, file, width, length)
-  return lab.read { file = file, columns = about.columns, units = about.units, default_units = about.default_units, vocabulary = about.vocabulary,
-    width = width, gauge_length = length }
+  local found = records_of(about, file, width, length)
+  if #found > 1 then stop(("%s: expected one specimen, whose photographs have files of their own, got %d"):format(file, #found)) end
+  return found[1]
 end
 
 -- The seconds of a record from which the part of shear that relaxes is to be found.
@@ -185,20 +195,24 @@ local function in_shear(about, marked)
     viscous = about.viscous and lab.viscous { tests = tests } or nil }
 end
 
--- Bias tests without markers, evaluated by the kinematics of inextensible yarns.
+-- A bias test without markers, evaluated by the kinematics of inextensible yarns; and the pull, for what relaxes.
+local function without_markers(about, record, file, width, length)
+  local pull = { displacement = record.displacement, force = record.force, width = width, length = length, limit = 30, cut = true }
+  check_pull("laboratory: " .. file, "force", pull)
+  pull.thickness = about.thickness * (about.plies or 1)
+  local shear = lab.bias_shear(pull)
+  local test = { E = shear.E12, S = shear.S12, file = file, specimen = record.specimen, without_markers = true,
+    branches = { { kind = "loading", first = 1, last = #shear.E12 } } }
+  return test, about.viscous and { name = file, displacement = record.displacement, force = record.force, time = seconds_of(record, file), width = width, length = length }
+end
+
 local function in_shear_without_markers(about, plain)
   local tests, pulls, size = {}, {}, about.bias or {}
-  for i, s in ipairs(plain) do
+  for _, s in ipairs(plain) do
     local width, length = size.width or about.width, size.length or about.gauge_length
-    local record = record_of(about, s.file, width, length)
-    local pull = { displacement = record.displacement, force = record.force, width = width, length = length, limit = 30, cut = true }
-    check_pull("laboratory: " .. s.file, "force", pull)
-    pull.thickness = about.thickness * (about.plies or 1)
-    local shear = lab.bias_shear(pull)
-    if about.viscous then
-      pulls[i] = { name = s.file, displacement = record.displacement, force = record.force, time = seconds_of(record, s.file), width = width, length = length }
+    for _, record in ipairs(records_of(about, s.file, width, length)) do
+      tests[#tests + 1], pulls[#tests + 1] = without_markers(about, record, s.file, width, length)
     end
-    tests[i] = { E = shear.E12, S = shear.S12, file = s.file, branches = { { kind = "loading", first = 1, last = #shear.E12 } }, without_markers = true }
   end
   if #tests == 0 then return end
   return with_spread { tests = tests, fit = lab.fit { tests = tests, common = about.shared }, without_markers = true,
@@ -206,7 +220,7 @@ local function in_shear_without_markers(about, plain)
 end
 
 local fields = { "name", "source", "gauge_length", "width", "thickness", "plies", "density", "mass_per_area", "markers", "compliance", "slip", "shared",
-  "units", "default_units", "columns", "vocabulary", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
+  "units", "default_units", "columns", "vocabulary", "thousands", "degree", "rule", "grips", "poisson", "bending", "warp", "bias", "zero", "assume", "viscous", "loops" }
 
 -- The content of laboratory.lua, checked before any file is read.
 local function about_of(path)
@@ -255,6 +269,24 @@ local function further_of(card)
   return out
 end
 
+-- What was seen in single records, and specimens unlike the others, a line each.
+local function seen_in(found)
+  local out = {}
+  for _, name in ipairs { "warp", "weft", "shear" } do
+    local part = found[name] or { tests = {} }
+    for i, test in ipairs(part.tests) do
+      local who = ("%s: specimen %d (%s%s): "):format(name, i, (test.file or ""):match "[^/]*$", test.specimen and ", " .. test.specimen or "")
+      for _, sign in ipairs(test.warnings or {}) do out[#out + 1] = who .. sign.text end
+      for _, odd in ipairs(part.spread and part.spread.unlike or {}) do
+        if odd.specimen == i then
+          out[#out + 1] = who .. ("unlike the others: %.0f %% of their stress, where they differ by %.1f %%"):format(100 * odd.ratio, 100 * odd.deviation)
+        end
+      end
+    end
+  end
+  return out
+end
+
 -- What laboratory.lua asks for and no file can give, a line each; they are told as warnings too.
 local function missed_of(about, found)
   local out = {}
@@ -267,7 +299,7 @@ local function missed_of(about, found)
 end
 
 -- Returns warp, weft, shear: {tests, fit, ratio, spread} for existing files; card; further: tests that would determine what is assumed; missed: what was
--- asked for and cannot be had; about.
+-- asked for and cannot be had; seen: lines on single specimens (slip, a late grip, preload, one unlike the others); about.
 function folder.reduce(path)
   if type(path) ~= "string" then stop(("expected the name of a folder, got %s"):format(tostring(path))) end
   path = path:gsub("/$", "")
@@ -289,6 +321,7 @@ function folder.reduce(path)
     poisson = { warp = out.warp and out.warp.ratio, weft = out.weft and out.weft.ratio }, bending = about.bending,
   }
   out.further, out.missed = further_of(out.card), missed_of(about, out)
+  out.seen = seen_in(out)
   return out
 end
 

@@ -5,6 +5,7 @@ local fail = define.fail
 
 local check = require "fabric.lab.check"
 local house = require "fabric.lab.words"
+local function specimens() return require "fabric.lab.specimens" end -- loaded when a file is read
 local plain = house.plain
 
 local function keys(t)
@@ -16,6 +17,9 @@ end
 
 -- The quantity given by a name: first by the user's words, then by the built-in letters and words.
 local function quantity_of(vocabulary, name)
+  for _, known in ipairs(house.bytes) do
+    if not utf8.len(name) and name:lower():find(known[1], 1, true) then return known[2] end
+  end
   name = plain(name)
   for _, own in ipairs(vocabulary.own or {}) do
     if name:find(own[1], 1, true) then return own[2] end
@@ -43,7 +47,7 @@ end
 -- Splits a unit without brackets from a name: "Extension mm", "displacement_mm".
 local function split_unit(vocabulary, column)
   if column.unit ~= "" then return end
-  local name, unit = column.name:match "^(.-)[%s_]+(%S+)$"
+  local name, unit = column.name:match "^(.-)[%s_,]+(%S+)$"
   local quantity = name and quantity_of(vocabulary, name)
   if quantity and (unit_of(vocabulary, quantity, unit) or quantity == "strain" and unit_of(vocabulary, "displacement", unit)) then column.unit, column.bare = unit, name end
 end
@@ -67,17 +71,33 @@ local function others(vocabulary, column)
   return count
 end
 
--- The columns whose headings state the quantity with the fewest other words.
+-- The columns whose headings state the quantity with the fewest other words; and those with more.
 local function candidates(vocabulary, file, quantity)
-  local best, least = {}, math.huge
+  local best, rest, least = {}, {}, math.huge
   for _, column in ipairs(file.header and file or {}) do
     if held(vocabulary, column) == quantity then
       local count = others(vocabulary, column)
-      if count < least then best, least = {}, count end
-      if count == least then best[#best + 1] = column end
+      if count < least then
+        table.move(best, 1, #best, #rest + 1, rest)
+        best, least = {}, count
+      end
+      table.insert(count == least and best or rest, column)
     end
   end
-  return best
+  return best, rest
+end
+
+-- Says which column was taken where another, with numbers in a unit of the same kind, might be meant; a largest or mean value is not.
+local function is_summary(name) return name:find "max" or name:find "min" or name:find "peak" or name:find "mean" or name:find "average" end
+local function tell_choice(vocabulary, t, quantity, column, rest)
+  local names = {}
+  for _, other in ipairs(rest) do
+    if not other.trouble and not is_summary(plain(other.name)) and unit_of(vocabulary, quantity, other.unit) then names[#names + 1] = "'" .. other.name .. "'" end
+  end
+  if #names > 0 then
+    fabric.warn(("read: %s: the %s is column '%s'; %s might be it too: columns={ %s='...' } chooses"):format(t.file, quantity, column.name,
+      table.concat(names, ", "), quantity))
+  end
 end
 
 -- The column that the deck gives (by name or number) for a quantity.
@@ -103,8 +123,10 @@ end
 -- The column of a quantity. needed: an error if there is none, or if two are possible.
 local function find_column(vocabulary, t, file, quantity, needed)
   local wanted = (t.columns or {})[quantity]
+  if wanted == false then return end
   if wanted then return named_column(t, file, quantity, wanted) end
-  local found = candidates(vocabulary, file, quantity)
+  local found, rest = candidates(vocabulary, file, quantity)
+  if #found == 1 and needed then tell_choice(vocabulary, t, quantity, found[1], rest) end
   if #found > 1 and needed then
     local names, places = {}, {}
     for i, column in ipairs(found) do
@@ -186,7 +208,7 @@ local function check_names(t)
       local kind = type(value)
       if not known then
         fail(("read: field '%s': expected displacement, force, time or strain, got '%s'"):format(field, tostring(quantity)))
-      elseif kind ~= "string" and (field ~= "columns" or math.type(value) ~= "integer") then
+      elseif kind ~= "string" and (field ~= "columns" or math.type(value) ~= "integer" and not (value == false and (quantity == "time" or quantity == "strain"))) then
         fail(("read: field '%s.%s': expected %s, got %s"):format(field, quantity, field ~= "columns" and "a unit" or "a heading or a place", tostring(value)))
       end
     end
@@ -255,17 +277,59 @@ local function missing(t, record, quantity)
     t.file, quantity, table.concat(record.names, ", "), hint, quantity))
 end
 
--- Displacement (or strain), force and the columns given by the deck must exist; time and strain are optional.
-local function read(t)
-  check_names(t)
-  local vocabulary = vocabulary_of(t)
-  check_defaults(vocabulary, t)
-  local file = fabric.table { file = t.file, separator = t.separator, decimal = t.decimal, lenient = true }
-  local record = { file = t.file, rows = #file[1].values, preamble = file.preamble, names = {} }
-  for i, column in ipairs(file) do
-    record.names[i] = column.name
-    split_unit(vocabulary, column)
+-- Says why an optional column with numbers is not read: nothing is dropped without a word.
+local function tell_dropped(vocabulary, t, file, quantity, column)
+  if (t.columns or {})[quantity] == false then return end
+  if column and column.trouble then
+    fabric.warn(("read: %s: the %s is left out, since its column cannot be read: %s"):format(t.file, quantity, column.trouble))
+  elseif column then
+    fabric.warn(("read: %s: the %s is left out, since the unit of column '%s' is not known: '%s'; give units={ %s='...' }"):format(t.file, quantity,
+      column.name, column.unit, quantity))
+  elseif #candidates(vocabulary, file, quantity) > 1 then
+    fabric.warn(("read: %s: the %s is left out, since several columns may be it; give columns={ %s=name or place }"):format(t.file, quantity, quantity))
   end
+end
+
+-- The time may not go back: then rows are out of order, or totals or another specimen stand below the record.
+local function check_time(t, record, lines)
+  local time = record.time
+  for row = 2, time and #time or 0 do
+    if time[row] < time[row - 1] then
+      fail(("read: %s:%d: the time goes back from %.6g to %.6g s: are rows out of order, or is this a total or another specimen? Mend the file, or "
+        .. "leave the time out by columns={ time=false }"):format(t.file, lines[row], time[row - 1], time[row]))
+    end
+  end
+end
+
+-- The first row at which a displacement leaps back by a quarter of its range so far, and by five times more than it ever moved in a row before.
+local function leap_in(u)
+  local low, high, most = u[1], u[1], 0
+  for row = 2, #u do
+    local step = math.abs(u[row] - u[row - 1])
+    if row > 0.1 * #u and row > 8 and u[row] < u[row - 1] and step > 0.25 * (high - low) and step > 5 * most then return row, most, high - low end
+    low, high, most = math.min(low, u[row]), math.max(high, u[row]), math.max(most, step)
+  end
+end
+
+-- Without a time: a leap to a place that is not the beginning is a total; to the beginning, another specimen or a way back that was not recorded.
+local function check_leap(t, record, lines)
+  local u = record.displacement
+  local row, most, range = leap_in(record.time and {} or u)
+  if not row then return end
+  local words = ("read: %s:%d: the displacement leaps back from %.6g to %.6g m in one row, before by %.3g m at most: "):format(t.file, lines[row],
+    u[row - 1], u[row], most)
+  if math.abs(u[row] - u[1]) > 0.05 * range then
+    fail(words .. "are totals below the record? Take them out of the file")
+  elseif row < #u then
+    fabric.warn(words .. "does another specimen begin here? It is read as the same")
+  end
+end
+
+-- The record of one table. Displacement (or strain), force and the columns given by the deck must exist; time and strain are optional.
+local function record_of(vocabulary, t, file)
+  local record = { file = t.file, rows = #file[1].values, preamble = file.preamble, names = {}, specimen = file.specimen, lines = file.lines }
+  if #file.left_out > 0 then record.left_out = file.left_out end
+  for i, column in ipairs(file) do record.names[i] = column.name end
   for i, quantity in ipairs(vocabulary.quantities) do
     local named = (t.columns or {})[quantity] or (t.units or {})[quantity]
     local column = find_column(vocabulary, t, file, quantity, i <= 2 or named)
@@ -273,25 +337,76 @@ local function read(t)
       take(vocabulary, t, record, quantity, column)
     elseif column and not column.trouble and known_factor(vocabulary, t, quantity, column) then
       record[quantity] = scaled(column.values, (known_factor(vocabulary, t, quantity, column)))
-    elseif column and column.trouble and quantity == "time" then
-      fabric.warn(("read: %s: the time is left out, since its column cannot be read: %s"):format(t.file, column.trouble))
-    elseif column and quantity == "strain" and not record.displacement then -- nothing else says how far the specimen was pulled
+    elseif column and not column.trouble and quantity == "strain" and not record.displacement then -- nothing else says how far the specimen was pulled
       take(vocabulary, t, record, quantity, column)
     elseif quantity == "force" or quantity == "displacement" and not find_column(vocabulary, t, file, "strain", false) then
       missing(t, record, quantity)
+    elseif quantity == "strain" and column and not record.displacement then
+      take(vocabulary, t, record, quantity, column)
+    elseif quantity ~= "displacement" then
+      tell_dropped(vocabulary, t, file, quantity, column)
     end
   end
   if record.strain and not record.displacement then check_strain(t, find_column(vocabulary, t, file, "strain", true)) end
   from_strain(t, record)
+  check_time(t, record, file.lines)
+  check_leap(t, record, file.lines)
   return record
+end
+
+-- Whether a table of several is a record: three rows with what a pull needs.
+local function is_record(vocabulary, t, file)
+  if #file[1].values < 3 then return false end
+  local columns = t.columns or {}
+  local function has(quantity) return columns[quantity] ~= nil or #candidates(vocabulary, file, quantity) > 0 end
+  return has "force" and (has "displacement" or has "strain")
+end
+
+-- The tables that are records; the others are told.
+local function records_among(vocabulary, t, files)
+  if #files == 1 then return files end
+  local out = {}
+  for _, file in ipairs(files) do
+    if is_record(vocabulary, t, file) then out[#out + 1] = file end
+  end
+  if #out == 0 then return { files[1] } end
+  for _, file in ipairs(files) do
+    if not is_record(vocabulary, t, file) then
+      fabric.warn(("read: %s:%d: the table that begins here is no record of a force and a displacement, and is left out"):format(file.name, file.lines[1]))
+    end
+  end
+  return out
+end
+
+-- A record, or a list of them if the file has several specimens.
+local function read(t)
+  check_names(t)
+  local vocabulary = vocabulary_of(t)
+  check_defaults(vocabulary, t)
+  local tables = fabric.table { file = t.file, separator = t.separator, decimal = t.decimal, thousands = t.thousands, lenient = true, blocks = true }
+  local function time_of(file) return find_column(vocabulary, t, file, "time", false) end
+  for _, file in ipairs(tables) do
+    for _, column in ipairs(file) do
+      split_unit(vocabulary, column)
+      if quantity_of(vocabulary, column.bare or column.name) == "time" then specimens().clock(column) end
+    end
+  end
+  local files, records = records_among(vocabulary, t, specimens().of(t, tables, time_of)), {}
+  for i, file in ipairs(files) do
+    records[i] = record_of(vocabulary, t, file)
+    if #files > 1 then records[i].specimen = records[i].specimen or tostring(i) end
+  end
+  if #records == 1 then return records[1] end
+  records.file = t.file
+  return records
 end
 
 define {
   name = "fabric.lab.read",
   arguments = {
-    { name = "file", kind = "text", sentence = "of the load frame: CSV, TSV or the like" },
+    { name = "file", kind = "text", sentence = "of the load frame: CSV, TSV or the like, or a spreadsheet (.xlsx)" },
     { name = "columns", kind = "table", optional = true,
-      sentence = "{displacement=, force=, time=, strain=}: heading or place of the column; default: known by the heading" },
+      sentence = "{displacement=, force=, time=, strain=}: heading or place of the column, false: no time, no strain; default: known by the heading" },
     { name = "units", kind = "table", optional = true, sentence = "{displacement='mm', force='N'}; default: those of the headings" },
     { name = "default_units", kind = "table", optional = true, sentence = "the same, for columns whose heading says none" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, optional = true, sentence = "for a record of strains: the displacement follows" },
@@ -300,9 +415,11 @@ define {
       sentence = "words of your frame: {force={'siua'}, displacement={...}, time=, strain=, units={force={dyn=1e-5}}}, or a Lua file that returns them" },
     { name = "separator", kind = "text", choices = { "auto", ",", ";", "tab", "blank" }, default = "auto", sentence = "between cells" },
     { name = "decimal", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "decimal sign" },
+    { name = "thousands", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "sign between thousands; auto: where it cannot be the decimal sign" },
   },
   sentence = "A load frame's record in SI: displacement, force, and time and strain where there are such columns that can be read; "
-    .. "rows, names, preamble, file.",
+    .. "rows, names, preamble, file, lines (of the file, of each row), left_out (lines below the rows), specimen where the file names it. A file "
+    .. "with several specimens (headings that occur again, a column that names the specimen, sheets of a spreadsheet) gives a list of records.",
   example = "local path = os.tmpname()\n"
     .. "local f = io.open(path, 'w') f:write 'Extension (mm),Load (kN)\\n0,0\\n2,0.001\\n' f:close()\n"
     .. "local r = require 'fabric'.lab.read{ file=path }\nos.remove(path)\n"

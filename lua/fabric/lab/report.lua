@@ -264,6 +264,7 @@ local function left_out(part)
   local out = { "<table><tr><th>specimen left out<th>of its points in the band of the others</tr>" }
   for i, inside in ipairs(part.spread.left_out) do
     local file = (part.tests[i].file or ""):match "[^/]*$"
+    if part.tests[i].specimen then file = file .. ", " .. part.tests[i].specimen end
     out[#out + 1] = ("<tr><td>%d %s<td>%.0f %%</tr>"):format(i, escaped(file), 100 * inside)
   end
   return table.concat(out) .. "</table>"
@@ -279,6 +280,7 @@ local function html(result, figures, rows, out)
   }
   for _, text in ipairs(report.contradictions(figures)) do parts[#parts + 1] = "<p><b>" .. escaped(text) .. "</b></p>" end
   for _, text in ipairs(result.missed or {}) do parts[#parts + 1] = "<p>" .. escaped(text) .. "</p>" end
+  for _, text in ipairs(result.seen or {}) do parts[#parts + 1] = "<p>" .. escaped(text) .. "</p>" end
   parts[#parts + 1] = "<table><tr><th>parameter<th>value<th>95 % band<th>unit<th>from</tr>"
   for _, row in ipairs(rows) do parts[#parts + 1] = "<tr><td>" .. table.concat(row, "<td>") .. "</tr>" end
   parts[#parts + 1] = "</table>"

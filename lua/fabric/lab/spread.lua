@@ -48,6 +48,38 @@ local function left_out(values, n, level)
   return out
 end
 
+-- The stress of each specimen over the mean, averaged over the bins in which the mean is a tenth of its largest at least.
+local function levels(values, n)
+  local out, means, most = {}, {}, 0
+  for k = 1, n do
+    means[k] = moments(values, k)
+    most = math.max(most, means[k] == means[k] and means[k] or 0)
+  end
+  for i, list in ipairs(values) do
+    local sum, count = 0, 0
+    for k = 1, n do
+      if list[k] and means[k] > 0.1 * most then sum, count = sum + list[k] / means[k], count + 1 end
+    end
+    out[i] = { sum / count }
+  end
+  return out
+end
+
+-- Specimens unlike the others: the level of each against those of the others by the studentised deviation, with the level of confidence for all
+-- specimens together (Bonferroni) [cook1982]; less than a twentieth of the others' mean is not told.
+local function unlike(values, n, level)
+  local out, level_of = {}, levels(values, n)
+  for held = 1, #values do
+    local mean, s, count = moments(level_of, 1, held)
+    local t = (level_of[held][1] - mean) / (s * math.sqrt(1 + 1 / count))
+    local limit = fabric.lab.student(1 - (1 - level) / (2 * #values), count - 1)
+    if math.abs(t) > limit and math.abs(level_of[held][1] / mean - 1) > 0.05 then
+      out[#out + 1] = { specimen = held, ratio = level_of[held][1] / mean, deviation = s / mean }
+    end
+  end
+  return out
+end
+
 -- The virgin loading of a test relative to the first contact found by its fit.
 local function taut_loading(t, i)
   local points = curve.loading(t.tests[i])
@@ -103,11 +135,16 @@ local function spread(t)
   local sum = 0
   for _, part in ipairs(out.left_out) do sum = sum + part end
   out.coverage = sum / #out.left_out
+  out.unlike = unlike(values, t.points, t.level)
   local last = #out.E
   out.text = ("%d specimens to E = %.3g: at the end %.4g MPa, one specimen differs by %.1f %% (deviation); %g %% of the next specimens lie within %.4g to %.4g "
     .. "MPa, the mean within %.4g to %.4g; a specimen left out lies in the band of the others with %.0f %% of its points"):format(#t.tests, reach,
     out.S[last] / 1e6, 100 * out.deviation[last] / out.S[last], 100 * t.level, out.next_low[last] / 1e6, out.next_high[last] / 1e6, out.low[last] / 1e6,
     out.high[last] / 1e6, 100 * out.coverage)
+  for _, odd in ipairs(out.unlike) do
+    out.text = out.text .. ("; specimen %d is unlike the others: %.0f %% of their stress, where they differ by %.1f %%"):format(odd.specimen, 100 * odd.ratio,
+      100 * odd.deviation)
+  end
   return out
 end
 
@@ -121,7 +158,7 @@ define {
   },
   sentence = "How specimens differ in virgin loading: E, S (mean), deviation (of one specimen), low and high (band of the mean), next_low and "
     .. "next_high (band in which the next specimen lies), left_out (of each specimen the part of its points in the band of the others), coverage "
-    .. "(their mean), reach, text.",
+    .. "(their mean), unlike (specimens that the others do not explain: specimen, ratio to them, their deviation), reach, text.",
   example = "local tests = {}\nfor i, scale in ipairs{ 1, 1.1, 0.95, 1.02 } do\n  local E, S = {}, {}\n"
     .. "  for k = 1, 100 do E[k] = k/1000; S[k] = scale*1e7*E[k] end\n"
     .. "  tests[i] = { E=E, S=S, branches={ {kind='loading', first=1, last=100} } }\nend\n"

@@ -178,7 +178,7 @@ strip.arguments = {
   { name = "rows", kind = "integer", low = 1, optional = true,
     sentence = "of the curve, at equal times, besides the first; default: one for each step" },
   { name = "tolerance", kind = "number", above = 0, default = 1e-10, sentence = "as for fabric.static" },
-  { name = "max_iterations", kind = "integer", low = 1, default = 50, sentence = "as for fabric.static" },
+  { name = "max_iterations", kind = "integer", low = 1, default = 200, sentence = "as for fabric.static" },
   { name = "max_cuts", kind = "integer", low = 0, default = 12, sentence = "as for fabric.static" },
   { name = "most_steps", kind = "integer", low = 1, optional = true, sentence = "the run stops after so many steps" },
   { name = "method", kind = "text", choices = { "newton", "relaxation", "either" }, default = "newton", sentence = "as for fabric.static" },

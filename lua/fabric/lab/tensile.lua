@@ -16,15 +16,26 @@ end
 local function record_of(t)
   if t.file and t.record then fail "tensile: expected either file or record, got both" end
   if t.record then
-    local n, m = check.numbers("tensile", "record.displacement", t.record.displacement), check.numbers("tensile", "record.force", t.record.force)
-    if n ~= m or n == 0 then
-      fail(("tensile: field 'record': expected displacement and force of one length, got %d and %d numbers"):format(n, m))
+    for _, one in ipairs(type(t.record[1]) == "table" and t.record or { t.record }) do
+      if type(one) ~= "table" then fail("tensile: field 'record': expected a list of records, got in it a " .. type(one)) end
+      local n, m = check.numbers("tensile", "record.displacement", one.displacement), check.numbers("tensile", "record.force", one.force)
+      if n ~= m or n == 0 then
+        fail(("tensile: field 'record': expected displacement and force of one length, got %d and %d numbers"):format(n, m))
+      end
     end
     return t.record
   end
   if not t.file then fail "tensile: field 'file': expected a file (or record: a table of displacement and force), got nil" end
   return fabric.lab.read { file = t.file, columns = t.columns, units = t.units, default_units = t.default_units,
-    vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width }
+    vocabulary = t.vocabulary, gauge_length = t.gauge_length, width = t.width, thousands = t.thousands }
+end
+
+-- Says something worth knowing of a record, and keeps it with the result: test.warnings, each {code, text, row}.
+local function tell(test, record, t, sign)
+  local from = t.file and t.file .. ": " or ""
+  if record.specimen then from = ("%sspecimen %s: "):format(from, record.specimen) end
+  test.warnings[#test.warnings + 1] = sign
+  fabric.warn(("tensile: %s%s"):format(from, sign.text))
 end
 
 -- A rupture is permanent: the last rows of the loading are below the share of the peak that defines failure. If the force recovers,
@@ -68,13 +79,13 @@ local function without_outliers(record, t)
   end
   if t.outliers == "drop" then return out, bad end
   local first = bad[1]
-  fabric.warn(("tensile: %s%d of %d readings of the force are outliers and are left out (place %d: %.4g N between %.4g and %.4g); outliers='keep' leaves them in")
-    :format(t.file and t.file .. ": " or "", #bad, n, first, record.force[first], record.force[first - 1], record.force[first + 1]))
-  return out, bad
+  return out, bad, { code = "outliers", row = first,
+    text = ("%d of %d readings of the force are outliers and are left out (place %d: %.4g N between %.4g and %.4g); outliers='keep' leaves them in"):format(#bad, n,
+      first, record.force[first], record.force[first - 1], record.force[first + 1]) }
 end
 
 -- Tension must be positive and start at zero.
-local function check_record(record, t)
+local function check_record(record, t, test)
   for _, name in ipairs { "displacement", "force" } do
     local values = record[name]
     local low, high = math.huge, -math.huge
@@ -91,7 +102,8 @@ local function check_record(record, t)
     local first = values[1]
     local meant = name == "force" and t.pretension and math.abs(first) <= t.pretension
     if not meant and math.abs(first) > 0.02 * (high - low) then
-      fabric.warn(("tensile: %s%s begins at %.4g %s, of a range of %.4g: take it off with zero=true?"):format(from, name, first, unit, high - low))
+      tell(test, record, t, { code = name == "force" and "preload" or "origin", row = 1,
+        text = ("%s begins at %.4g %s, of a range of %.4g: take it off with zero=true?"):format(name, first, unit, high - low) })
     end
   end
 end
@@ -107,37 +119,50 @@ local function zeroed(record)
   return out
 end
 
-local function tensile(t)
-  local record = record_of(t)
+local function test_of(record, t)
+  local warnings = { warnings = {} }
   if t.zero then record = zeroed(record) end
-  check_record(record, t)
-  local bad
-  record, bad = without_outliers(record, t)
-  local peak = record.force[largest(record.force)]
+  check_record(record, t, warnings)
+  local bad, sign
+  record, bad, sign = without_outliers(record, t)
+  if sign then tell(warnings, record, t, sign) end
+  local top = largest(record.force)
   local test = fabric.lab.reduce {
     displacement = record.displacement, force = record.force, gauge_length = t.gauge_length, width = t.width,
     thickness = t.thickness, plies = t.plies, compliance = t.compliance, slip = t.slip,
     slack = type(t.slack) == "number" and t.slack or nil,
-    contact = t.slack == "contact" and (t.contact or 0.01 * peak) or nil,
+    contact = t.slack == "contact" and (t.contact or 0.01 * record.force[top]) or nil,
   }
-  test.force, test.time, test.file = record.force, record.time, record.file
+  test.force, test.time, test.file, test.specimen = record.force, record.time, record.file, record.specimen
   local reach = record.displacement[largest(record.displacement)]
   test.branches = fabric.lab.branches { displacement = record.displacement, tolerance = t.tolerance or 0.01 * reach }
   mark(test, t)
   if record.strain then test.measured_strain = record.strain end
   if #bad > 0 then test.outliers = bad end
+  for _, found in ipairs(require "fabric.lab.signs".of(record.displacement, record.force, test.failure or top, t)) do tell(warnings, record, t, found) end
+  if #warnings.warnings > 0 then test.warnings = warnings.warnings end
   return test
+end
+
+-- A test, or a list of them for a file with several specimens.
+local function tensile(t)
+  local record = record_of(t)
+  if type(record[1]) ~= "table" then return test_of(record, t) end
+  local tests = {}
+  for i, one in ipairs(record) do tests[i] = test_of(one, t) end
+  return tests
 end
 
 define {
   name = "fabric.lab.tensile",
   arguments = {
     { name = "file", kind = "text", optional = true, sentence = "of the load frame" },
-    { name = "record", kind = "table", optional = true, sentence = "{displacement=, force=} in SI, instead of a file" },
+    { name = "record", kind = "table", optional = true, sentence = "{displacement=, force=} in SI, or a list of such, instead of a file" },
     { name = "columns", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "default_units", kind = "table", optional = true, sentence = "as in fabric.lab.read" },
     { name = "vocabulary", kind = "table|text", optional = true, sentence = "as in fabric.lab.read" },
+    { name = "thousands", kind = "text", choices = { "auto", ".", "," }, default = "auto", sentence = "as in fabric.lab.read" },
     { name = "gauge_length", kind = "number", unit = "m", above = 0, sentence = "between the grips" },
     { name = "width", kind = "number", unit = "m", above = 0, sentence = "of the specimen" },
     { name = "thickness", kind = "number", unit = "m", above = 0, sentence = "of one ply" },
@@ -160,7 +185,8 @@ define {
   },
   sentence = "A pull as stress and strain (eqs. 3.1, 3.2): E, S, displacement, force, time, branches (kind, first, last), loading "
     .. "(first and last row of virgin loading), yield and failure (rows or nil, on the virgin loading of all cycles), slack, area, outliers (places in the "
-    .. "record of what was left out, or nil).",
+    .. "record of what was left out, or nil), warnings (preload, slip in the jaws, a late grip: each {code, text, row}; or nil). A file with several specimens "
+    .. "gives a list of tests, each with its specimen.",
   example = "local t = require 'fabric'.lab.tensile{ record={ displacement={0, 1e-3, 2e-3, 1e-3, 0}, force={0, 2, 5, 1, 0} },\n"
     .. "  gauge_length=0.0762, width=0.0254, thickness=0.38e-3, plies=2 }\n"
     .. "assert(t.branches[2].kind == 'unloading' and t.loading.last == 3 and not t.failure)",

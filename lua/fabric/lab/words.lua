@@ -15,6 +15,9 @@ words.units = {
 words.aliases = { MM = "mm", CM = "cm", inch = "in", inches = "in", ["in."] = "in", ['"'] = "in", KN = "kN", kp = "kgf", lb = "lbf", lbs = "lbf", S = "s",
   sec = "s", Sec = "s", sek = "s", Sek = "s", n = "N", DaN = "daN", dan = "daN", DAN = "daN", CN = "cN", oz = "ozf", ["\u{79d2}"] = "s",
   ["\u{b5}m"] = "um", ["\u{3bc}m"] = "um", ["\xb5m"] = "um", ["\u{b5}m/m"] = "um/m", ["\u{3bc}m/m"] = "um/m", ["\xb5m/m"] = "um/m",
+  ["мм"] = "mm", ["см"] = "cm", ["м"] = "m", ["Н"] = "N", ["кН"] = "kN", ["даН"] = "daN", ["гс"] = "gf", ["кгс"] = "kgf", ["с"] = "s", ["сек"] = "s", ["мин"] = "min", ["мс"] = "ms",
+  ["毫米"] = "mm", ["厘米"] = "cm", ["牛"] = "N", ["牛顿"] = "N", ["千牛"] = "kN", ["分"] = "min", ["초"] = "s", seconds = "s", second = "s", Sekunden = "s", secondes = "s", segundos = "s", secondi = "s",
+  ["sn"] = "s", ["seg"] = "s", millimeters = "mm", newtons = "N", Newton = "N",
   percent = "%", Percent = "%", pct = "%", Prozent = "%", prozent = "%", ["per cent"] = "%" }
 
 -- Words of a mass that frames write for the force of its weight.
@@ -33,31 +36,50 @@ function words.per_width(vocabulary, unit)
   if top and below and times and times > 0 then return top / (times * below), force end
 end
 
--- Parts of names, in lower case without accents: English, German, French, Italian, Polish, Japanese (UTF-8 and Shift-JIS, whose second bytes
--- may be letters, here in lower case; frames also write Katakana of half width). The unit decides between a displacement and a strain.
+-- Parts of names, in lower case without accents: English, German, French, Italian, Spanish, Portuguese, Dutch, Turkish, Polish, Russian, Chinese,
+-- Japanese (UTF-8 and Shift-JIS, whose second bytes may be letters, here in lower case; frames also write Katakana of half width), Korean. The unit
+-- decides between a displacement and a strain.
 words.names = {
   displacement = { "displacement", "extension", "elongation", "crosshead", "stroke", "position", "travel", "weg", "verlangerung", "verlaengerung",
     "verformung", "auszug", "deplacement", "allongement", "deformation", "course", "elongazione", "spostamento", "allungamento", "estensione", "corsa", "przemieszczenie", "wydluzenie", "droga", "skok",
+    "desplazamiento", "alargamiento", "elongacion", "recorrido", "carrera", "deslocamento", "alongamento", "extensao", "verplaatsing", "uitrekking", "verlenging",
+    "uzama", "yer degistirme", "deplasman", "przesuniecie", "rozciagniecie", "перемещение", "удлинение", "растяжение",
+    "位移", "伸长", "伸長", "变形", "變形", "行程", "변위", "신장", "연신", "스트로크",
     "\u{ff7d}\u{ff84}\u{ff9b}\u{ff70}\u{ff78}", "\u{4f38}\u{5ea6}",
     "\u{5909}\u{4f4d}", "\u{30b9}\u{30c8}\u{30ed}\u{30fc}\u{30af}", "\u{4f38}\u{3073}", "\x95\xcf\x88\xca", "\x83x\x83g\x83\x8d\x81[\x83n" },
-  force = { "force", "load", "kraft", "effort", "charge", "forza", "carico", "sila", "obciazenie", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
+  force = { "force", "load", "kraft", "belastung", "effort", "charge", "forza", "carico", "sila", "obciazenie", "fuerza", "carga", "forca", "kracht", "belasting", "kuvvet",
+    "сила", "усилие", "нагрузка", "载荷", "載荷", "负荷", "負荷", "拉力", "力值", "试验力", "試驗力", "하중", "시험력", "\u{8377}\u{91cd}", "\u{8a66}\u{9a13}\u{529b}", "\x89\xd7\x8fd",
     "\x8e\x8e\x8c\xb1\x97\xcd" },
-  time = { "time", "zeit", "temps", "tempo", "czas", "\u{6642}\u{9593}", "\x8e\x9e\x8a\xd4" },
-  strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
+  time = { "time", "zeit", "temps", "tempo", "czas", "tiempo", "tijd", "zaman", "время", "时间", "時間", "시간", "\x8e\x9e\x8a\xd4" },
+  strain = { "strain", "dehnung", "deformazione", "odksztalcenie", "deformacion", "deformacao", "gerinim", "деформация", "应变", "應變", "변형률", "변형", "신율", "\u{3072}\u{305a}\u{307f}", "\u{6b6a}" },
 }
 -- Names that consist of one of these only.
-words.letters = { u = "displacement", ext = "displacement", disp = "displacement", elong = "displacement", dl = "displacement", p = "force", f = "force", t = "time" }
+words.letters = { u = "displacement", ext = "displacement", disp = "displacement", elong = "displacement", dl = "displacement", p = "force", f = "force", t = "time",
+  last = "force", yuk = "force", ["力"] = "force", ["힘"] = "force", hub = "displacement", slag = "displacement", curso = "displacement", ["ход"] = "displacement", rek = "strain",
+  sure = "time" }
+-- Chinese in GBK and Russian in Windows-1251, as frames write them that know no UTF-8.
+words.bytes = {
+  { "\xce\xbb\xd2\xc6", "displacement" }, { "\xb1\xe4\xd0\xce", "displacement" }, { "\xc9\xec\xb3\xa4", "displacement" }, { "\xca\xb1\xbc\xe4", "time" },
+  { "\xd4\xd8\xba\xc9", "force" }, { "\xb8\xba\xba\xc9", "force" }, { "\xca\xd4\xd1\xe9\xc1\xa6", "force" }, { "\xc0\xad\xc1\xa6", "force" }, { "\xd3\xa6\xb1\xe4", "strain" },
+  { "\xe5\xf0\xe5\xec\xe5\xf9\xe5\xed\xe8\xe5", "displacement" }, { "\xe4\xeb\xe8\xed\xe5\xed\xe8\xe5", "displacement" }, { "\xe8\xeb\xe0", "force" },
+  { "\xf1\xe8\xeb\xe8\xe5", "force" }, { "\xe0\xe3\xf0\xf3\xe7\xea\xe0", "force" }, { "\xf0\xe5\xec\xff", "time" },
+}
+
+-- What a column or a line calls a specimen; and the words that may stand beside it in the name of such a column.
+words.specimens = { "specimen", "sample", "probe", "prufling", "pruefling", "eprouvette", "echantillon", "probeta", "muestra", "provino", "campione", "provete", "amostra", "proefstuk",
+  "numune", "probka", "образец", "试样", "試樣", "試験片", "시편", "replicate" }
+words.beside_specimen = { no = true, nr = true, number = true, nummer = true, id = true, name = true, label = true, ["#"] = true, numero = true, ["n\u{b0}"] = true, ["\u{2116}"] = true }
 
 words.quantities = { "displacement", "force", "time", "strain" }
 
-local plain_letters = {}
-for letters, plain in pairs {
-  ["\u{e9}\u{c9}\u{e8}\u{c8}\u{ea}\u{eb}\u{119}\u{118}"] = "e", ["\u{e0}\u{e1}\u{e2}\u{e4}\u{c4}\u{105}\u{104}"] = "a", ["\u{fc}\u{dc}\u{f9}\u{fa}"] = "u",
-  ["\u{f6}\u{d6}\u{f2}\u{f3}\u{d3}\u{f4}"] = "o", ["\u{142}\u{141}"] = "l", ["\u{107}\u{106}\u{e7}"] = "c", ["\u{15b}\u{15a}"] = "s",
-  ["\u{17c}\u{17b}\u{17a}\u{179}"] = "z", ["\u{144}\u{143}"] = "n", ["\u{ec}\u{ed}"] = "i", ["\u{df}"] = "ss",
+local plain_letters = { ["\u{df}"] = "ss", ["\u{a0}"] = " ", ["\u{202f}"] = " ", ["\u{3000}"] = " ", ["\u{307}"] = "", ["\u{301}"] = "", ["\u{308}"] = "" }
+for plain, letters in pairs {
+  e = "éÉèÈêÊëËęĘ", a = "àÀáÁâÂäÄãÃąĄåÅ", u = "üÜùÙúÚûÛ", o = "öÖòÒóÓôÔõÕ", l = "łŁ", c = "ćĆçÇ", s = "śŚşŞ", z = "żŻźŹ", n = "ńŃñÑ", i = "ìÌíÍîÎïÏıİ", g = "ğĞ",
 } do
   for _, code in utf8.codes(letters) do plain_letters[utf8.char(code)] = plain end
 end
+for code = 0x410, 0x42f do plain_letters[utf8.char(code)] = utf8.char(code + 0x20) end -- Cyrillic capitals
+plain_letters["Ё"], plain_letters["ё"] = "е", "е"
 -- Accented letters in Latin 1, and Polish ones in Windows-1250 and Latin 2, which are not valid UTF-8. (Bytes with two meanings: n with acute is n
 -- with tilde in Latin 1, c with acute is ae.)
 local latin = { ["\xe9"] = "e", ["\xc9"] = "e", ["\xe8"] = "e", ["\xe4"] = "a", ["\xc4"] = "a", ["\xfc"] = "u", ["\xdc"] = "u", ["\xf6"] = "o", ["\xd6"] = "o",

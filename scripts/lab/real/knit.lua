@@ -6,6 +6,7 @@
 -- NAME_videoN.csv is a pull: force, extension (N and mm, where the headings say nothing else), and the distances of the pins, `pin width` and
 -- `pin length`; NAME.dim holds the first length and width in mm. Without it the first distances of the pins take their place, which is told. The
 -- records are not part of the program: the default is ../shared/data/knit-pulls beside this checkout, or the deck says SKIPPED.
+-- warns: slip in the jaws, or yarns that break one by one
 local fabric = require "fabric"
 local lab, u = fabric.lab, fabric.units
 

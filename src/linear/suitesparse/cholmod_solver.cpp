@@ -2,6 +2,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <new>
 
 #include "linear/linear_solver.hpp"
 #include "linear/suitesparse/ordering.hpp"
@@ -56,6 +57,7 @@ class Cholmod final : public LinearSolver {
     common_.method[0].ordering = use_metis(ordering_, A.size()) ? CHOLMOD_METIS : CHOLMOD_AMD;
     cholmod_sparse view = upper(A);
     L_ = cholmod_l_analyze(&view, &common_);
+    check_memory();
     return L_ != nullptr;
   }
 
@@ -80,7 +82,9 @@ class Cholmod final : public LinearSolver {
     rhs.x = const_cast<double*>(b.data());
     rhs.xtype = CHOLMOD_REAL;
     rhs.dtype = CHOLMOD_DOUBLE;
-    if (!cholmod_l_solve2(CHOLMOD_A, L_, &rhs, nullptr, &X_, nullptr, &Y_, &E_, &common_)) return false;
+    const bool done = cholmod_l_solve2(CHOLMOD_A, L_, &rhs, nullptr, &X_, nullptr, &Y_, &E_, &common_) != 0;
+    check_memory();
+    if (!done) return false;
     const double* result = static_cast<const double*>(X_->x);
     std::copy(result, result + b.size(), x.begin());
     return true;
@@ -106,10 +110,16 @@ class Cholmod final : public LinearSolver {
     return view;
   }
 
+  // A matrix that does not fit into memory is not a singular one.
+  void check_memory() const {
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+  }
+
   bool cholesky(const Matrix& A) {
     const OneThread one;
     cholmod_sparse view = upper(A);
     const bool done = cholmod_l_factorize(&view, L_, &common_) && common_.status == CHOLMOD_OK;
+    check_memory();
     report_ = {};
     if (!done) return false;
     report_.reciprocal_condition = cholmod_l_rcond(L_, &common_);

@@ -1,5 +1,7 @@
 #include <umfpack.h>
 
+#include <new>
+
 #include "linear/linear_solver.hpp"
 #include "linear/suitesparse/ordering.hpp"
 
@@ -35,8 +37,10 @@ class Umfpack final : public LinearSolver {
     const Matrix& A = whole(given);
     control_[UMFPACK_ORDERING] =
         use_metis(ordering_, A.size()) ? UMFPACK_ORDERING_METIS : UMFPACK_ORDERING_AMD;
-    return umfpack_dl_symbolic(A.size(), A.size(), as_long(A.pattern->column), as_long(A.pattern->row),
-                               nullptr, &symbolic_, control_, info_) == UMFPACK_OK;
+    const auto status = umfpack_dl_symbolic(A.size(), A.size(), as_long(A.pattern->column),
+                                            as_long(A.pattern->row), nullptr, &symbolic_, control_, info_);
+    check_memory(status);
+    return status == UMFPACK_OK;
   }
 
   bool factorise_numbers(const Matrix& given) override {
@@ -45,6 +49,7 @@ class Umfpack final : public LinearSolver {
     const Matrix& A = whole(given);
     const auto status = umfpack_dl_numeric(as_long(A.pattern->column), as_long(A.pattern->row),
                                            A.value.data(), symbolic_, &numeric_, control_, info_);
+    check_memory(status);
     // A pivot that is rounding error beside the largest one: a part can move freely; its sign means nothing.
     report_.singular = status != UMFPACK_OK || info_[UMFPACK_RCOND] < kRounding;
     report_.reciprocal_condition = info_[UMFPACK_RCOND];
@@ -56,13 +61,21 @@ class Umfpack final : public LinearSolver {
   bool solve(const Matrix& given, std::span<const double> b, std::span<double> x) override {
     if (numeric_ == nullptr) return false;
     const Matrix& A = given.pattern->upper ? both_ : given;
-    return umfpack_dl_solve(UMFPACK_A, as_long(A.pattern->column), as_long(A.pattern->row), A.value.data(),
-                            x.data(), b.data(), numeric_, control_, info_) == UMFPACK_OK;
+    const auto status = umfpack_dl_solve(UMFPACK_A, as_long(A.pattern->column), as_long(A.pattern->row),
+                                         A.value.data(), x.data(), b.data(), numeric_, control_, info_);
+    check_memory(status);
+    return status == UMFPACK_OK;
   }
 
   LinearReport report() const override { return report_; }
 
  private:
+  // A matrix that does not fit into memory is not a singular one.
+  template <class Status>
+  static void check_memory(Status status) {
+    if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+  }
+
   // UMFPACK reads both triangles.
   const Matrix& whole(const Matrix& A) {
     if (!A.pattern->upper) return A;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "contact/scene.hpp"
 
 namespace fabricsh::mechanics {
@@ -39,11 +40,8 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
     body.motion = given.motion_of(*rigid);
     if (const auto* moving = rigid->moving()) body.moving.emplace(moving->times, moving->shapes);
     if (rigid->free()) {
-      const auto* start = given.velocity_of(*rigid);
-      const contact::FreeBody free(rigid->weigh(), start != nullptr ? start->linear : Vec3(Vec3::Zero()),
-                                   start != nullptr ? start->spin : Vec3(Vec3::Zero()));
       body.free = static_cast<int>(free_.size());
-      free_.push_back({free, free, {}, {}, 0});
+      free_.push_back(free_body(body, scene));
     }
     bodies_.push_back(std::move(body));
   }
@@ -59,7 +57,8 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
       far = std::max(far, (reference_[i] - free.committed.centre()).norm());
     far += scene.surfaces()[static_cast<std::size_t>(body.surface)].radius;
     const double moment = Eigen::SelfAdjointEigenSolver<Mat3>(free.committed.inertia()).eigenvalues()[0];
-    free.bound = 1 / free.committed.mass() + far * far / moment;
+    // Of the whole body: the other part is pushed at the same time.
+    free.bound = (1 / free.committed.mass() + far * far / moment) * std::exp2(free.moves.sum() - 3);
     free.size = far;
   }
   free_of_.assign(reference_.size(), -1);
@@ -67,6 +66,83 @@ Bodies::Bodies(const model::Model& model, contact::Scene& scene) : model_(model)
     std::fill_n(free_of_.begin() + static_cast<std::ptrdiff_t>(body.first), body.count, body.free);
   aim(0, 0);
   committed_ = target_;
+}
+
+// --- bodies that a plane of symmetry cuts. The part of them in the model moves in the plane, and turns about
+// its normal; the mass given is that of this part.
+
+namespace {
+
+constexpr double kNear = 1e-6;  // of a body's size
+
+// Whether the body has a flat face in the plane: it is the part of a whole one that has been cut off there.
+bool ends_in(const model::SymmetryPlane& plane, const model::Facets& facets, double near) {
+  const auto lies = [&](std::int32_t v) {
+    return std::abs(facets.vertices[static_cast<std::size_t>(v)][plane.axis] - plane.at) <= near;
+  };
+  return std::any_of(facets.triangles.begin(), facets.triangles.end(),
+                     [&](const auto& t) { return lies(t[0]) && lies(t[1]) && lies(t[2]); });
+}
+
+// Whether the plane through the centre is one of symmetry for the inertia.
+bool is_principal(const Mat3& inertia, int axis) {
+  const double odd = std::hypot(inertia(axis, (axis + 1) % 3), inertia(axis, (axis + 2) % 3));
+  return odd <= kNear * inertia.trace();
+}
+
+}  // namespace
+
+// Whether the plane cuts the body. Error: it does, and the body is not symmetric about it.
+bool Bodies::is_cut(const model::SymmetryPlane& plane, const Body& body, const contact::Mass& mass,
+                    const contact::Scene& scene) const {
+  const double radius = scene.surfaces()[static_cast<std::size_t>(body.surface)].radius;
+  const auto all = std::span(scene.reference()).last(body.count);
+  const auto [low, high] = std::minmax_element(
+      all.begin(), all.end(), [&](const Vec3& a, const Vec3& b) { return a[plane.axis] < b[plane.axis]; });
+  const double from = (*low)[plane.axis] - radius, to = (*high)[plane.axis] + radius;
+  double size = radius;
+  for (const Vec3& x : all) size = std::max(size, (x - mass.centre).norm() + radius);
+  const double near = kNear * size;
+  if (plane.at <= from + near || plane.at >= to - near)
+    return plane.at >= from - near && plane.at <= to + near && body.given->facets() != nullptr &&
+           ends_in(plane, *body.given->facets(), near);
+  if (std::abs(mass.centre[plane.axis] - plane.at) <= near && is_principal(mass.inertia, plane.axis))
+    return true;
+  throw Error("model: the " + model_.interactions().name_of(*body.given) + " is not symmetric about " +
+              plane.words() +
+              ", which cuts it: expected a body of the same shape on both sides, the centre of its "
+              "mass in the plane (it is at " +
+              std::string(1, "xyz"[plane.axis]) + " = " + number(mass.centre[plane.axis]) +
+              " m), or one that ends in the plane or does not reach it");
+}
+
+Bodies::Free Bodies::free_body(const Body& body, const contact::Scene& scene) {
+  contact::Mass mass = body.given->weigh();
+  const auto* start = model_.interactions().velocity_of(*body.given);
+  const Vec3 velocity = start != nullptr ? start->linear : Vec3(Vec3::Zero()),
+             spin = start != nullptr ? start->spin : Vec3(Vec3::Zero());
+  const std::string name = model_.interactions().name_of(*body.given);
+  Vec3 moves = Vec3::Ones(), turns = Vec3::Ones();
+  for (const auto& plane : model::symmetry_planes(model_)) {
+    if (!is_cut(plane, body, mass, scene)) continue;
+    const Vec3 normal = Vec3::Unit(plane.axis);
+    moves -= moves.cwiseProduct(normal);
+    turns = turns.cwiseProduct(normal);
+    // What the other part takes up: there is no spin but that about the normal.
+    for (int i = 0; i < 3; ++i)
+      if (i != plane.axis) mass.inertia(i, plane.axis) = mass.inertia(plane.axis, i) = 0;
+    halves_.push_back("the " + name + " is cut by " + plane.words() + ": it moves in the plane, and its " +
+                      number(mass.mass) + " kg are the mass of the part that is in the model");
+    if (velocity.cwiseProduct(moves) != velocity || spin.cwiseProduct(turns) != spin)
+      throw Error("velocity: the " + name + " is cut by " + plane.words() +
+                  ": expected a velocity in the plane and a spin about its normal alone");
+  }
+  const contact::FreeBody free(mass, velocity, spin);
+  Free out{free, free, {}, {}, 0};
+  out.cut = moves != Vec3::Ones();
+  out.moves = moves;
+  out.turns = turns;
+  return out;
 }
 
 bool Bodies::any_free() const { return !free_.empty(); }
@@ -107,9 +183,9 @@ Vec3 Bodies::gravity(double time) const {
 
 contact::Wrench Bodies::first_half(const Free& body) const {
   const double mass = body.committed.mass();
-  if (!implicit_) return {body.wrench.force + mass * gravity(from_), body.wrench.torque};
-  return {(body.wrench.force + body.end.force + mass * (gravity(from_) + gravity(to_))) / 2,
-          (body.wrench.torque + body.end.torque) / 2};
+  if (!implicit_) return body.left({body.wrench.force + mass * gravity(from_), body.wrench.torque});
+  return body.left({(body.wrench.force + body.end.force + mass * (gravity(from_) + gravity(to_))) / 2,
+                    (body.wrench.torque + body.end.torque) / 2});
 }
 
 // Moves the free bodies to the end of the step.
@@ -178,8 +254,8 @@ double Bodies::largest_residual() const {
 
 void Bodies::direct(std::span<const double> way) {
   for (std::size_t f = 0; f < free_.size(); ++f) {
-    free_[f].way.force = Eigen::Map<const Vec3>(way.data() + 6 * f);
-    free_[f].way.torque = Eigen::Map<const Vec3>(way.data() + 6 * f + 3);
+    free_[f].way = free_[f].left(
+        {Eigen::Map<const Vec3>(way.data() + 6 * f), Eigen::Map<const Vec3>(way.data() + 6 * f + 3)});
   }
 }
 
@@ -204,7 +280,10 @@ Bodies::Matrix6 Bodies::compliance(std::size_t free) const {
   Matrix6 out = Matrix6::Zero();
   out.topLeftCorner<3, 3>() = dt * dt / 4 / free_[free].committed.mass() * Mat3::Identity();
   out.bottomRightCorner<3, 3>() = dt * dt / 4 * free_[free].predicted.inertia().inverse();
-  return out;
+  if (!free_[free].cut) return out;
+  Eigen::Matrix<double, 6, 1> left;
+  left << free_[free].moves, free_[free].turns;
+  return left.asDiagonal() * out * left.asDiagonal();
 }
 
 void Bodies::begin(std::span<const Vec3> force) {
@@ -212,8 +291,9 @@ void Bodies::begin(std::span<const Vec3> force) {
   for (const Body& body : bodies_) {
     if (body.free < 0) continue;
     Free& free = free_[body.free];
-    free.wrench = wrench_on(free.committed, std::span<const Vec3>(committed_).subspan(body.first, body.count),
-                            force.subspan(body.first, body.count));
+    free.wrench =
+        free.left(wrench_on(free.committed, std::span<const Vec3>(committed_).subspan(body.first, body.count),
+                            force.subspan(body.first, body.count)));
     free.end = free.iterate = free.wrench;
   }
 }
@@ -229,6 +309,7 @@ void Bodies::load(std::span<const Vec3> force, std::span<const Vec3> torque) {
     free.trial = wrench_on(free.predicted, std::span<const Vec3>(target_).subspan(body.first, body.count),
                            force.subspan(body.first, body.count));
     free.trial.torque += body.trial_torque;
+    free.trial = free.left(free.trial);
   }
 }
 
@@ -238,8 +319,10 @@ contact::FreeBody Bodies::kicked(const Free& body) const {
   contact::FreeBody at = body.predicted;
   // The rest of the impulse of the mean of both forces.
   const contact::Wrench first = first_half(body);
-  at.kick(body.wrench.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
-          body.wrench.torque + body.trial.torque - first.torque, (to_ - from_) / 2);
+  const contact::Wrench rest = body.left(
+      {body.wrench.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
+       body.wrench.torque + body.trial.torque - first.torque});
+  at.kick(rest.force, rest.torque, (to_ - from_) / 2);
   return at;
 }
 

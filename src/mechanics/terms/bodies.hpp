@@ -81,6 +81,8 @@ class Bodies {
   std::vector<Vec3> moved(std::size_t i, const std::vector<Vec3>& points) const;
   // 1/kg, an upper bound of the inverse effective mass of a vertex.
   double inverse_mass(std::size_t i) const;
+  // Of each free body that a plane of symmetry cuts, what that means for it.
+  const std::vector<std::string>& halves() const { return halves_; }
 
  private:
   struct Free {
@@ -88,6 +90,12 @@ class Bodies {
     contact::Wrench wrench, trial;  // on it, without gravity; N, N m about its centre
     double bound = 0;               // 1/kg
     double size = 0;                // m, of what is farthest from its centre
+    // The diagonals of what planes of symmetry leave of forces and torques, if any cuts the body.
+    bool cut = false;
+    Vec3 moves = Vec3::Ones(), turns = Vec3::Ones();
+    contact::Wrench left(const contact::Wrench& all) const {
+      return cut ? contact::Wrench{all.force.cwiseProduct(moves), all.torque.cwiseProduct(turns)} : all;
+    }
     // Implicit steps: the force at the end with which it flies, that of the iterate, and the change from it.
     contact::Wrench end = {}, iterate = {}, way = {};
   };
@@ -101,6 +109,9 @@ class Bodies {
     Vec3 turned = Vec3::Zero();                               // rad, in the step
     Vec3 torque = Vec3::Zero(), trial_torque = Vec3::Zero();  // N m, that friction turns it with
   };
+  Free free_body(const Body& body, const contact::Scene& scene);
+  bool is_cut(const model::SymmetryPlane& plane, const Body& body, const contact::Mass& mass,
+              const contact::Scene& scene) const;
   contact::Pose driven(const Body& body, double time) const;
   void place(const Body& body, double time, std::span<Vec3> x) const;
   Vec3 gravity(double time) const;
@@ -118,6 +129,7 @@ class Bodies {
   bool loaded_ = false;                               // whether the forces in the trial state are known
   bool implicit_ = false;
   std::vector<int> free_of_;  // of each vertex, -1
+  std::vector<std::string> halves_;
 };
 
 }  // namespace fabricsh::mechanics

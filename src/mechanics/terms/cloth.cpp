@@ -14,7 +14,7 @@ namespace fabricsh::mechanics {
 
 Cloth::Cloth(const model::Model& model, const Configuration& configuration,
              const std::vector<Vec3>& directors)
-    : model_(model), configuration_(configuration), X_(model.mesh().nodes) {
+    : model_(model), configuration_(configuration), X_(model.mesh().nodes), directors_(directors) {
   set_kinds();
   make_batches();
   std::size_t law = 0;
@@ -29,7 +29,7 @@ Cloth::Cloth(const model::Model& model, const Configuration& configuration,
   make_force_slots();
   order_batches();
   order_sums();
-  add_inertia();
+  step_of_membrane_ = membrane_step();
   find_tested();
 }
 
@@ -146,10 +146,8 @@ void Cloth::put_geometry(const Batch& batch, const std::vector<Vec3>& directors,
         mechanics::put_geometry<3>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
       else
         mechanics::put_geometry<4>(*batch.section, X_, directors, batch.nodes[l], warp, geometry, l);
-    } catch (const Error& e) {
-      const std::string what = e.what();
-      if (what.rfind("is ", 0) != 0) throw;
-      throw Error("mesh: element " + std::to_string(batch.element[l] + 1) + " " + what);
+    } catch (const element::DegenerateElement& e) {
+      throw Error("mesh: element " + std::to_string(batch.element[l] + 1) + " " + e.what());
     }
   }
 }
@@ -283,6 +281,13 @@ void Cloth::gather(const Batch& batch, double* x, double* d, double* b) const {
     }
 }
 
+// The same of three numbers per node.
+void Cloth::gather(const Batch& batch, std::span<const double> from, double* to) const {
+  for (int l = 0; l < lanes; ++l)
+    for (int a = 0; a < batch.kind->corners; ++a)
+      for (int i = 0; i < 3; ++i) to[(3 * a + i) * lanes + l] = from[3 * batch.nodes[l][a] + i];
+}
+
 // Computes the forces of one batch into its slots, and its tangent if it is asked for. trial: where the
 // batch's trial states are written, null in place. Returns an element whose law failed, or -1.
 Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const TangentOf& tangent) {
@@ -294,6 +299,14 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
   double* const now = states_.now() + batch.law;
   element::ShellBatch data{batch.geometry, x, d, basis, now, trial, batch.sharing, tangent.law_only};
   data.wanted = tangent.wanted;
+  alignas(64) double before_x[12 * lanes], before_d[12 * lanes];
+  if (!tangent.before.empty()) {
+    const std::size_t n = tangent.before.size() / 3;
+    gather(batch, tangent.before.first(n), before_x);
+    gather(batch, tangent.before.subspan(n, n), before_d);
+    data.before_x = before_x;
+    data.before_d = before_d;
+  }
   double* log = nullptr;
   if (in_place) {
     data.changed = states_.changed() + batch.law / lanes;
@@ -307,6 +320,7 @@ Index Cloth::evaluate(Index b, const law::Step& step, double* trial, const Tange
                           ((1u << batch.used) - 1);
   if (in_place) states_.end_group(log);
   const double* const reached = in_place ? now : trial;
+  if (!tangent.law_only) look_for_astray(b, x, d);
   if (!share_.empty() && !tangent.law_only && !tangent.known) share_[b] = share_of(batch, reached);
   if (sums_expected_ && tangent.K == nullptr)
     batch_energies(batch, x, d, reached, sums_.data() + b * law::energy_values * lanes);
@@ -382,6 +396,7 @@ Outcome Cloth::add_forces(const law::Step& step, const Trial&, Forces& forces) {
   if (sums_expected_) sums_.resize(batches_.size() * law::energy_values * lanes);
   const Index failed = evaluate_and_sum(step, aside, forces);
   evaluated_ = {configuration_.version(), step};
+  astray_version_ = configuration_.version();
   sums_version_ = sums_expected_ ? configuration_.version() : 0;
   return outcome(failed);
 }
@@ -399,11 +414,12 @@ bool same(const law::Step& a, const law::Step& b) { return a.t0 == b.t0 && a.dt 
 // Where the forces of this configuration and step were the last computed, their trial states stay, and those
 // of the tangent, which are the same, go into a buffer that does not leave the cache.
 Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
-                                const Stiffness::Target& to) {
+                                const Stiffness::Target& to, std::span<const double> before) {
   const bool kept = !law_only && !states_.in_place() && evaluated_.version == configuration_.version() &&
                     same(evaluated_.step, step);
   double* const aside = kept ? nullptr : states_.evaluate().data();
   if (!kept) evaluated_ = {};
+  if (!law_only) astray_version_ = configuration_.version();
   Index failed = -1;
   for (std::size_t c = 0; c + 1 < colour_start_.size(); ++c) {
     const Index from = colour_start_[c], to_end = colour_start_[c + 1];
@@ -419,7 +435,7 @@ Outcome Cloth::scatter_tangents(const law::Step& step, bool law_only, Stiffness&
           fetch_nodes(batches_[b + 1]);
         }
         double* const trial = kept ? buffer.data() : aside == nullptr ? nullptr : aside + batches_[b].law;
-        failed = std::max(failed, evaluate(b, step, trial, {k, law_only, kept, stiffness.wanted(b)}));
+        failed = std::max(failed, evaluate(b, step, trial, {k, law_only, kept, stiffness.wanted(b), before}));
         stiffness.scatter(b, k, to);
       }
     }
@@ -472,27 +488,6 @@ Vec3 Cloth::centre(Index element) const {
   for (int a = 0; a < batch.kind->corners; ++a)
     sum += at(configuration_.x(), batch.nodes[place_[element].lane][a]);
   return sum / batch.kind->corners;
-}
-
-std::pair<Vec3, Vec3> Cloth::yarns(Index element) const {
-  const Place place = place_[element];
-  const Batch& batch = batches_[place.batch];
-  const Kind& kind = *batch.kind;
-  const auto& nodes = batch.nodes[place.lane];
-  const auto x = configuration_.x();
-  Vec3 a1 = at(x, nodes[1]) - at(x, nodes[0]), a2 = at(x, nodes[2]) - at(x, nodes[0]);
-  if (kind.corners == 4) {
-    a1 = (at(x, nodes[1]) + at(x, nodes[2]) - at(x, nodes[0]) - at(x, nodes[3])) / 4;
-    a2 = (at(x, nodes[2]) + at(x, nodes[3]) - at(x, nodes[0]) - at(x, nodes[1])) / 4;
-  }
-  // The material direction m_i = T_i1 G_1 + T_i2 G_2 becomes T_i1 a_1 + T_i2 a_2; T is the mean over the
-  // in-plane points.
-  const int points = static_cast<int>(batch.section->points.size());
-  double T[4] = {};
-  for (int g = 0; g < kind.in_plane; ++g)
-    for (int i = 0; i < 4; ++i)
-      T[i] += batch.geometry[(kind.point(g, points / 2, points) + i) * lanes + place.lane];
-  return {(T[0] * a1 + T[1] * a2).normalized(), (T[2] * a1 + T[3] * a2).normalized()};
 }
 
 BendingEnergy Cloth::bending_energy(Index element) const {
@@ -594,15 +589,47 @@ void Cloth::add_energies(const Trial&, std::vector<Energy>& out) const {
   out.push_back({"cloth", Account::created, sum[4]});
 }
 
-Index Cloth::inverted_element() const {
+void Cloth::watch_directors(double cosine, std::vector<double> bent) {
+  least_cosine_ = cosine;
+  most_bent_ = std::move(bent);
+  astray_.assign(batches_.size(), 0);
+}
+
+void Cloth::look_for_astray(Index b, const double* x, const double* d) {
+  if (most_bent_.empty()) return;
+  const Batch& batch = batches_[b];
+  const unsigned found =
+      batch.kind->kernels.astray({nullptr, x, d, nullptr, nullptr, nullptr}, least_cosine_, most_bent_[b]);
+  astray_[b] = static_cast<unsigned char>(found & ((1u << batch.used) - 1));
+}
+
+std::span<const unsigned char> Cloth::astray() {
+  if (astray_version_ == configuration_.version()) return astray_;
+  const auto count = static_cast<Index>(batches_.size());
+#pragma omp parallel for schedule(static) if (count >= few_batches)
+  for (Index b = 0; b < count; ++b) {
+    alignas(64) double x[12 * lanes], d[12 * lanes];
+    gather(batches_[b], x, d, nullptr);
+    look_for_astray(b, x, d);
+  }
+  astray_version_ = configuration_.version();
+  return astray_;
+}
+
+Index Cloth::inverted_element(std::span<const Index> but_for) const {
   Index first = -1;
+  const auto counts = [&](const std::array<Index, 4>& nodes) {
+    return std::none_of(nodes.begin(), nodes.end(),
+                        [&](Index n) { return std::binary_search(but_for.begin(), but_for.end(), n); });
+  };
   for (const Batch& batch : batches_) {
     alignas(64) double x[12 * lanes], d[12 * lanes];
     gather(batch, x, d, nullptr);
     const unsigned lost =
         batch.kind->kernels.inverted({nullptr, x, d, nullptr, nullptr, nullptr}) & ((1u << batch.used) - 1);
     for (int l = 0; l < batch.used; ++l)
-      if ((lost >> l & 1u) != 0 && (first < 0 || batch.element[l] < first)) first = batch.element[l];
+      if ((lost >> l & 1u) != 0 && (first < 0 || batch.element[l] < first) && counts(batch.nodes[l]))
+        first = batch.element[l];
   }
   return first;
 }

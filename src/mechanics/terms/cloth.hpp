@@ -10,6 +10,7 @@
 
 #include "law/peaks.hpp"
 #include "mechanics/batch.hpp"
+#include "mechanics/element_rates.hpp"
 #include "mechanics/geometry_store.hpp"
 #include "mechanics/law_states.hpp"
 #include "mechanics/stiffness.hpp"
@@ -53,9 +54,10 @@ class Cloth final : public Term {
   void keep(Archive& archive) override { states_.keep(archive); }
 
   // Computes the elements' tangents into their slots, and the forces. law_only: only K_M, the law's part
-  // [williams2010, eq. 5.71].
+  // [williams2010, eq. 5.71]. before: of the configuration before the last step, its kinematics, if tangent
+  // and forces are to be those of the strains that the step predicted linearly [magisano2017].
   Outcome scatter_tangents(const law::Step& step, bool law_only, Stiffness& stiffness,
-                           const Stiffness::Target& to);
+                           const Stiffness::Target& to, std::span<const double> before = {});
   void sum_forces(Forces& forces) const;  // of the last evaluation
 
   // Lumped mass per node, kg; and its first moment about the reference surface, kg m.
@@ -64,9 +66,19 @@ class Cloth final : public Term {
   // kg m^2 per node. The rotary inertia per mass of an element is t^2/12 + t^2 zeta_bar^2/4; if scaled, it is
   // at least so large that it permits the stable step of the waves in the plane of the cloth, after the idea
   // of [hughes1978].
-  const std::vector<double>& rotary_inertia(bool scaled) const { return rotary_[scaled]; }
+  const std::vector<double>& rotary_inertia(bool scaled) const { return bounds(scaled).rotary; }
+  // 1/s^2, per element: an upper bound of the squares of its frequencies in the reference configuration
+  // (element_rates.hpp), with true or scaled rotary inertia.
+  const std::vector<double>& highest_rates(bool scaled) const { return bounds(scaled).rates; }
+  // The factor by which stretching has raised that bound: s^2 for the law's part, and (s^2 - 1) / 2 for
+  // that of the stresses, which are at most the strain times the stiffest modulus; s: the largest stretch.
+  double growth(Index element) const;
   double smallest_size() const;    // m, h of the smallest element
   double largest_stretch() const;  // of edges and diagonals, current over reference length
+
+  // rad: the largest turn on a way of the nodes, of a director, or of an edge: the difference of its ends
+  // over its reference length.
+  double largest_turn(const NodalRates& way) const;
 
   // --- strain beyond the tested range of the cards (cloth_strained.cpp), at the last forces or tangent. For
   // yarns it is the largest strain so far. 0: no card states its tested range.
@@ -76,20 +88,28 @@ class Cloth final : public Term {
 
   // --- reading
   Index elements() const { return static_cast<Index>(place_.size()); }
+  const std::vector<std::array<Index, 4>>& mesh_elements() const { return model_.mesh().elements; }
   std::span<const Batch> batches() const { return batches_; }
   std::span<const Place> places() const { return place_; }
-  // Material strains and law states of one element: f(point weight in m^3, law, E[5], state*).
+  // Material strains and law states of one element: f(point weight in m^3, law, E[5], state*). In-plane point
+  // by in-plane point, and for each through the thickness in the order of the section's points.
   using PointVisitor =
       std::function<void(double weight, const law::Law& law, const double* E, const double* state)>;
   void visit(Index element, const PointVisitor& f) const;  // trial configuration
-  // Directions of warp and weft at the middle of an element in the trial configuration: unit vectors, global,
-  // convected with the cloth.
-  std::pair<Vec3, Vec3> yarns(Index element) const;
+  // Directions of warp and weft in the trial configuration, means over the element (cloth_yarns.cpp): unit
+  // vectors, global, convected with the cloth. ply: from 0; all_plies: in the axes that they have in common.
+  static constexpr int all_plies = -1;
+  std::pair<Vec3, Vec3> yarns(Index element, int ply = all_plies) const;
   Vec3 centre(Index element) const;                   // m, mean of its corners in the trial configuration
   BendingEnergy bending_energy(Index element) const;  // of separate bending; zero without
-  // The first element that is inverted or of zero area, (a1 x a2).d <= 0 at one of its points; -1:
-  // none.
-  Index inverted_element() const;
+  // The first element that is inverted or of zero area, (a1 x a2).d <= 0 at one of its points, among those
+  // without any of the given nodes (ascending); -1: none.
+  Index inverted_element(std::span<const Index> but_for) const;
+  // For each batch the lanes, by bits, whose elements bend or lean so far that the guard of the directors
+  // must look at them; see Shell4Astray. watch_directors() sets the limits, one of the bend (m^2) for each
+  // batch.
+  void watch_directors(double cosine, std::vector<double> bent);
+  std::span<const unsigned char> astray();                            // trial configuration
   Index element_at(Index node) const { return node_element_[node]; }  // any element of a node, -1: none
 
  private:
@@ -99,9 +119,20 @@ class Cloth final : public Term {
   void make_geometry(const std::vector<Vec3>& directors);
   void put_geometry(const Batch& batch, const std::vector<Vec3>& directors, double* geometry) const;
   void add_mass(const Batch& batch, int lane);
-  void add_inertia();
   double membrane_step() const;
   double inertia_per_mass(const section::Section& section, bool scaled) const;
+  // The rotary inertia of the nodes and the bounds of the elements' frequencies, computed when first used.
+  struct Bounds {
+    bool made = false;
+    std::vector<double> rates, rotary;
+  };
+  const Bounds& bounds(bool scaled) const;
+  struct ElementBound {
+    double rate, inertia_per_mass;  // 1/s^2, m^2
+  };
+  std::array<ElementBound, lanes> bounds_of(const Batch& batch, bool scaled) const;
+  ElementBound bound_of(const ElementMatrix& stiffness, Index element, bool scaled) const;
+  double corner_mass(Index element) const;  // kg
   void make_force_slots();
   void order_batches();
   void order_sums();
@@ -110,6 +141,7 @@ class Cloth final : public Term {
   void fetch(const Batch& batch, const double* trial) const;
   void fetch_nodes(const Batch& batch) const;
   void gather(const Batch& batch, double* x, double* d, double* b) const;
+  void gather(const Batch& batch, std::span<const double> from, double* to) const;
   // Energies (J) of the elements of one batch at x, d with the law's states: stored, dissipated in warp, weft
   // and shear, created, as law::BatchEnergy; entry i of lane l at [i * lanes + l].
   void batch_energies(const Batch& batch, const double* x, const double* d, const double* law,
@@ -123,6 +155,7 @@ class Cloth final : public Term {
     bool law_only = false;
     bool known = false;  // the trial states are those of the last forces
     unsigned wanted = 0xffff;
+    std::span<const double> before = {};  // positions, directors and frames before the step; see ShellBatch
   };
   Index evaluate(Index batch, const law::Step& step, double* trial, const TangentOf& tangent);
 
@@ -135,6 +168,7 @@ class Cloth final : public Term {
   void find_tested();
   const std::vector<TestedPoint>& tested(const Batch& batch) const;
   double share_of(const Batch& batch, const double* states) const;  // states: of this batch
+  void look_for_astray(Index batch, const double* x, const double* d);
   Strained most_strained_of(const Batch& batch, int first_lane, int last_lane) const;
 
   const model::Model& model_;
@@ -165,8 +199,9 @@ class Cloth final : public Term {
   // ones, up to those of place i + 1. begun_: per node the place of its first batch.
   std::vector<std::uint32_t> finished_, first_finished_, begun_;
   std::vector<double> mass_, mass_moment_;
-  std::vector<double> rotary_[2];  // kg m^2 per node: true, scaled
-  double step_of_membrane_ = 0;    // s
+  const std::vector<Vec3>& directors_;  // reference
+  mutable Bounds bounds_[2];            // with true and with scaled rotary inertia
+  double step_of_membrane_ = 0;         // s
   std::vector<Index> node_element_;
   std::vector<std::vector<TestedPoint>> tested_;  // per region
   law::ShareFunction share_at_ = nullptr;
@@ -175,7 +210,11 @@ class Cloth final : public Term {
   bool sums_expected_ = false;
   std::vector<double> sums_;
   std::uint64_t sums_version_ = 0;
-  std::vector<double> share_;  // per batch the largest share; empty: no card states a tested range
+  double least_cosine_ = 0;
+  std::vector<double> most_bent_;  // per batch; empty: directors are not watched
+  std::vector<unsigned char> astray_;
+  std::uint64_t astray_version_ = 0;  // the configuration of astray_
+  std::vector<double> share_;         // per batch the largest share; empty: no card states a tested range
 };
 
 }  // namespace fabricsh::mechanics

@@ -2,13 +2,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "geometry/node_view.hpp"
+#include "geometry/turning.hpp"
+#include "mechanics/element_rates.hpp"
 #include "mechanics/terms/cloth.hpp"
 
 namespace fabricsh::mechanics {
 
 namespace {
+
+// The share of the stable step that the bound of every element should permit. Runs take 0.7 of the stable
+// step, and at most 0.9 of the bound.
+constexpr double kKept = 0.78;
 
 // m^2: rotary inertia per mass of the thickness itself, int rho z^2 / int rho.
 double gyration(const section::Section& section) {
@@ -60,20 +67,73 @@ double Cloth::inertia_per_mass(const section::Section& section, bool scaled) con
   return std::max(own, speeds(section).shear * step_of_membrane_ * step_of_membrane_ / 4);
 }
 
-void Cloth::add_inertia() {
-  const auto& all = model_.mesh().elements;
-  step_of_membrane_ = membrane_step();
-  for (const bool scaled : {false, true}) {
-    std::vector<double> inertia;  // per region
-    for (const auto& section : model_.sections()) inertia.push_back(inertia_per_mass(section, scaled));
-    rotary_[scaled].assign(X_.size(), 0);
-    for (Index i = 0; i < elements(); ++i) {
-      const auto& e = all[i];
-      const auto region = static_cast<std::size_t>(model_.region_of(i));
-      const double mass = model_.sections()[region].areal_mass * area(e, X_) / corners(e);
-      for (int c = 0; c < corners(e); ++c) rotary_[scaled][e[c]] += mass * inertia[region];
+double Cloth::corner_mass(Index i) const {
+  const auto& e = model_.mesh().elements[i];
+  const auto region = static_cast<std::size_t>(model_.region_of(i));
+  return model_.sections()[region].areal_mass * area(e, X_) / corners(e);
+}
+
+// An element whose shape makes rotations against the transverse shear faster than the step takes gets more
+// inertia: where a triangle is long, its assumed shear couples the rotation against the short direction with
+// the long edge. It is at most that of a rod as long as the element.
+Cloth::ElementBound Cloth::bound_of(const ElementMatrix& stiffness, Index i, bool scaled) const {
+  const auto& e = model_.mesh().elements[i];
+  const auto region = static_cast<std::size_t>(model_.region_of(i));
+  const double mass = corner_mass(i), own = inertia_per_mass(model_.sections()[region], scaled);
+  const int n = corners(e);
+  const ElementBound bound{highest_rate(stiffness, n, mass, mass * own), own};
+  const double permitted = kKept * stable_step(scaled), wanted = 4 / (permitted * permitted);
+  if (!scaled || bound.rate <= wanted) return bound;
+  double longest = 0;
+  for (int a = 0; a < n; ++a) longest = std::max(longest, (X_[e[(a + 1) % n]] - X_[e[a]]).squaredNorm());
+  const double most = std::max(own, longest / 12);
+  const double more = std::clamp(inertia_for(stiffness, n, mass, wanted) / mass, own, most);
+  return {highest_rate(stiffness, n, mass, mass * more), more};
+}
+
+std::array<Cloth::ElementBound, lanes> Cloth::bounds_of(const Batch& batch, bool scaled) const {
+  alignas(64) double x[12 * lanes], d[12 * lanes], b[24 * lanes];
+  for (int l = 0; l < lanes; ++l)
+    for (int a = 0; a < batch.kind->corners; ++a) {
+      const Index n = batch.nodes[l][a];
+      const Vec3 b1 = first_axis(directors_[n]), b2 = directors_[n].cross(b1);
+      for (int i = 0; i < 3; ++i) {
+        x[(3 * a + i) * lanes + l] = X_[n][i];
+        d[(3 * a + i) * lanes + l] = directors_[n][i];
+        b[(6 * a + i) * lanes + l] = b1[i];
+        b[(6 * a + 3 + i) * lanes + l] = b2[i];
+      }
     }
+  const auto matrices = stiffest_matrices(batch, x, d, b);
+  std::array<ElementBound, lanes> all{};
+  for (int l = 0; l < batch.used; ++l) all[l] = bound_of(matrices[l], batch.element[l], scaled);
+  return all;
+}
+
+// Batches that share their geometry share their bounds.
+const Cloth::Bounds& Cloth::bounds(bool scaled) const {
+  Bounds& of = bounds_[scaled];
+  if (of.made) return of;
+  std::map<std::pair<const double*, int>, std::size_t> known;
+  std::vector<std::size_t> same(batches_.size()), first;
+  for (std::size_t b = 0; b < batches_.size(); ++b) {
+    const auto [place, is_new] = known.try_emplace({batches_[b].geometry, batches_[b].used}, first.size());
+    if (is_new) first.push_back(b);
+    same[b] = place->second;
   }
+  std::vector<std::array<ElementBound, lanes>> found(first.size());
+#pragma omp parallel for schedule(static) if (first.size() >= 4)
+  for (std::size_t i = 0; i < first.size(); ++i) found[i] = bounds_of(batches_[first[i]], scaled);
+  of.rates.resize(place_.size());
+  of.rotary.assign(X_.size(), 0);
+  for (Index i = 0; i < elements(); ++i) {
+    const auto& e = model_.mesh().elements[i];
+    const ElementBound& bound = found[same[place_[i].batch]][place_[i].lane];
+    of.rates[i] = bound.rate;
+    for (int c = 0; c < corners(e); ++c) of.rotary[e[c]] += corner_mass(i) * bound.inertia_per_mass;
+  }
+  of.made = true;
+  return of;
 }
 
 double Cloth::stable_step(bool scaled) const {
@@ -98,6 +158,35 @@ double Cloth::smallest_size() const {
   return smallest;
 }
 
+namespace {
+
+// The square of the largest stretch in the plane of two vectors that were A and B and are a and b.
+double largest_stretch_squared(const Vec3& A, const Vec3& B, const Vec3& a, const Vec3& b) {
+  const double AA = A.squaredNorm(), AB = A.dot(B), BB = B.squaredNorm();
+  const double aa = a.squaredNorm(), ab = a.dot(b), bb = b.squaredNorm();
+  const double det = AA * BB - AB * AB, half = (BB * aa - 2 * AB * ab + AA * bb) / det / 2;
+  return half + std::sqrt(std::max(0.0, half * half - (aa * bb - ab * ab) / det));
+}
+
+}  // namespace
+
+double Cloth::growth(Index i) const {
+  const auto& e = model_.mesh().elements[i];
+  const auto x = configuration_.x();
+  const auto across = [&](const auto& at_node) {
+    const int last = corners(e) == 3 ? 0 : 3;
+    return std::pair<Vec3, Vec3>(at_node(e[2]) - at_node(e[0]), at_node(e[1]) - at_node(e[last]));
+  };
+  const auto [A, B] = across([&](Index n) { return X_[n]; });
+  const auto [a, b] = across([&](Index n) { return Vec3(at(x, n)); });
+  double squared = std::max(1.0, largest_stretch_squared(A, B, a, b));
+  for (int k = 0; k < corners(e); ++k) {
+    const Index from = e[k], to = e[(k + 1) % corners(e)];
+    squared = std::max(squared, (at(x, to) - at(x, from)).squaredNorm() / (X_[to] - X_[from]).squaredNorm());
+  }
+  return squared + (squared - 1) / 2;
+}
+
 double Cloth::largest_stretch() const {
   const auto x = configuration_.x();
   double largest = 0;  // squared
@@ -109,6 +198,21 @@ double Cloth::largest_stretch() const {
       for (int b = a + 1; b < n; ++b)
         largest = std::max(largest,
                            (at(x, e[b]) - at(x, e[a])).squaredNorm() / (X_[e[b]] - X_[e[a]]).squaredNorm());
+  }
+  return std::sqrt(largest);
+}
+
+double Cloth::largest_turn(const NodalRates& way) const {
+  double largest = 0;  // squared
+#pragma omp parallel for schedule(static) reduction(max : largest) if (place_.size() >= 4096)
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    const auto& e = model_.mesh().elements[i];
+    const int n = corners(e);
+    for (int a = 0; a < n; ++a) {
+      const Index from = e[a], to = e[(a + 1) % n];
+      const double edge = (at(way.x, to) - at(way.x, from)).squaredNorm() / (X_[to] - X_[from]).squaredNorm();
+      largest = std::max({largest, edge, at(way.d, from).squaredNorm()});
+    }
   }
   return std::sqrt(largest);
 }

@@ -177,7 +177,9 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   force_.assign(x_.size(), Vec3::Zero());
   velocity_ = torque_ = turning_ = force_;
   find_masses(freedoms);
+  find_driven(freedoms);
   refuse_overlaps();
+  refuse_inside();
   begin_pressed();
 }
 
@@ -201,6 +203,14 @@ void Contacts::find_masses(const Freedoms& freedoms) {
     const bool moves = std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e >= 0 || e == tied; });
     if (moves && cloth_.mass()[n] > 0) inverse_mass_[n] = 1 / cloth_.mass()[n];
   }
+  if (!bodies_.halves().empty()) planes_.assign(nodes_, 0);
+  for (const auto& support : model_.supports())
+    if (support.symmetry >= 0 && !planes_.empty())
+      for (const Index n : model_.mesh().set(support.set)) {
+        const auto plane = static_cast<unsigned char>(1 << support.symmetry);
+        if ((planes_[n] & plane) == 0) inverse_mass_[n] /= 2;
+        planes_[n] |= plane;
+      }
   for (std::size_t b = 0; b < bodies_.count(); ++b) {
     const auto [first, last] = bodies_.vertices(b);
     for (std::size_t v = first; v < last; ++v) inverse_mass_[nodes_ + v] = bodies_.inverse_mass(b);
@@ -266,6 +276,7 @@ std::vector<std::string> Contacts::describe() const {
                       " nearer than that at the start, the nearest by " + number(it.law.gap() - m.nearest) +
                       " m: opened over " + number(*m.settle) + " s";
   }
+  lines.insert(lines.end(), bodies_.halves().begin(), bodies_.halves().end());
   return lines;
 }
 
@@ -375,9 +386,12 @@ bool Contacts::work_of_opening() {
 
 void Contacts::aim(double time) {
   aimed_ = time;
+  met_.reset();
   bodies_.aim(configuration_.time(), time);
   open_to(time);
 }
+
+double Contacts::share_of_cloth() const { return kOfCloth; }
 
 double Contacts::largest_step(bool scaled) const {
   double stiffest = 0;
@@ -504,13 +518,15 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
   const bool steps = step.dt > 0;
   const bool room = work_of_opening();
   if (explicit_ && steps) find_motion(step.dt);
-  const contact::Motion motion{velocity_, inverse_mass_, step.dt, turning_};
+  const contact::Motion motion{velocity_, inverse_mass_, step.dt, turning_, planes_};
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   trial_ = contact_->add_forces(x_, force_, explicit_ && steps && friction_ ? &motion : nullptr, torque_);
   trial_lost_ = explicit_ ? step.dt * (power_ + trial_.lost) / 2 : 0;
   evaluated_ = true;
   blocked_ = !(trial_.gap > 0) || !room;
+  if (!explicit_ && driven_meet())
+    return {Answer::cut, -1, "parts of the cloth whose motion is given pass through what is fixed or driven"};
   if (blocked_) {
     Outcome passed{Answer::cut, -1, "surfaces that touch would pass through each other"};
     for (std::size_t n = 0; n < nodes_ && passed.element < 0; ++n)
@@ -722,12 +738,14 @@ void Contacts::commit() {
   trial_lost_ = 0;
   evaluated_ = false;
   share_ = at_ = 0;
+  if (committed_pairs_.size() != pairs_.size()) committed_pairs_ = pairs_;
   bodies_.commit();
 }
 
 void Contacts::rollback() {
   evaluated_ = blocked_ = false;
   share_ = at_ = 0;
+  if (committed_pairs_.size() != pairs_.size()) pairs_ = committed_pairs_;
   bodies_.rollback();
 }
 
@@ -735,6 +753,7 @@ void Contacts::keep(Archive& archive) {
   bodies_.keep(archive);
   archive(committed_.contact, committed_.guard, committed_.lost, committed_.gap, lost_, power_, pairs_);
   if (!archive.reading()) return;
+  committed_pairs_ = pairs_;
   reading_.version = 0;
 }
 

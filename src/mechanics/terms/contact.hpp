@@ -6,6 +6,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,7 @@ class Contacts final : public Term {
   // motion does not exclude that, each near pair is checked.
   bool may_have_passed();
   bool guarded() const { return trial_.guard > 0; }
+  double share_of_cloth() const;  // the largest step with contact, as a share of the cloth's stable step
   // s: the largest step: 0.6 of the cloth's own stable step, limited by the stiffest contact.
   double largest_step(bool scaled) const;
   // s: the largest step for the stiffness at the smallest gap, including that of the guard.
@@ -149,6 +151,9 @@ class Contacts final : public Term {
   double opening_pace(std::span<const Vec3> x, double time, double dt);
   bool work_of_opening();
   void refuse_overlaps();
+  void refuse_inside() const;
+  void find_driven(const Freedoms& freedoms);
+  bool driven_meet();
   void begin_pressed();
   void positions(std::span<const double> x, double share, std::vector<Vec3>& out) const;
   void find_motion(double dt);
@@ -178,6 +183,9 @@ class Contacts final : public Term {
   std::size_t nodes_ = 0;
   std::vector<Vec3> x_, start_, marked_, force_, torque_, velocity_, turning_, by_;
   std::vector<double> inverse_mass_;
+  // With parts of bodies that planes of symmetry cut: the planes that each node lies in, a bit each. Inverse
+  // masses are then those of the whole model.
+  std::vector<unsigned char> planes_;
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step
   contact::Totals trial_, committed_;
@@ -186,7 +194,13 @@ class Contacts final : public Term {
   bool evaluated_ = false;
   std::vector<Block> blocks_;
   std::vector<OnBody> on_bodies_;
-  std::vector<std::int64_t> pairs_;  // pairs of nodes coupled at any time: a * nodes + b, a < b, ascending
+  // Pairs of nodes coupled at any time: a * nodes + b, a < b, ascending. They only become more, and a
+  // rollback takes back those since the last commit.
+  std::vector<std::int64_t> pairs_, committed_pairs_;
+  // Whether the motion of a point is given: nodes that are held or driven, vertices of bodies that are not
+  // free. Empty: nothing of that kind moves towards cloth of that kind.
+  std::vector<char> driven_;
+  std::optional<bool> met_;  // whether such points meet in the step; empty: not yet known
   mutable Reading reading_;
 };
 

@@ -11,6 +11,8 @@
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/drive.hpp"
+#include "script/replay.hpp"
+#include "script/warning_log.hpp"
 
 namespace fabricsh::script {
 
@@ -30,24 +32,25 @@ int chain(const Call& call) {
 
 int solve(Call& call) {
   const auto run = call.self<Run>();
-  drive(*run, {false, std::max(run->analysis->duration(), run->analysis->time())});
+  drive(*run, {Made::solve, std::max(run->analysis->duration(), run->analysis->time())});
   return chain(call);
 }
 
 int advance(Call& call) {
   const double time = call.number("time");
-  drive(*call.self<Run>(), {false, time});
+  drive(*call.self<Run>(), {Made::advance, time});
   return chain(call);
 }
 
 int step(Call& call) {
   const auto run = call.self<Run>();
-  drive(*run, {true, run->analysis->duration()});
+  drive(*run, {Made::step, run->analysis->duration()});
   return chain(call);
 }
 
 int stop(Call& call) {
-  call.self<Run>()->analysis->stop(call.text("reason"));
+  const auto run = call.self<Run>();
+  if (!repeats_change(*run)) run->analysis->stop(call.text("reason"));
   return 0;
 }
 
@@ -112,17 +115,18 @@ int reach(Call& call) {
                          a.stop("reached " + exact_number(target));
                        });
   try {
-    drive(*run, {false, run->analysis->duration()});
+    drive(*run, {Made::reach, run->analysis->duration()});
   } catch (...) {
     *sought = false;
     throw;
   }
-  const bool passed = run->calls.count < run->passing;  // true in a restarted deck before its checkpoint
-  if (std::exchange(*sought, false) && !passed) {
+  if (std::exchange(*sought, false) && !run->passes_over()) {
     const run::Run& a = *run->analysis;
-    throw Error("reach: the value did not reach " + exact_number(target) + "; it is " +
-                fabricsh::number(value(a), 7) + " at " + fabricsh::number(a.time(), 7) +
-                " s, where the run " + (a.stopped() ? "was stopped: " + a.stop_reason() : "ends"));
+    const Error missed("reach: the value did not reach " + exact_number(target) + "; it is " +
+                       fabricsh::number(value(a), 7) + " at " + fabricsh::number(a.time(), 7) +
+                       " s, where the run " + (a.stopped() ? "was stopped: " + a.stop_reason() : "ends"));
+    note_failure(*run, missed);
+    throw Error(missed);
   }
   return chain(call);
 }
@@ -145,9 +149,10 @@ int push_fields(Call& call, run::Place place) {
   lua_createtable(call.L(), 0, 20);
   std::array<double, 5> values{};
   for (const auto& field : run::result_fields()) {
-    if (field.place != place || field.components.empty() || (field.touching && !run::has(run, field)))
+    if (field.place != place || field.components.empty() ||
+        ((field.touching || field.of_yarns) && !run::has(run, field)))
       continue;
-    field.values(run, item, values.data());
+    field.values(run, item, "", values.data());
     for (std::size_t c = 0; c < field.components.size(); ++c)
       set_number(call.L(), field.components[c].c_str(), values[c]);
   }
@@ -164,8 +169,9 @@ int mean(Call& call) {
 
 int field(Call& call) {
   lua_State* L = call.L();
-  const auto part = run::find_field(call.text("name"));
-  const auto values = run::values_of(*call.self<Run>()->analysis, part);
+  const auto& run = *call.self<Run>()->analysis;
+  const auto part = run::find_field(run, call.text("name"));
+  const auto values = run::values_of(run, part);
   const std::size_t width = part.component < 0 ? part.field->size() : 1;
   if (width == 1) return push_numbers(L, values), 1;
   lua_createtable(L, static_cast<int>(values.size() / width), 0);
@@ -184,6 +190,7 @@ int energy(Call& call) {
                                                    {"stored", e.stored},
                                                    {"dissipated", e.dissipated},
                                                    {"damping", e.damping},
+                                                   {"relaxed", e.relaxed},
                                                    {"external", e.external},
                                                    {"dissipated_warp", e.dissipated_warp},
                                                    {"dissipated_weft", e.dissipated_weft},
@@ -191,6 +198,7 @@ int energy(Call& call) {
                                                    {"dissipated_bending", e.dissipated_bending},
                                                    {"contact", e.contact},
                                                    {"guard", e.guard},
+                                                   {"directors", e.directors},
                                                    {"friction", e.friction},
                                                    {"rigid", e.rigid},
                                                    {"created", e.created},
@@ -222,6 +230,19 @@ int beyond(Call& call) {
   return 1;
 }
 
+int warnings(Call& call) {
+  push_warnings(call.L(), call.self<Run>()->analysis->warnings());
+  return 1;
+}
+
+// "ledger (energy appears ...), inverted (...)"
+std::string codes_text() {
+  std::string text;
+  for (const run::WarningKind& kind : run::warning_kinds())
+    text += (text.empty() ? "" : ", ") + std::string(kind.code) + " (" + kind.sentence + ")";
+  return text;
+}
+
 int time(Call& call) {
   lua_pushnumber(call.L(), call.self<Run>()->analysis->time());
   return 1;
@@ -241,11 +262,27 @@ int stopped(Call& call) {
   return 1;
 }
 
+// Only their number is noted for a restart: the steps themselves are in the checkpoint, unless a restore()
+// has replaced them.
+lua_Integer count_of_steps(lua_State* L, Run& run) {
+  const auto count = [&] {
+    lua_pushinteger(L, static_cast<lua_Integer>(run.analysis->steps().size()));
+    return 1;
+  };
+  read_between(L, run, run.calls.restored_after(run.calls.count) ? "steps before a restore()" : "steps", "",
+               count);
+  const lua_Integer steps = lua_tointeger(L, -1);
+  lua_pop(L, 1);
+  return steps;
+}
+
 int steps(Call& call) {
   lua_State* L = call.L();
+  const auto run = call.self<Run>();
+  const lua_Integer count = count_of_steps(L, *run);
   lua_newtable(L);
-  lua_Integer i = 0;
-  for (const auto& report : call.self<Run>()->analysis->steps()) {
+  for (lua_Integer i = 0; i < count;) {
+    const run::StepReport& report = run->analysis->steps()[static_cast<std::size_t>(i)];
     lua_newtable(L);
     set_number(L, "time", report.time);
     set_number(L, "step", report.step);
@@ -265,9 +302,9 @@ int steps(Call& call) {
 int snapshot(Call& call) {
   const auto run = call.self<Run>();
   auto snapshot = run->analysis->snapshot();
-  if (run->calls.count < run->passing) run->passed_snapshots.push_back(snapshot);
+  if (run->passes_over()) run->passed_snapshots.push_back(snapshot);
   push_object(call.L(), std::move(snapshot));
-  lua_pushnumber(call.L(), run->analysis->time());
+  read_between(call.L(), *run, "time", "", [&] { return time(call); });
   lua_setiuservalue(call.L(), -2, 1);
   return 1;
 }
@@ -290,13 +327,24 @@ std::string state_words(const run::Run& a) {
   return a.time() >= a.duration() * (1 - 1e-12) ? "done" : "under way";
 }
 
-int run_text(lua_State* L) {
-  const run::Run& a = *to_object<Run>(L, 1)->analysis;
+int push_run_text(lua_State* L, const run::Run& a) {
   const std::string words = std::string("<") + a.kind() + " run, t = " + fabricsh::number(a.time()) + " of " +
                             fabricsh::number(a.duration()) + " s, " + counted(a.steps().size(), "step") +
                             ", ";
   lua_pushstring(L, (words + state_words(a) + ">").c_str());
   return 1;
+}
+
+int run_text(lua_State* L) {
+  const auto run = to_object<Run>(L, 1);
+  std::string trouble;
+  try {
+    return read_between(L, *run, "tostring", "", [&] { return push_run_text(L, *run->analysis); });
+  } catch (const Error& error) {
+    trouble = position(L) + "tostring: " + error.what();
+  }
+  lua_pushstring(L, trouble.c_str());
+  return lua_error(L);
 }
 
 // The values available for nodes or elements: "E11 (1), stored (J/m^3), ...".
@@ -313,7 +361,7 @@ std::string numbers_of(run::Place place) {
 }
 
 Argument name_row(const std::vector<std::string>& names, const std::string& sentence) {
-  return value_("name", text, sentence).one_of(names);
+  return value_("name", text, sentence + "; of a ply ply2.E11, or by the ply's name").one_of(names).owned();
 }
 
 std::vector<Entry> driving() {
@@ -441,7 +489,8 @@ std::vector<Entry> reading() {
        Style::property,
        {},
        "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of "
-       "stored: contact, guard (the barrier that keeps surfaces from passing). Parts of dissipated: "
+       "stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the "
+       "directors by the normal where the elements' shear does not). Parts of dissipated: "
        "dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid "
        "bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external "
        "work.",
@@ -456,6 +505,15 @@ std::vector<Entry> reading() {
        "elements beyond).",
        run + "assert(a:advance(0.5).beyond == nil)",
        beyond},
+      {"analysis.warnings",
+       Style::property,
+       {},
+       "What the run has said about how far its results can be trusted, in order: a list of {code, text, "
+       "time (s), element (nil: no particular one), serious}. Also in run.json. Under --strict the serious "
+       "ones raise a numerical failure. The codes: " +
+           codes_text() + ".",
+       run + "assert(#a:solve().warnings == 0)",
+       warnings},
       {"analysis.time", Style::property, {}, "Where the run is, s.", run + "assert(a.time == 0)", time},
       {"analysis.duration",
        Style::property,

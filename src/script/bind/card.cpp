@@ -153,7 +153,7 @@ void tell_old_friction(Call& call, const std::optional<card::Bending>& before,
     const std::string words = "card:with: bending." + yarn + " is new and friction_" + yarn +
                               " as before (moment " + fabricsh::number(now->moment) +
                               " N): give it too, or friction_" + yarn + " = false";
-    call.session().notices().once(words, "warning: " + words);
+    call.session().warn("card", words);
   };
   const auto differs = [](double a, double b, const card::Curve& x, const card::Curve& y) {
     return a != b || x.coefficients != y.coefficients || x.points != y.points;

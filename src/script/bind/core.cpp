@@ -161,8 +161,7 @@ int checking(Call& call) {
 }
 
 int warn(Call& call) {
-  const std::string words = position(call.L()) + call.text("text");
-  call.session().notices().once(words, "warning: " + words);
+  call.session().warn("deck", position(call.L()) + call.text("text"));
   return 0;
 }
 

@@ -5,14 +5,16 @@
 //
 // An argument has name, sentence, kind ("number|text"; `of` implies "object"), unit, low, high,
 // above, default, optional, choices, rows. define.fail(message) raises an error with the deck's
-// line; define.keep_caller(f) is f for decks, whose line is known even in `return f()`; define.registry has
-// rows, name_of, class_of, card_of, nearest and show of bind/registry.cpp. run receives one table with all
-// defaults filled in; with positional=true, the values in order.
+// line; define.warnings(define.log_end()) is what runs and decks warn of from then on; define.keep_caller(f)
+// is f for decks, whose line is known even in `return f()`; define.registry has rows, name_of, class_of,
+// card_of, nearest and show of bind/registry.cpp. run receives one table with all defaults filled in; with
+// positional=true, the values in order.
 #include <cmath>
 
 #include "script/bind/rooms.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
+#include "script/warning_log.hpp"
 
 namespace fabricsh::script {
 
@@ -136,6 +138,20 @@ void push_value(Call& call, const Argument& row) {
   push_default(call.L(), row);
 }
 
+// Gives the result of a virtual test, on top of the stack, the field `warnings`: of all runs that it made and
+// of what it said itself.
+void add_warnings(lua_State* L, const WarningLog& log, WarningLog::Place from) {
+  if (!log.ran_since(from)) return;
+  lua_pushliteral(L, "warnings");
+  if (lua_pushvalue(L, -1), lua_rawget(L, -3) == LUA_TNIL) {
+    lua_pop(L, 1);
+    push_warnings(L, log.since(from));
+    lua_rawset(L, -3);
+  } else {
+    lua_pop(L, 2);
+  }
+}
+
 // Calls the Lua function of the row with checked arguments.
 int run_defined(Call& call) {
   lua_State* L = call.L();
@@ -153,9 +169,12 @@ int run_defined(Call& call) {
   // An absent argument without a default is not passed, so that it can be distinguished from nil.
   if (entry.style != Style::fields)
     while (lua_gettop(L) > base + 1 + given && lua_isnil(L, -1)) lua_pop(L, 1);
+  const WarningLog::Place place = call.session().log().end();
   lua_call(L, lua_gettop(L) - base - 1, LUA_MULTRET);
   const int results = lua_gettop(L) - base;
-  if (results == 1 && lua_istable(L, -1)) name_result(L, entry.name);
+  if (results != 1 || !lua_istable(L, -1)) return results;
+  if (entry.name.starts_with("fabric.lab.")) add_warnings(L, call.session().log(), place);
+  name_result(L, entry.name);
   return results;
 }
 
@@ -245,6 +264,19 @@ int keep_caller(lua_State* L) {
   return 1;
 }
 
+// log_end(): where the log of warnings ends; warnings(place): what was added from there on.
+int log_end(lua_State* L) {
+  const WarningLog::Place place = Session::of(L).log().end();
+  lua_pushinteger(L, static_cast<lua_Integer>(place.lists));
+  return 1;
+}
+
+int warnings(lua_State* L) {
+  const auto from = static_cast<std::size_t>(luaL_checkinteger(L, 1));
+  push_warnings(L, Session::of(L).log().since({from, 0}));
+  return 1;
+}
+
 int call_define(lua_State* L) {
   luaL_checkany(L, 1);
   lua_remove(L, 1);
@@ -259,6 +291,10 @@ int open_define(lua_State* L) {
   lua_setfield(L, -2, "fail");
   lua_pushcfunction(L, keep_caller);
   lua_setfield(L, -2, "keep_caller");
+  lua_pushcfunction(L, log_end);
+  lua_setfield(L, -2, "log_end");
+  lua_pushcfunction(L, warnings);
+  lua_setfield(L, -2, "warnings");
   push_registry(L);
   lua_setfield(L, -2, "registry");
   lua_newtable(L);

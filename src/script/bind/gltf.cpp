@@ -71,7 +71,7 @@ std::string body_name(const std::string& file, const std::string& stem) {
 
 std::vector<Moment> read_series(const std::string& path, const Wanted& wanted, double every) {
   std::vector<std::string> arrays = {"reference", "displacement"};
-  if (!wanted.none) arrays.push_back(wanted.part.field->name);
+  if (!wanted.none) arrays.push_back(wanted.part.array());
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const std::string stem = std::filesystem::path(path).stem().string();
   const auto entries = format::read_pvd(path, format::read_file(path));
@@ -100,7 +100,7 @@ std::vector<Moment> read_series(const std::string& path, const Wanted& wanted, d
 std::vector<Moment> moment_of(const run::Run& run, const Wanted& wanted) {
   run::VtkContents contents;
   contents.fields = {"displacement"};
-  if (!wanted.none) contents.fields.push_back(wanted.part.field->name);
+  if (!wanted.none) contents.fields.push_back(wanted.part.array());
   const run::VtkFrame shown(run, contents);
   FrameFile cloth{shown.grid().points, shown.grid().cells, {}, {}};
   for (const bool on_cells : {false, true})
@@ -151,7 +151,7 @@ std::vector<double> on_points(const FrameFile& frame, const std::vector<double>&
 
 std::vector<double> values_of(const Moment& moment, const Wanted& wanted, const std::string& name) {
   const FrameFile& frame = moment.shapes.front().second;
-  const FrameArray* array = frame.find(wanted.part.field->name);
+  const FrameArray* array = frame.find(wanted.part.array());
   const int column = array == nullptr ? -2 : column_of(*array, wanted.part);
   if (column == -2)
     throw Error("gltf: " + moment.file + " has no field '" + name + "'; arrays:" + frame.names);
@@ -280,7 +280,8 @@ void bind_gltf(Session& session) {
          value_("field", text,
                 "what the colours show, on the nodes: a number of a field, or a vector's length")
              .or_else("none")
-             .one_of(field_words()),
+             .one_of(field_words())
+             .owned(),
          value_("range", numbers, "{low, high} of the colours; default: those of all frames").optional(),
          number_("every", "s", positive, "at least between two frames; default: all that there are")
              .optional(),

@@ -12,6 +12,7 @@
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
 #include "script/called_off.hpp"
+#include "script/warning_log.hpp"
 
 namespace fabricsh::script {
 
@@ -110,6 +111,7 @@ int parallel(Call& call) {
   how.always = call.flag("isolated");
   if (session.limits() != nullptr) bound_processes(session, how);
   how.stop = [&session] { return session.interrupted(); };
+  how.attach = [&session, from = session.log().end()] { return session.log().packed_since(from); };
   how.done = [&](std::size_t i, const lab::Answer& answer) {
     progress.done(answer);
     if (!tell) return;
@@ -128,6 +130,7 @@ int parallel(Call& call) {
   lua_createtable(L, static_cast<int>(answers.size()), 0);
   lua_Integer place = 0;
   for (const lab::Answer& answer : answers) {
+    session.log().adopt(answer.attached);
     push_numbers(L, answer.values);
     if (!answer.trouble.empty()) set_text(L, "trouble", answer.trouble);
     if (answer.died) {

@@ -1,6 +1,7 @@
 // a:checkpoint, a:restart, a:set, a:why, fabric.why: storing and restarting a run, changing its settings, and
 // the reason for a failure.
 #include "script/checkpoint.hpp"
+#include "script/replay.hpp"
 #include "script/values/lua_table.hpp"
 
 namespace fabricsh::script {
@@ -20,13 +21,11 @@ void check_table(const Fields& options) {
 }
 
 // The deck's table is stored with the checkpoint, and is restored if the run starts from one.
-void keep_table(Run& run, const std::string& path, const Fields& options, run::Keeper& keeper) {
-  if (const std::string* kept = run.job.claims().take("keep", path)) {
-    options.push("keep");
-    fill_table(options.L(), -1, *kept);
-    lua_pop(options.L(), 1);
-  }
-  keeper.keep_also([table = Hook(options, "keep", &run), path](std::vector<run::Checkpoint::Part>& parts) {
+void store_table(Run& run, const std::string& path, const Fields& options, run::Keeper& keeper) {
+  const std::string* kept = run.job.claims().take("keep", path);
+  const Hook table(options, "keep", &run);
+  keep_table(run, table, kept != nullptr ? *kept : std::string());
+  keeper.keep_also([table, path](std::vector<run::Checkpoint::Part>& parts) {
     lua_State* L = table.push();
     parts.push_back({"keep", path, pack_table(L, -2, "keep")});
     lua_pop(L, 2);
@@ -46,7 +45,7 @@ int checkpoint(Call& call) {
   if (keeps) check_table(*options);
   if (call.session().options().check) return chain(call);
   const auto keeper = run->job.checkpoint(path, every, minutes);
-  if (keeps) keep_table(*run, path, *options, *keeper);
+  if (keeps) store_table(*run, path, *options, *keeper);
   // In a restarted deck the analyses before the restored one are finished: this file does not belong to them.
   const auto& begun = call.session().restart();
   if (begun && run->number() < begun->number) keeper->write_nothing();
@@ -64,7 +63,8 @@ int set(Call& call) {
   if (call.has("step")) settings.step = call.number("step");
   if (call.has("max_iterations")) settings.max_iterations = call.count("max_iterations");
   if (call.has("max_cuts")) settings.max_cuts = call.count("max_cuts");
-  call.self<Run>()->analysis->set(settings);
+  const auto run = call.self<Run>();
+  if (!repeats_change(*run)) run->analysis->set(settings);
   return chain(call);
 }
 

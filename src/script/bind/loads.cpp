@@ -210,7 +210,11 @@ std::vector<Entry> rows() {
        Style::positional,
        {set_row(), value_("normal", text, "\"x\", \"y\" or \"z\": normal of the plane")},
        "Holds a node set in a plane of symmetry: the displacement along the normal and the two rotations out "
-       "of the plane.",
+       "of the plane. The nodes lie in such a plane, and the cloth is symmetric about it: its yarns run "
+       "along "
+       "and across it, in each layer. A free body that the plane cuts moves in it; its mass is that of the "
+       "part "
+       "in the model.",
        sample + "m:symmetry('left', 'x')",
        symmetry},
   };

@@ -114,10 +114,12 @@ Entry read_row() {
       "fabric.mesh.read",
       Style::positional,
       {value_("file", text,
-              "ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k; a bare name may be a mesh shipped with the "
+              "ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k; a bare name may be a mesh shipped "
+              "with the "
               "program")},
       "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
-      ".vtk, Wavefront .obj, .stl (text and binary; equal vertices are joined), .inp of Abaqus and CalculiX, "
+      ".vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of "
+      "Abaqus and CalculiX, "
       ".k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so "
       "do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there "
       "are several. Nodes in no element are left out; the sets all and boundary are added.",
@@ -163,9 +165,10 @@ Entry check_row() {
           "aspect, "
           "warping, least_angle, triangles, quadrilaterals, parts, borders}, which prints as its text; an "
           "item has key "
-          "(degenerate, inverted, repeated, orientation, one_sided, unused, duplicate, nonmanifold, aspect, "
+          "(degenerate, inverted, fold, repeated, orientation, one_sided, unused, duplicate, nonmanifold, "
+          "aspect, "
           "warping, "
-          "angle, free), severity (note, warning, error), text, elements, nodes.",
+          "angle, wide, taper, hanging, free), severity (note, warning, error), text, elements, nodes.",
           std::string(sample) +
               "local report = mesh:check()\nassert(report.ok and report.borders == 1)\n"
               "assert(tostring(report) == report.text)",
@@ -189,7 +192,7 @@ Entry orient_row() {
 Mesh read_mesh_file(const Call& call, const std::string& path) {
   format::Remarks remarks;
   Mesh mesh = format::read_mesh(path, &remarks);
-  for (const std::string& remark : remarks) call.session().notices().once(remark, "warning: " + remark);
+  for (const std::string& remark : remarks) call.session().warn("mesh", remark);
   return mesh;
 }
 

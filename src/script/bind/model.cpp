@@ -96,7 +96,7 @@ void ask_about_motion(const Call& call, const model::Components& components) {
                               "': " + exact_number(farthest) + " m is " +
                               fabricsh::number(farthest / length, 7) + " times the size of the mesh (" +
                               fabricsh::number(length, 7) + " m): is it in m?";
-    call.session().notices().once(words, "warning: " + words);
+    call.session().warn("units", words);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <set>
 
+#include "base/utf8.hpp"
 #include "format/mesh_file.hpp"
 #include "run/vtk_frame.hpp"
 #include "script/at_work.hpp"
@@ -50,7 +51,10 @@ std::vector<std::string> column_names(const Fields& options) {
     if (lua_type(L, -2) != LUA_TSTRING ||
         (!lua_isfunction(L, -1) && lua_type(L, -1) != LUA_TSTRING && !lua_istable(L, -1)))
       options.refuse("columns", "expected name = function(a) or the name of a field, got " + describe(L, -1));
-    const std::string name = lua_tostring(L, -2);
+    std::size_t length = 0;
+    const char* const text = lua_tolstring(L, -2, &length);
+    const std::string name(text, length);
+    want_plain(name, "record: field 'columns'");
     if (ordered.count(name) == 0) rest.push_back(name);
     lua_pop(L, 1);
   }
@@ -88,8 +92,9 @@ std::function<double(const run::Run&)> mean_of_field(const Fields& columns, cons
     lua_pop(L, 1);
   }
   const std::vector<std::string> known = run::scalar_names();
-  if (std::find(known.begin(), known.end(), words[0]) == known.end())
-    columns.refuse(name, unknown("field", words[0], known));
+  const std::string word = last_word(words[0]);
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    columns.refuse(name, unknown("field", word, known));
   try {
     run::check_mean(run, words[0], words[1]);
   } catch (const Error& error) {

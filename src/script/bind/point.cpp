@@ -312,7 +312,8 @@ int point_text(lua_State* L) {
 constexpr Range above_nothing{-0.5, std::numeric_limits<double>::infinity(), true, false};
 
 Argument strain_(const char* name, const char* sentence, Range range = everything) {
-  return number_(name, "", range, sentence).usually(1e-12, 5, "strains are numbers, not per cent");
+  // However small: where strains are rotated, zeros become their rounding errors.
+  return number_(name, "", range, sentence).usually(0, 5, "strains are numbers, not per cent");
 }
 
 Argument curvature_(const char* name, const char* sentence) {

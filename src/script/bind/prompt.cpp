@@ -74,7 +74,7 @@ struct Held {
 std::vector<Held> held_by_globals(lua_State* L) {
   std::vector<Held> all;
   lua_pushglobaltable(L);
-  for (const std::string& name : names_in(L, -1, false)) {
+  for (const std::string& name : names_in(L, -1, false).names) {
     lua_pushstring(L, name.c_str());
     lua_rawget(L, -2);
     if (!lua_isnil(L, -1) && !is_own(L, name)) {

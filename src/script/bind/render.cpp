@@ -40,11 +40,12 @@ std::pair<std::string, double> picture_unit(const std::string& unit) {
 
 Shown shown_of(const std::string& name) {
   if (name == "none") return {};
-  const auto [field, number] = run::find_field(name);
+  const run::FieldPart part = run::find_field(name);
+  const auto [field, number] = std::pair(part.field, part.component);
   const auto [unit, factor] = picture_unit(field->unit);
   std::string title = number < 0 ? "|" + field->letter + "|" : name;
   std::replace(title.begin(), title.end(), '_', ' ');
-  Shown shown{field->name, "", factor, unit.empty() ? title : title + ", " + unit};
+  Shown shown{part.array(), "", factor, unit.empty() ? title : title + ", " + unit};
   if (number >= 0 && field->size() > 1)
     shown.component = field->labels.empty() ? std::string(1, "xyz"[number]) : field->labels[number];
   return shown;
@@ -234,11 +235,13 @@ class Frame {
     format::Array bodies = add_bodies(a, points, cells);
     format::Grid grid{points, cells};
     grid.cell_data.push_back(std::move(bodies));
+    run::FieldPart part{nullptr, -1};
+    if (shown != "none") part = run::find_field(a, shown);
     for (const auto& field : run::result_fields()) {
-      const bool wanted = shown != "none" && run::find_field(shown).field == &field;
+      const bool wanted = part.field == &field;
       if (!wanted && field.name != "displacement") continue;
       const bool of_nodes = field.place == run::Place::node;
-      format::Array array = run::array_of(a, field);
+      format::Array array = run::array_of(a, {&field, -1, wanted ? part.ply : ""});
       array.values.resize(
           (of_nodes ? points.size() : cells.size()) * static_cast<std::size_t>(array.components),
           std::numeric_limits<double>::quiet_NaN());
@@ -313,7 +316,7 @@ std::vector<Argument> arguments() {
       value_("file", text, "to write; ends in .png"),
       many("vtu", text | table, "file of a:vtk, or a list of them: panels of one scale"),
       object_("run", "analysis", "in place of files: the run as it stands").optional(),
-      value_("field", text, "what the colours show").or_else("none").one_of(field_words()),
+      value_("field", text, "what the colours show").or_else("none").one_of(field_words()).owned(),
       value_("title", text, "on top").or_else(""),
       many("labels", text | table, "above the panels"),
       many("bar", text, "title of the colour bar; default: the field with its unit (MPa, mm)"),

@@ -2,6 +2,7 @@
 #include "script/bind/run.hpp"
 
 #include "script/checkpoint.hpp"
+#include "script/warning_log.hpp"
 
 namespace fabricsh::script {
 
@@ -62,17 +63,33 @@ Run::Run(Session& s, std::shared_ptr<run::Run> a)
   };
   // or if it belongs to the part of the run that a restarted deck skips
   job.replaceable = [this](const run::Output& output) {
-    return output.series->in_trouble() || calls.count < passing;
+    return output.series->in_trouble() || passes_over();
   };
 }
 
+namespace {
+
+// The run's part of the checkpoint of a restarted deck; null: there is none, or it cannot be used any more.
+std::shared_ptr<const run::Checkpoint> own_part(const Run& run) {
+  try {
+    return run.session.restart() ? part_of(run.session.restart(), run.number()) : nullptr;
+  } catch (const Error& error) {
+    run.session.notices().say("restart: analysis " + std::to_string(run.number()) +
+                              " is run again: " + error.what());
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 void push_run(lua_State* L, std::shared_ptr<Run> run) {
   const Run* address = run.get();
-  if (const auto& checkpoint = run->session.restart()) {
-    const auto mine = part_of(checkpoint, run->number());
-    if (mine == checkpoint)
+  run->session.log().add(run->analysis->shared_warnings());
+  if (run->session.options().strict) run->analysis->be_strict();
+  if (const auto mine = own_part(*run)) {
+    if (mine == run->session.restart())
       begin_from(*run, mine);
-    else if (mine)
+    else
       begin_finished(*run, mine);
   }
   push_object(L, std::move(run));
@@ -94,6 +111,10 @@ Hook::Hook(const Fields& fields, std::string_view name, Run* run) : run_(run) {
   lua_rawseti(L, -2, slot_);
   lua_pop(L, 2);
 }
+
+Still Hook::still() const { return {run_->session, run_}; }
+
+Free Hook::free() const { return {run_->session, run_}; }
 
 lua_State* Hook::push() const {
   if (run_->session.options().clear_progress) run_->session.options().clear_progress();

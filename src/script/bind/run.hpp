@@ -7,6 +7,7 @@
 #include "run/job.hpp"
 #include "run/run.hpp"
 #include "script/bind/rooms.hpp"
+#include "script/calls.hpp"
 
 namespace fabricsh::script {
 
@@ -15,32 +16,29 @@ struct ClassName<model::Model> {
   static constexpr const char* name = "model";
 };
 
-// A call of step(), or of solve() or advance() with its target time.
-struct Drive {
-  bool single = false;
-  double target = 0;       // s
-  std::uint64_t from = 0;  // number of steps before it
-  void keep(Archive& archive) { archive(single, target, from); }
-};
-struct FailedCall {
-  std::int64_t call = 0;
-  bool numerical = false;
-  std::string message;
-  double time = 0;
-  std::int64_t element = -1;
-  std::string yarn, why;
-  std::string value;  // a value raised by a hook, packed as a table with one entry; empty: there is a message
-  void keep(Archive& archive) { archive(call, numerical, message, time, element, yarn, why, value); }
+struct Run;
+
+// A Lua function (or table) kept by an analysis object instead of the registry, so that a hook can refer to
+// its own analysis and both can still be collected.
+class Hook {
+ public:
+  Hook(const Fields& fields, std::string_view name, Run* run);
+  // Pushes the function and the analysis object; returns the state on which to call it.
+  lua_State* push() const;
+  // For as long as the result exists, the function cannot (Still) or can (Free) change its analysis.
+  Still still() const;
+  Free free() const;
+
+ private:
+  Run* run_;
+  int slot_;
 };
 
-// The results of the deck's calls, as its checkpoints store them.
-struct Calls {
-  std::int64_t count = 0;  // of solve, advance, step and restore, including the present one
-  Drive under_way;
-  std::vector<FailedCall> failed;
-  void keep(Archive& archive) {
-    archive.section("calls", [&] { archive(count, under_way, failed); });
-  }
+// A table of the deck that checkpoints store.
+struct KeptTable {
+  Hook table;
+  std::string restored;    // its content in the checkpoint of a restarted deck; empty: not there
+  std::string at_begin{};  // its content when the present call began
 };
 
 // An analysis as seen from Lua: the run, its outputs, the functions that it calls.
@@ -56,28 +54,15 @@ struct Run {
   Calls before;
   bool same_deck = false;
   std::int64_t passing = 0;
+  bool passes_over() const { return calls.count < passing; }
   std::vector<std::shared_ptr<const run::Run::Snapshot>> passed_snapshots;
+  std::vector<KeptTable> kept_tables;
+  std::string lost;  // why a restarted deck cannot go on with this run; empty: it can
 };
 
 template <>
 struct ClassName<Run> {
   static constexpr const char* name = "analysis";
-};
-
-// A Lua function (or table) kept by an analysis object instead of the registry, so that a hook can refer to
-// its own analysis and both can still be collected.
-class Hook {
- public:
-  Hook(const Fields& fields, std::string_view name, Run* run);
-  // Pushes the function and the analysis object; returns the state on which to call it.
-  lua_State* push() const;
-  // For as long as the result exists, the function cannot (Still) or can (Free) change its analysis.
-  Still still() const { return {run_->session, run_}; }
-  Free free() const { return {run_->session, run_}; }
-
- private:
-  Run* run_;
-  int slot_;
 };
 
 // The argument that says what a run does when it strains cloth beyond the tested range of its card.

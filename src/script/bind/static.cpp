@@ -40,6 +40,7 @@ int make(Call& call) {
   options.max_iterations = call.count("max_iterations");
   options.max_cuts = call.count("max_cuts");
   options.line_search = call.flag("line_search");
+  options.ledger_limit = call.number("ledger_limit");
   read_scheme(call, options);
   Session& session = call.session();
   if (options.method == run::Method::relaxation && call.has("max_iterations"))
@@ -65,9 +66,15 @@ std::vector<Entry> rows() {
         number_("step", "s", positive, "largest step; default duration/20").optional(),
         number_("tolerance", "", Range{0, 1, true, true}, "residual over the largest nodal force")
             .or_else(1e-10),
-        integer_("max_iterations", from_one, "of one step, before it is cut").or_else(50),
+        integer_("max_iterations", from_one, "of one step, before it is cut").or_else(200),
         integer_("max_cuts", not_negative, "halvings of one step, before the run gives up").or_else(12),
-        value_("line_search", boolean, "on the energy along the Newton step").or_else(true),
+        value_("line_search", boolean, "only steps that lower the energy, but for a few on trial")
+            .or_else(true),
+        number_(
+            "ledger_limit", "", positive,
+            "the run stops when cloth stores more than loads and supports can have given it, by this part of "
+            "the external work")
+            .or_else(0.05),
         number_("min_step", "s", positive, "smallest step that cuts go down to").optional(),
         value_("linear", text,
                "direct solver: auto (symmetric where law and loads are), symmetric, unsymmetric")

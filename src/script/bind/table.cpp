@@ -36,34 +36,105 @@ int table_text(lua_State* L) {
   return 1;
 }
 
-int table_of(Call& call) {
-  lua_State* L = call.L();
-  const std::string decimal = call.text("decimal");
-  const format::Table table = format::read_table(
-      call.text("file"),
-      {separator_of(call.text("separator")), decimal == "auto" ? char{0} : decimal[0], call.flag("lenient")});
-  lua_createtable(L, static_cast<int>(table.columns.size()), 3);
-  set_text(L, "file", call.text("file"));
+void push_words(lua_State* L, const std::vector<std::string>& words) {
+  lua_createtable(L, static_cast<int>(words.size()), 0);
+  lua_Integer place = 0;
+  for (const std::string& one : words) {
+    lua_pushlstring(L, one.data(), one.size());
+    lua_rawseti(L, -2, ++place);
+  }
+}
+
+void push_column(lua_State* L, const format::TableColumn& column) {
+  lua_createtable(L, 0, 5);
+  set_text(L, "name", column.name);
+  set_text(L, "unit", column.unit);
+  push_numbers(L, column.values);
+  lua_setfield(L, -2, "values");
+  if (!column.trouble.empty()) set_text(L, "trouble", column.trouble);
+  if (!column.words.empty()) {
+    push_words(L, column.words);
+    lua_setfield(L, -2, "words");
+  }
+}
+
+void push_lines(lua_State* L, const format::Table& table) {
+  lua_createtable(L, static_cast<int>(table.lines.size()), 0);
+  for (std::size_t i = 0; i < table.lines.size(); ++i) {
+    lua_pushinteger(L, static_cast<lua_Integer>(table.lines[i]));
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "lines");
+}
+
+void push_left_out(lua_State* L, const format::Table& table) {
+  lua_createtable(L, static_cast<int>(table.left_out.size()), 0);
+  lua_Integer place = 0;
+  for (const format::LeftOut& one : table.left_out) {
+    lua_createtable(L, 0, 3);
+    set_text(L, "text", one.text);
+    lua_pushinteger(L, static_cast<lua_Integer>(one.line));
+    lua_setfield(L, -2, "line");
+    lua_pushboolean(L, one.numbers);
+    lua_setfield(L, -2, "numbers");
+    lua_rawseti(L, -2, ++place);
+  }
+  lua_setfield(L, -2, "left_out");
+}
+
+void push_table(lua_State* L, const std::string& file, const format::Table& table) {
+  lua_createtable(L, static_cast<int>(table.columns.size()), 6);
+  set_text(L, "file", file);
+  set_text(L, "name", table.name);
+  if (!table.sheet.empty()) set_text(L, "sheet", table.sheet);
   lua_pushboolean(L, table.header);
   lua_setfield(L, -2, "header");
   lua_Integer place = 0;
   for (const format::TableColumn& column : table.columns) {
-    lua_createtable(L, 0, 3);
-    set_text(L, "name", column.name);
-    set_text(L, "unit", column.unit);
-    push_numbers(L, column.values);
-    lua_setfield(L, -2, "values");
-    if (!column.trouble.empty()) set_text(L, "trouble", column.trouble);
+    push_column(L, column);
     lua_rawseti(L, -2, ++place);
   }
-  lua_createtable(L, static_cast<int>(table.preamble.size()), 0);
-  place = 0;
-  for (const std::string& line : table.preamble) {
-    lua_pushlstring(L, line.data(), line.size());
-    lua_rawseti(L, -2, ++place);
-  }
+  push_words(L, table.preamble);
   lua_setfield(L, -2, "preamble");
+  push_lines(L, table);
+  push_left_out(L, table);
   set_text_of(L, "fabricsh.table", table_text);
+}
+
+format::TableForm form_of(Call& call) {
+  const std::string decimal = call.text("decimal"), thousands = call.text("thousands");
+  return {separator_of(call.text("separator")), decimal == "auto" ? char{0} : decimal[0],
+          call.flag("lenient"), thousands == "auto" ? char{0} : thousands[0]};
+}
+
+// Totals below the rows are told, since a reader of the file sees numbers there.
+void tell_left_out(Call& call, const format::Table& table) {
+  for (const format::LeftOut& one : table.left_out)
+    if (one.numbers) {
+      const std::string words = "table: " + table.name + ":" + std::to_string(one.line) + ": '" + one.text +
+                                "' is no row and is left out" +
+                                (table.left_out.size() > 1 ? ", as are the lines below" : "");
+      call.session().notices().once(words, "warning: " + words);
+      return;
+    }
+}
+
+int table_of(Call& call) {
+  lua_State* L = call.L();
+  const std::string file = call.text("file");
+  if (!call.flag("blocks")) {
+    const format::Table table = format::read_table(file, form_of(call));
+    tell_left_out(call, table);
+    push_table(L, file, table);
+    return 1;
+  }
+  const auto tables = format::read_tables(file, form_of(call));
+  lua_createtable(L, static_cast<int>(tables.size()), 0);
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    tell_left_out(call, tables[i]);
+    push_table(L, file, tables[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
   return 1;
 }
 
@@ -90,12 +161,22 @@ std::vector<Entry> rows() {
         value_("decimal", text, "decimal sign; auto: found from the file")
             .one_of({"auto", ".", ","})
             .or_else("auto"),
+        value_("thousands", text,
+               "sign between thousands, wherever it occurs; auto: where it cannot be the decimal sign")
+            .one_of({"auto", ".", ","})
+            .or_else("auto"),
+        value_("blocks", boolean,
+               "a list of the tables in the file, one for each heading or sheet; false: there is one")
+            .or_else(false),
         value_("lenient", boolean, "a bad cell is no error but nan, and the column has trouble, the message")
             .or_else(false)},
        "Reads a CSV or the like, with or without heading, units, comments, byte-order mark. Returns a list "
        "of columns {name, unit, values} with file, header (whether there is one) and preamble (lines above "
        "the "
-       "numbers). A column of text alone (dates, labels) has nan and trouble, the message of its first cell.",
+       "numbers), lines (of the file, of each row) and left_out, the lines of words and totals below the "
+       "rows. A "
+       "column of text alone (dates, labels) has nan, words, and trouble, the message of its first cell. A "
+       "spreadsheet (.xlsx) is read where openpyxl is installed.",
        "local path = os.tmpname()\nlocal f = io.open(path, 'w') f:write 'u (mm);P (N)\\n0;0\\n0,5;1,25\\n' "
        "f:close()\n"
        "local t = require 'fabric'.table{ file=path }\nos.remove(path)\n"

@@ -11,7 +11,9 @@
 #include "script/call/chain.hpp"
 #include "script/call/words.hpp"
 #include "script/called_off.hpp"
+#include "script/replay.hpp"
 #include "system/paths.hpp"
+#include "system/stack.hpp"
 
 namespace fabricsh::script {
 
@@ -136,9 +138,11 @@ int enter(lua_State* L) {
   const std::string call = last_word(entry.name);
   try {
     const ActiveState active(Session::of(L), L);
+    if (system::stack_is_short())
+      throw Error("calls are nested too deeply for the stack of this process (ulimit -s)");
     Call arguments(L, entry);
     refuse_within(L, entry);
-    return entry.run(arguments);
+    return execute(arguments);
   } catch (const Raised& raised) {
     raised.push(L);
   } catch (const NumericalFailure& failure) {
@@ -146,7 +150,7 @@ int enter(lua_State* L) {
   } catch (const Error& error) {
     push_error(L, call, interrupted_by_now(L) ? "interrupted" : error.what());
   } catch (const std::bad_alloc&) {
-    push_error(L, call, "not enough memory");
+    push_error(L, call, no_memory_text(Session::of(L).limits() != nullptr));
   } catch (const std::filesystem::filesystem_error& trouble) {
     push_error(L, call, system_words(trouble));
   } catch (const std::exception& bug) {
@@ -281,8 +285,35 @@ void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
   }
 }
 
+namespace {
+
+Touches touched_by(const Entry& entry) {
+  constexpr const char* own[] = {"solve",    "advance",  "step",   "reach", "restore",    "stop",    "set",
+                                 "every",    "event",    "record", "vtk",   "checkpoint", "restart", "steps",
+                                 "snapshot", "duration", "model",  "mesh",  "stable_step"};
+  const auto takes_run = [](const Argument& row) { return row.of == "analysis"; };
+  if (entry.owner() != "analysis")
+    return std::any_of(entry.arguments.begin(), entry.arguments.end(), takes_run) ? Touches::whole_run
+                                                                                  : Touches::nothing;
+  const std::string word = last_word(entry.name);
+  return std::find(std::begin(own), std::end(own), word) == std::end(own) ? Touches::results
+                                                                          : Touches::nothing;
+}
+
+bool weighs(const std::string& name) {
+  constexpr const char* heavy[] = {"fabric.static", "fabric.dynamic", "fabric.model", "analysis:snapshot"};
+  return name.starts_with("fabric.mesh.") ||
+         std::find(std::begin(heavy), std::end(heavy), name) != std::end(heavy);
+}
+
+}  // namespace
+
 void install(Session& session, std::vector<Entry> entries) {
-  for (Entry& entry : entries) place(session.lua(), session.registry().add(std::move(entry)));
+  for (Entry& entry : entries) {
+    entry.touches = touched_by(entry);
+    entry.weighs = weighs(entry.name);
+    place(session.lua(), session.registry().add(std::move(entry)));
+  }
 }
 
 }  // namespace fabricsh::script

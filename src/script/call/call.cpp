@@ -82,10 +82,9 @@ std::string text_at(lua_State* L, int index) {
 
 bool chosen(lua_State* L, int index, const Argument& row) {
   if (row.choices.empty()) return true;
-  const std::string word = text_at(L, index);
-  for (const std::string& choice : row.choices)
-    if (choice == word) return true;
-  return false;
+  std::string word = text_at(L, index);
+  if (const auto dot = word.rfind('.'); row.with_owner && dot != word.npos && dot > 0) word.erase(0, dot + 1);
+  return std::find(row.choices.begin(), row.choices.end(), word) != row.choices.end();
 }
 
 bool is_object(lua_State* L, int index, const std::string& of) {
@@ -138,9 +137,10 @@ void warn_unusual(lua_State* L, int index, const Argument& row, const std::strin
   if (lua_type(L, index) != LUA_TNUMBER || row.hint.empty()) return;
   const double x = lua_tonumber(L, index);
   if (x == 0 || row.usual.holds(std::abs(x))) return;
-  const std::string what = position(L) + label(path, row.name, positional) + ": " + exact_number(x) + " " +
-                           row.unit + " is far from what cloth is: " + row.hint;
-  Session::of(L).notices().once(what, "warning: " + what);
+  const std::string what = position(L) + label(path, row.name, positional) + ": " + exact_number(x) +
+                           (row.unit.empty() ? "" : " " + row.unit) +
+                           " is far from what cloth is: " + row.hint;
+  Session::of(L).warn("units", what);
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ struct Argument {
   bool required = true;
   std::variant<std::monostate, double, std::string, bool> fallback = {};
   std::vector<std::string> choices = {};  // for a text; empty: any text
+  bool with_owner = false;                // a choice may stand behind the name of what it is of: "ply2.E11"
   std::string of = {};                    // class, for an object
   std::vector<Argument> rows = {};        // of Kind::fields
   Range usual = {};                       // outside it a warning asks about units
@@ -74,6 +75,11 @@ struct Argument {
     copy.choices = std::move(words);
     return copy;
   }
+  Argument owned() const {
+    Argument copy = *this;
+    copy.with_owner = true;
+    return copy;
+  }
 };
 
 // A row reads, for example: number_("width", "m", positive, "size along x").
@@ -103,6 +109,13 @@ enum class Style {
   property,    // object.name
 };
 
+// What a restarted deck has to repeat of a call (script/replay.hpp).
+enum class Touches {
+  nothing,    // no results of a run, or a call that deals with restarts itself
+  results,    // a method or property that returns results of its run
+  whole_run,  // a function that takes a run as an argument
+};
+
 struct Entry {
   std::string name;  // fabric.mesh.rectangle (function), mesh:set (method), mesh.nodes (property)
   Style style = Style::positional;
@@ -110,6 +123,9 @@ struct Entry {
   std::string sentence = {};
   std::string example = {};  // a chunk that runs without anything else
   int (*run)(Call&) = nullptr;
+  // Set by install():
+  Touches touches = Touches::nothing;
+  bool weighs = false;  // makes an object of the core that may take much memory
 
   bool method() const { return name.find(':') != std::string::npos; }
   // The class of a method or property; empty for a function.

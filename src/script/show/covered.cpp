@@ -56,7 +56,7 @@ std::set<std::string> names_as_made(lua_State* L) {
     push_home(L, which);
     const int home = lua_gettop(L);
     if (lua_istable(L, home))
-      for (const std::string& name : names_in(L, home, false))
+      for (const std::string& name : names_in(L, home, false).names)
         if (holds(L, home, name, true)) names.insert(name);
     lua_settop(L, home - 1);
   }

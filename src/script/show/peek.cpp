@@ -12,16 +12,29 @@ namespace {
 using Names = std::set<std::string>;
 
 constexpr int longest_chain = 20;  // of tables linked by __index
+constexpr int most_keys = 1'000'000;
+constexpr std::size_t most_names = 10'000;
 
-void add_keys(lua_State* L, int index, bool functions_only, Names& names) {
-  index = lua_absindex(L, index);
-  lua_pushnil(L);
-  while (lua_next(L, index) != 0) {
-    if (lua_type(L, -2) == LUA_TSTRING && (!functions_only || lua_isfunction(L, -1)))
-      names.insert(lua_tostring(L, -2));
-    lua_pop(L, 1);
+// Collects names that are wanted.
+struct NameCollector {
+  std::string_view begin = {};
+  Names names = {};
+  bool whole = true;
+
+  void add_keys(lua_State* L, int index, bool functions_only) {
+    index = lua_absindex(L, index);
+    lua_pushnil(L);
+    for (int looked = 0; lua_next(L, index) != 0; ++looked) {
+      if (looked == most_keys || names.size() == most_names) {
+        whole = false;
+        return lua_pop(L, 2);
+      }
+      if (lua_type(L, -2) == LUA_TSTRING && (!functions_only || lua_isfunction(L, -1)))
+        if (const std::string name = lua_tostring(L, -2); name.starts_with(begin)) names.insert(name);
+      lua_pop(L, 1);
+    }
   }
-}
+};
 
 // Pushes a table of the class of the object at index: "methods" or "properties".
 bool push_part(lua_State* L, int index, const char* part) {
@@ -109,25 +122,25 @@ void object_field(lua_State* L, int index, const std::string& key) {
   if (!part_field(L, index, "methods", key)) lua_pushnil(L);
 }
 
-void table_names(lua_State* L, int index, bool methods, Names& names) {
+void table_names(lua_State* L, int index, bool methods, NameCollector& names) {
   push_stand_in(L, index);
   if (!lua_istable(L, -1)) return lua_pop(L, 1);
   for (int i = 0; i < longest_chain; ++i) {
-    add_keys(L, -1, methods, names);
+    names.add_keys(L, -1, methods);
     if (!go_up(L)) return;
   }
   lua_pop(L, 1);
 }
 
-void object_names(lua_State* L, int index, bool methods, Names& names) {
+void object_names(lua_State* L, int index, bool methods, NameCollector& names) {
   if (push_part(L, index, methods ? "methods" : "properties")) {
-    add_keys(L, -1, false, names);
+    names.add_keys(L, -1, false);
     lua_pop(L, 1);
   }
   const auto card = methods ? nullptr : to_object<card::Card>(L, index);
   if (card == nullptr) return;
   push_card_table(L, *card);
-  add_keys(L, -1, false, names);
+  names.add_keys(L, -1, false);
   lua_pop(L, 1);
 }
 
@@ -166,15 +179,15 @@ void peek_item(lua_State* L, int index, lua_Integer number) {
     lua_pushnil(L);
 }
 
-std::vector<std::string> names_in(lua_State* L, int index, bool methods) {
+NamesIn names_in(lua_State* L, int index, bool methods, std::string_view begin) {
   index = lua_absindex(L, index);
   luaL_checkstack(L, 10, "peek");
-  Names names;
+  NameCollector names{begin};
   if (class_of(L, index).empty())
     table_names(L, index, methods, names);
   else
     object_names(L, index, methods, names);
-  return {names.begin(), names.end()};
+  return {{names.names.begin(), names.names.end()}, names.whole};
 }
 
 std::vector<std::string> sets_of(lua_State* L, int index) {

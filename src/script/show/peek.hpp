@@ -3,6 +3,7 @@
 #pragma once
 #include <lua.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fabricsh::script {
@@ -31,8 +32,13 @@ std::string class_of(lua_State* L, int index);
 void peek_field(lua_State* L, int index, const std::string& key);
 void peek_item(lua_State* L, int index, lua_Integer number);
 
-// Names that can follow the dot (or the colon) after the value at index, sorted.
-std::vector<std::string> names_in(lua_State* L, int index, bool methods);
+// Names that can follow the dot (or the colon) after the value at index, sorted: those with this beginning. A
+// large table takes no time: at most ten thousand names are returned, of its first million keys.
+struct NamesIn {
+  std::vector<std::string> names;
+  bool whole = true;  // false: there may be others
+};
+NamesIn names_in(lua_State* L, int index, bool methods, std::string_view begin = {});
 
 // Names of the node sets of a mesh, a model or an analysis.
 std::vector<std::string> sets_of(lua_State* L, int index);

@@ -52,18 +52,40 @@ void read_warp(const Fields& given, model::Options& options) {
   options.warp = [direction](const Vec3&) { return direction; };
 }
 
-// Reads one entry of layers={ {card=, warp=, thickness=}, ... }.
-section::Ply read_ply(lua_State* L, const std::vector<Argument>& fields, int number) {
-  const Fields given(L, lua_gettop(L), fields, "layers[" + std::to_string(number) + "].");
+bool is_digits(const std::string& word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
+}
+
+// The name of a ply, which becomes a part of the names of its fields; ply1, ply2, ... are taken by their
+// numbers.
+std::string read_ply_name(const Fields& given, const std::vector<section::Ply>& below) {
+  if (!given.has("name")) return {};
+  const std::string name = given.text("name");
+  if (name.empty() || name.find_first_of(". \t\n") != name.npos ||
+      (name.starts_with("ply") && is_digits(name.substr(3))))
+    given.refuse("name", "expected a name without blanks and full stops, other than ply1, ply2, ..., got '" +
+                             name + "'");
+  for (const auto& other : below)
+    if (other.name == name) given.refuse("name", "expected a name of its own, got '" + name + "' twice");
+  return name;
+}
+
+// Reads one entry of layers={ {card=, warp=, thickness=, name=}, ... }.
+section::Ply read_ply(lua_State* L, const std::vector<Argument>& fields,
+                      const std::vector<section::Ply>& below) {
+  const Fields given(L, lua_gettop(L), fields, "layers[" + std::to_string(below.size() + 1) + "].");
   const auto card = given.object<card::Card>("card");
   return {*card, given.has("thickness") ? given.number("thickness") : card->thickness,
-          given.has("warp") ? given.number("warp") : 0.0};
+          given.has("warp") ? given.number("warp") : 0.0, read_ply_name(given, below)};
 }
 
 std::vector<Argument> layer_fields() {
-  return {object_("card", "card", "the ply's fabric"),
-          number_("warp", "degrees", everything, "from the model's warp direction").optional(),
-          number_("thickness", "m", positive, "wins over the card's").optional()};
+  return {
+      object_("card", "card", "the ply's fabric"),
+      number_("warp", "degrees", everything, "from the model's warp direction").optional(),
+      number_("thickness", "m", positive, "wins over the card's").optional(),
+      value_("name", text, "for its fields: those of the ply face are face.E11, ...; default ply1, ply2, ...")
+          .optional()};
 }
 
 void read_layers(const Fields& given, model::Options& options) {
@@ -74,8 +96,9 @@ void read_layers(const Fields& given, model::Options& options) {
   const auto count = static_cast<int>(lua_rawlen(L, -1));
   for (int i = 1; i <= count; ++i) {
     if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
-      given.refuse("layers", "expected a list of tables {card=, warp=, thickness=}, got " + describe(L, -1));
-    options.plies.push_back(read_ply(L, fields, i));
+      given.refuse("layers",
+                   "expected a list of tables {card=, warp=, thickness=, name=}, got " + describe(L, -1));
+    options.plies.push_back(read_ply(L, fields, options.plies));
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
@@ -90,8 +113,7 @@ void check_card(Session& session, const card::Card& card) {
     const std::string words = "card '" + card.name + "': " + item.key + ": " + item.text;
     if (item.severity == law::Severity::error) throw Error(words);
     const bool is_bending = item.key.starts_with("bending.");
-    if (item.severity == law::Severity::warning && !is_bending)
-      session.notices().once(words, "warning: " + words);
+    if (item.severity == law::Severity::warning && !is_bending) session.warn("card", words);
   }
 }
 
@@ -134,7 +156,8 @@ Argument warp_row(const char* fallback) {
 // For a body, and also for a region.
 std::vector<Argument> made_rows(const char* warp_default) {
   return {object_("card", "card", "the fabric").optional(),
-          value_("layers", table, "{ {card=, warp=, thickness=}, ... }: plies from below, in place of a card")
+          value_("layers", table,
+                 "{ {card=, warp=, thickness=, name=}, ... }: plies from below, in place of a card")
               .optional(),
           number_("thickness", "m", positive, "replaces the card's; mass per area changes with it")
               .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")

@@ -77,7 +77,7 @@ wrong("fabric.import.card", "fabric.import.card{  }",
 wrong("fabric.import.card", "fabric.import.card{ file=7 }",
   "deck.lua:1: card: field 'file': expected a string, got 7")
 wrong("fabric.import.card", "fabric.import.card{ file='x', from='nonsense' }",
-  "deck.lua:1: card: field 'from': expected 'openradioss' or 'abaqus', got 'nonsense'")
+  "deck.lua:1: card: field 'from': expected 'openradioss' or 'ls-dyna' or 'abaqus', got 'nonsense'")
 wrong("fabric.import.card", "fabric.import.card{ file='x', thickness='1' }",
   "deck.lua:1: card: field 'thickness': expected a positive number in m, got '1'")
 wrong("fabric.import.card", "fabric.import.card{ file='x', thickness=-1.0 }",

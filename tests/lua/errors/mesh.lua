@@ -165,6 +165,6 @@ wrong("mesh:orient", "mesh:orient{1, 0}",
 wrong("fabric.mesh.read", "fabric.mesh.read 'none.msh'",
   "deck.lua:1: read: cannot read 'none.msh': No such file or directory")
 wrong("fabric.mesh.read", "fabric.mesh.read 'none.rad'",
-  "deck.lua:1: read: cannot read 'none.rad': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .inp or .k")
+  "deck.lua:1: read: cannot read 'none.rad': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k")
 wrong("mesh:write", "mesh:write 'mesh.step'",
   "deck.lua:1: write: cannot write 'mesh.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad")

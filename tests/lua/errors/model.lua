@@ -9,7 +9,7 @@ wrong("fabric.model", "fabric.model{ mesh=card }",
 wrong("fabric.model", "fabric.model{ mesh=mesh, card='blend' }",
   "deck.lua:1: model: field 'card': expected a card, got 'blend'")
 wrong("fabric.model", "fabric.model{ mesh=mesh, layers=5 }",
-  "deck.lua:1: model: field 'layers': expected a table { {card=, warp=, thickness=}, ... }, got 5")
+  "deck.lua:1: model: field 'layers': expected a table { {card=, warp=, thickness=, name=}, ... }, got 5")
 wrong("fabric.model", "fabric.model{ mesh=mesh, thickness='1' }",
   "deck.lua:1: model: field 'thickness': expected a positive number in m, got '1'")
 wrong("fabric.model", "fabric.model{ mesh=mesh, thickness=-1 }",
@@ -149,7 +149,7 @@ wrong("fabric.model", "fabric.model{ mesh=mesh, layers={} }",
 wrong("fabric.model", "fabric.model{ mesh=mesh, layers={ {card='blend'} } }",
   "deck.lua:1: model: field 'layers[1].card': expected a card, got 'blend'")
 wrong("fabric.model", "fabric.model{ mesh=mesh, layers={ 'blend' } }",
-  "deck.lua:1: model: field 'layers': expected a list of tables {card=, warp=, thickness=}, got 'blend'")
+  "deck.lua:1: model: field 'layers': expected a list of tables {card=, warp=, thickness=, name=}, got 'blend'")
 wrong("fabric.model", "fabric.model{ mesh=mesh, card=card, warp={1, 0} }",
   "deck.lua:1: model: field 'warp': expected {x, y, z}, got 2 numbers")
 wrong("fabric.model", "fabric.model{ mesh=fabric.mesh.cylinder{ radius=0.1, length=0.1, around=8, along=2 }, card=card }",
@@ -194,3 +194,15 @@ wrong("model:remove", "model:remove('x')",
   "deck.lua:1: remove: argument 'row': expected an integer or a table {kind, set, what}, got 'x'")
 wrong("model:remove", "model:remove{ kind=5, set='top' }",
   "deck.lua:1: remove: field 'row.kind': expected a string, got 5")
+
+-- planes of symmetry, and names of layers
+wrong("model:symmetry", "fabric.static{ model=model:symmetry('bottom', 'x'), duration=1 }",
+  "deck.lua:1: static: symmetry: set 'bottom': expected nodes in a plane normal to x, got x from 0 to 0.0254 m")
+wrong("model:symmetry", "fabric.static{ model=fabric.model{ mesh=mesh, card=card, warp=20 }:symmetry('left', 'x'), duration=1 }",
+  "deck.lua:1: static: symmetry: set 'left': the cloth of element 1 is not symmetric about the plane, whose normal lies at 20 degrees to the warp: expected warp and weft along and across the plane; or the whole model")
+wrong("fabric.model", "fabric.model{ mesh=mesh, layers={ { card=card, name='ply2' } } }",
+  "deck.lua:1: model: field 'layers[1].name': expected a name without blanks and full stops, other than ply1, ply2, ..., got 'ply2'")
+wrong("fabric.model", "fabric.model{ mesh=mesh, layers={ { card=card, name='face' }, { card=card, name='face' } } }",
+  "deck.lua:1: model: field 'layers[2].name': expected a name of its own, got 'face' twice")
+wrong("fabric.model", "fabric.model{ mesh=mesh, layers={ { card=card, name=7 } } }",
+  "deck.lua:1: model: field 'layers[1].name': expected a string, got 7")

@@ -255,3 +255,13 @@ wrong("analysis:reach", "run:reach('E11', 1, 7)",
   "deck.lua:1: reach: argument 'set': expected a string, got 7")
 wrong("analysis:reach", "run:reach('E11', 1, 'all', -1)",
   "deck.lua:1: reach: argument 'tolerance': expected a positive number, got -1")
+
+-- fields of plies
+wrong("analysis:field", "run:field 'ply2.E11'",
+  "deck.lua:1: field: field 'ply2.E11': unknown ply 'ply2', did you mean 'ply1'? (known: ply1)")
+wrong("analysis:mean", "run:mean 'face.region'",
+  "deck.lua:1: mean: field 'face.region': 'region' is not of single plies: expected it alone")
+wrong("analysis:record", "run:record('x.csv', { columns={ q='top.E11' } })",
+  "deck.lua:1: record: field 'options.columns.q': field 'top.E11': unknown ply 'top' (known: ply1)")
+wrong("analysis:vtk", "run:vtk('x', { fields={ 'top.E11' } })",
+  "deck.lua:1: vtk: field 'fields': field 'top.E11': unknown ply 'top' (known: ply1)")

@@ -1,0 +1,154 @@
+-- The tables of a file as specimens: a column that names the specimen parts its rows; a heading that occurs again, or another sheet of a spreadsheet,
+-- begins another specimen, unless the time goes on, as frames write that repeat the heading above each block.
+local house = require "fabric.lab.words"
+local fabric = require "fabric"
+local specimens = {}
+
+-- Seconds of a time as minutes and seconds (3:07.5) or hours, minutes and seconds; nil of anything else.
+local function seconds(word)
+  local whole, last = word:match "^(%d+:?%d*):(%d+[.,]?%d*)$"
+  if not whole then return end
+  local hours, minutes = whole:match "^(%d+):(%d+)$"
+  local s = tonumber((last:gsub(",", ".")))
+  if s >= 60 or hours and tonumber(minutes) >= 60 then return end
+  return 3600 * (tonumber(hours) or 0) + 60 * tonumber(minutes or whole) + s
+end
+
+-- A column of times as clocks show them becomes one of seconds.
+function specimens.clock(column)
+  local out = {}
+  for i, word in ipairs(column.words or {}) do
+    out[i] = seconds(word)
+    if not out[i] then return end
+  end
+  if #out == 0 then return end
+  column.values, column.words, column.trouble, column.unit = out, nil, nil, "s"
+end
+
+-- Whether the name of a column is that of the specimens: "Specimen", "Sample no.", "Probe Nr".
+local function names_specimens(name)
+  local found = false
+  for word in house.plain(name):gmatch "[^%s_%-:]+" do
+    word = word:gsub("%.$", "")
+    local known = false
+    for _, own in ipairs(house.specimens) do known = known or word == own end
+    if not known and not house.beside_specimen[word] then return false end
+    found = found or known
+  end
+  return found
+end
+
+local function part(file, rows)
+  local out = {}
+  for key, value in pairs(file) do
+    if type(key) ~= "number" then out[key] = value end
+  end
+  for i, column in ipairs(file) do
+    out[i] = {}
+    for key, value in pairs(column) do out[i][key] = value end
+    out[i].values, out[i].words = {}, column.words and {}
+    for k, row in ipairs(rows) do
+      out[i].values[k] = column.values[row]
+      if column.words then out[i].words[k] = column.words[row] end
+    end
+    -- a bad cell in the rows of another specimen is none of this one's
+    local bad = false
+    for _, value in ipairs(out[i].values) do bad = bad or value ~= value end
+    if not bad then out[i].trouble, out[i].words = nil, nil end
+  end
+  out.lines = {}
+  for k, row in ipairs(rows) do out.lines[k] = file.lines[row] end
+  return out
+end
+
+local function label_of(value) return type(value) == "number" and ("%.14g"):format(value) or value end
+
+-- A specimen for each value of the column that names them; fewer than three rows are none.
+local function by_column(t, file)
+  for _, column in ipairs(file.header and file or {}) do
+    if names_specimens(column.name) then
+      local cells, order, rows = column.words or column.values, {}, {}
+      for row, cell in ipairs(cells) do
+        local key = label_of(cell)
+        if not rows[key] then rows[key], order[#order + 1] = {}, key end
+        table.insert(rows[key], row)
+      end
+      if #order > 1 and #order * 2 <= #cells then
+        local out = {}
+        for _, key in ipairs(order) do
+          if #rows[key] < 3 then
+            fabric.warn(("read: %s:%d: specimen '%s' has %d row%s, which is no record, and is left out"):format(file.name, file.lines[rows[key][1]], key,
+              #rows[key], #rows[key] == 1 and "" or "s"))
+          else
+            out[#out + 1] = part(file, rows[key])
+            out[#out].specimen = key
+          end
+        end
+        return out
+      elseif #order == 1 then
+        file.specimen = order[1]
+      elseif #order > 1 then
+        fabric.warn(("read: %s: column '%s' has %d different values in %d rows and is not taken for the names of specimens"):format(file.name, column.name,
+          #order, #cells))
+      end
+      return { file }
+    end
+  end
+  return { file }
+end
+
+-- The line above a heading that names the specimen: "Specimen 2", "Probe: A3".
+local function named_above(file)
+  for i = #file.preamble, 1, -1 do
+    local line = file.preamble[i]:gsub('["\']', "")
+    local word, rest = house.plain(line):match "^([^%s:;,%d_]+)[%s:;,_#%.]*(.-)[%s;,]*$"
+    for _, own in ipairs(house.specimens) do
+      if word == own and rest ~= "" and #rest < 40 then return line:match "^[^%s:;,%d_]+[%s:;,_#%.]*(.-)[%s;,]*$" end
+    end
+  end
+end
+
+local function append(file, more)
+  for i, column in ipairs(file) do
+    local other = more[i]
+    if column.words or other.words then
+      column.words = column.words or table.move(column.values, 1, #column.values, 1, {})
+      table.move(other.words or other.values, 1, #other.values, #column.words + 1, column.words)
+    end
+    column.trouble = column.trouble or other.trouble
+    table.move(other.values, 1, #other.values, #column.values + 1, column.values)
+  end
+  table.move(more.lines, 1, #more.lines, #file.lines + 1, file.lines)
+  table.move(more.left_out, 1, #more.left_out, #file.left_out + 1, file.left_out)
+end
+
+-- Whether a table continues the one before: the same headings, and a time that goes on.
+local function goes_on(before, file, time_of)
+  if before.sheet ~= file.sheet or #before ~= #file then return false end
+  for i, column in ipairs(file) do
+    if column.name ~= before[i].name or column.unit ~= before[i].unit then return false end
+  end
+  local one, other = time_of(before), time_of(file)
+  return one and other and not one.trouble and not other.trouble and one.values[#one.values] <= other.values[1]
+end
+
+-- The tables of a file, one for each specimen, with `specimen` where something names it. time_of gives the column of the time of a table.
+function specimens.of(t, tables, time_of)
+  local joined = {}
+  for _, file in ipairs(tables) do
+    local before = joined[#joined]
+    if before and goes_on(before, file, time_of) then append(before, file) else joined[#joined + 1] = file end
+  end
+  local out = {}
+  for _, file in ipairs(joined) do
+    for _, one in ipairs(by_column(t, file)) do
+      local above = not one.specimen and named_above(one)
+      one.specimen = one.specimen or above or nil
+      if #joined > 1 and one.sheet and not above then one.specimen = one.specimen and one.sheet .. " " .. one.specimen or one.sheet end
+      out[#out + 1] = one
+    end
+  end
+  return out
+end
+
+return specimens

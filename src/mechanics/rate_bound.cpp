@@ -1,0 +1,118 @@
+// The bound of the frequencies of a whole model. The stiffness of terms beside the cloth is bounded by a
+// diagonal matrix, the sums of its blocks' norms over the roots of the nodes' masses. Each element has its
+// share of that as it has of the masses, so that its bound grows by the largest of its nodes' numbers. Held
+// and tied degrees of freedom only lower the frequencies.
+#include "mechanics/rate_bound.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/terms/contact.hpp"
+
+namespace fabricsh::mechanics {
+
+namespace {
+
+// The largest stretch by a matrix.
+template <class Matrix>
+double norm(const Matrix& k) {
+  Eigen::SelfAdjointEigenSolver<Matrix> of;
+  of.computeDirect(k.transpose() * k, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, of.eigenvalues().maxCoeff()));
+}
+
+class RateSink final : public TangentSink {
+ public:
+  RateSink(const Freedoms& freedoms, const std::vector<double>& mass, const std::vector<double>& rotary)
+      : freedoms_(freedoms), mass_(mass), rotary_(rotary), on_x_(mass.size(), 0), on_d_(mass.size(), 0) {}
+  void on_positions(Index a, Index b, const Mat3& k) override {
+    if (!moves(a, 0, 3) || !moves(b, 0, 3)) return;
+    const double half = norm(k) / std::sqrt(mass_[a] * mass_[b]) / 2;
+    on_x_[a] += half;
+    on_x_[b] += half;
+  }
+  void on_director(Index a, const Eigen::Matrix2d& k) override {
+    if (moves(a, 3, 5)) on_d_[a] += norm(k) / rotary_[a];
+  }
+  void on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) override {
+    if (k.isZero() || !moves(a, 0, 5) || !moves(b, 0, 5)) return;
+    const Eigen::Matrix<double, 5, 5> scaled = scale(a).asDiagonal() * k * scale(b).asDiagonal();
+    const double half = scaled.norm() / 2;  // Frobenius, an upper bound
+    for (const Index n : {a, b}) {
+      on_x_[n] += half;
+      on_d_[n] += half;
+    }
+  }
+  void on_lead(Index, const Vec3&) override {}
+  // Empty if all are zero.
+  std::vector<double> rates() const {
+    std::vector<double> all(mass_.size());
+    std::transform(on_x_.begin(), on_x_.end(), on_d_.begin(), all.begin(),
+                   [](double x, double d) { return std::max(x, d); });
+    const bool any = std::any_of(all.begin(), all.end(), [](double r) { return r > 0; });
+    return any ? all : std::vector<double>();
+  }
+
+ private:
+  bool moves(Index node, int from, int to) const {
+    const auto& equation = freedoms_.nodes[node].equation;
+    return mass_[node] > 0 && std::any_of(equation.begin() + from, equation.begin() + to,
+                                          [](Index e) { return e >= 0 || e == tied; });
+  }
+  Eigen::Matrix<double, 5, 1> scale(Index node) const {
+    const double x = 1 / std::sqrt(mass_[node]), d = 1 / std::sqrt(rotary_[node]);
+    return {x, x, x, d, d};
+  }
+  const Freedoms& freedoms_;
+  const std::vector<double>&mass_, &rotary_;
+  std::vector<double> on_x_, on_d_;
+};
+
+}  // namespace
+
+std::vector<double> added_rates(const Assembly& assembly, bool scaled) {
+  RateSink sink(assembly.freedoms(), assembly.nodal_mass(), assembly.rotary_inertia(scaled));
+  const Term* const contact = assembly.contact();
+  for (const auto& term : assembly.terms())
+    if (term.get() != &assembly.cloth() && term.get() != contact) term->add_tangent(assembly.trial(), sink);
+  return sink.rates();
+}
+
+namespace {
+
+// 1/s^2, of the nodes of an element.
+double added_to(const std::array<Index, 4>& element, std::span<const double> added) {
+  double most = 0;
+  for (const Index n : element)
+    if (n >= 0 && !added.empty()) most = std::max(most, added[static_cast<std::size_t>(n)]);
+  return most;
+}
+
+}  // namespace
+
+double rate_bound(const Assembly& assembly, bool scaled, std::span<const double> added) {
+  const Cloth& cloth = assembly.cloth();
+  const auto& rates = cloth.highest_rates(scaled);
+  const auto& elements = cloth.mesh_elements();
+  double most = 0;
+#pragma omp parallel for schedule(static) reduction(max : most) if (rates.size() >= 4096)
+  for (std::size_t e = 0; e < rates.size(); ++e)
+    most = std::max(most, rates[e] * cloth.growth(static_cast<Index>(e)) + added_to(elements[e], added));
+  return most;
+}
+
+FastestElement fastest_element(const Assembly& assembly, bool scaled, std::span<const double> added, At at) {
+  const Cloth& cloth = assembly.cloth();
+  const auto& rates = cloth.highest_rates(scaled);
+  FastestElement most;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const auto e = static_cast<Index>(i);
+    const double more = added_to(cloth.mesh_elements()[i], added);
+    const double rate = rates[i] * (at == At::trial ? cloth.growth(e) : 1) + more;
+    if (rate > most.rate) most = {rate, more, e};
+  }
+  return most;
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,63 @@
+// What is given of a contact and cannot be: cloth that starts inside a solid, and motions that pass through
+// each other.
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "contact/intersect.hpp"
+#include "mechanics/terms/contact.hpp"
+
+namespace fabricsh::mechanics {
+
+// No edge of a sheet inside a solid need be near its surface, so that no pair tells.
+void Contacts::refuse_inside() const {
+  for (const model::RigidPointer& given : model_.interactions().bodies()) {
+    const model::Facets* facets = given->facets();
+    const auto number = static_cast<std::size_t>(find_body(*given));
+    if (facets == nullptr || !(facets->closed || given->free())) continue;
+    const auto vertices =
+        bodies_.committed().subspan(bodies_.vertices(number).first, facets->vertices.size());
+    for (const auto& it : scene_.interactions()) {
+      if (it.second != bodies_.surface(number)) continue;
+      for (const std::int32_t p : scene_.surfaces()[static_cast<std::size_t>(it.first)].points)
+        if (scene_.sheet(p) == p &&
+            contact::encloses(vertices, facets->triangles, x_[static_cast<std::size_t>(p)]))
+          throw Error("contact: node " + std::to_string(p + 1) + " starts inside the " +
+                      model_.interactions().name_of(*given) +
+                      ", which bounds a solid: expected the cloth outside of it (a hollow body has neither "
+                      "closed=true nor a mass)");
+    }
+  }
+}
+
+void Contacts::find_driven(const Freedoms& freedoms) {
+  driven_.assign(x_.size(), 0);
+  bool moves = bodies_.any_driven(), any = false;
+  for (std::size_t n = 0; n < nodes_; ++n) {
+    const auto& eq = freedoms.nodes[n].equation;
+    driven_[n] = std::all_of(eq.begin(), eq.begin() + 3, [](Index e) { return e < 0 && e != tied; }) ? 1 : 0;
+    any = any || driven_[n] != 0;
+    moves = moves ||
+            (driven_[n] != 0 && std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e < held; }));
+  }
+  for (std::size_t v = 0; nodes_ + v < x_.size(); ++v) driven_[nodes_ + v] = bodies_.free_of(v) < 0 ? 1 : 0;
+  if (!any || !moves) driven_.clear();
+}
+
+// Newton's iterations take driven nodes and driven bodies to their ends one after the other, along ways on
+// which they may miss each other. So the way of the whole step is looked at, once, when both have arrived.
+bool Contacts::driven_meet() {
+  if (driven_.empty() || !(share_ >= 1 || !moves_) || !(aimed_ > configuration_.time())) return false;
+  if (met_) return *met_;
+  positions(configuration_.committed_kinematics(), 0, start_);
+  by_.assign(x_.size(), Vec3::Zero());
+  bool moved = false;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    if (driven_[i] != 0) by_[i] = x_[i] - start_[i];
+    moved = moved || !by_[i].isZero(0);
+  }
+  if (!moved) return false;
+  met_ = contact_->safe_share(start_, by_, driven_) < 1;
+  return *met_;
+}
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,88 @@
+// The guard of the directors. The assumed transverse shear of the elements sees the mean of two directors
+// along the edge between them, and nothing else: directors may splay, to opposite sides at the two ends of an
+// edge, against the bending rigidity alone. The guard has two parts, which are zero in ordinary deformation;
+// their energy is the account "directors". Formulas: share/doc/theory.md, section 3.
+//
+//   Splay. Where directors lean across a fold by an angle, the curvature of the fold seems smaller by its
+//   cosine, and so does its energy B kappa^2 / 2. That is more than splaying costs as soon as B kappa^2 > 4
+//   B' / b^2, with B' the rigidity across the fold and b the width of the element. From half of this on, the
+//   energy that is lost is given back, so that directors gain nothing by leaning.
+//
+//   Lean. A director more than 45 degrees from the normal of the surface at its node is resisted by half of
+//   the modulus of transverse shear. The normal is the mean of its elements' normals by area; in the limit of
+//   a fold that closes, where it vanishes, the guard does so, too.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "mechanics/dofs.hpp"
+#include "mechanics/term.hpp"
+#include "mechanics/terms/cloth.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::mechanics {
+
+class Directors final : public Term {
+ public:
+  Directors(const model::Model& model, Cloth& cloth, const Dofs& dofs);
+
+  const char* name() const override { return "directors"; }
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
+  void couple(const Trial& trial, std::vector<NodePair>& pairs) override;
+  void add_tangent(const Trial& trial, TangentSink& sink) const override;
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
+
+  // The nodes, ascending, whose director is on the wrong side of the sheet while the elements about them are
+  // sound: their normals are on one side.
+  std::vector<Index> turned_over(const Configuration& configuration) const;
+
+ private:
+  // An edge, and the direction across it: sum of weights times positions, from the edge into the element.
+  struct Ridge {
+    std::array<Index, 4> nodes;  // of the element
+    int corners, first, second;  // ends of the edge
+    std::array<double, 4> across;
+    double bend;    // (chord . delta)^2 from which the guard acts, m^2
+    double width;   // length of the direction across in the reference, m
+    double energy;  // J, of the ramp at one
+  };
+  // A node and the sum N of its elements' normals times their areas, m^2, projected into its symmetry plane.
+  struct Lean {
+    Index node;
+    Vec3 normal;
+    Vec3 by_normal, by_director;  // derivatives of the energy
+    double energy;                // J
+  };
+
+  bool sound(Index element, const Vec3& mean, const Configuration& configuration) const;
+  void find_weights(const Dofs& dofs);
+  void find_planes(const Dofs& dofs);
+  std::vector<double> bent_limits() const;
+  Ridge ridge(const Batch& batch, int lane, int edge) const;
+  std::span<const Index> elements_of(Index node) const;
+  Vec3 normal_at(Index node, std::span<const double> x) const;
+  Vec3 plane_projected(Index node, const Vec3& v) const;
+  std::vector<Index> leaning_nodes(const Configuration& configuration) const;
+  bool lean_of(Index node, const Configuration& configuration, Lean& lean) const;
+  template <class Visit>
+  void visit_ridges(const Configuration& configuration, Visit visit) const;
+  template <class Visit>
+  void visit_leans(const Configuration& configuration, Visit visit) const;
+  void add_lean_forces(const Lean& lean, std::span<const double> x, Forces& forces) const;
+  void add_lean_tangent(const Lean& lean, const Configuration& configuration, TangentSink& sink) const;
+
+  Cloth& cloth_;
+  const model::Model& model_;
+  const std::vector<Vec3>& X_;
+  std::vector<double> limits_;                   // per batch, of Ridge::bend, the least
+  std::vector<std::array<double, 3>> rigidity_;  // per section: along warp and weft, and of twist, N m
+  std::vector<double> weight_;  // J per node: half the shear modulus times thickness and area; 0: no guard
+  std::vector<double> area_;    // m^2 per node, |N| in the reference
+  std::unordered_map<Index, Vec3> plane_;  // normal of the plane in which a director must stay
+  std::vector<Index> first_element_, node_elements_;
+};
+
+}  // namespace fabricsh::mechanics

@@ -1,0 +1,45 @@
+#include "run/warnings.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace fabricsh::run {
+
+namespace {
+
+constexpr bool serious = true;
+constexpr WarningKind kinds[] = {
+    {"ledger", "energy appears or is lost beyond what the steps explain", serious},
+    {"inverted", "an element is turned inside out", serious},
+    {"director", "a director has turned over to the other side of the sheet", serious},
+    {"beyond", "the strain is beyond what the card was tested to; serious with limit=\"stop\""},
+    {"pivots", "the path of a static run has passed a limit or bifurcation point"},
+    {"relaxed", "relaxation took a noticeable part of a static run's work, or its first step"},
+    {"stabilise", "stabilisation has taken a noticeable part of the work"},
+    {"jump", "a load or motion is there at once, not ramped"},
+    {"step", "the explicit step is near the stable one, or is split because stretch has shortened that"},
+    {"inertia", "much of the kinetic energy is in rotary inertia that is scaled up for the step"},
+    {"guard", "contact is pressed so far that a barrier keeps the surfaces apart"},
+    {"dropped", "an initial velocity is dropped along supports"},
+    {"idle", "supports take up the whole of a load"},
+    {"bending", "the bending rigidity of the card is far from that of cloth"},
+    {"card", "the check of the card has a warning"},
+    {"units", "a value of the deck is far outside the usual"},
+    {"mesh", "the file of a mesh was cut short or holds what is left out"},
+    {"restart", "the run was continued from the checkpoint of another deck"},
+    {"lost", "an output of the restarted run is gone"},
+    {"deck", "the deck or a virtual test has said it with fabric.warn"},
+};
+
+}  // namespace
+
+std::span<const WarningKind> warning_kinds() { return kinds; }
+
+const WarningKind& warning_kind(std::string_view code) {
+  const auto* found =
+      std::find_if(std::begin(kinds), std::end(kinds), [&](const auto& kind) { return code == kind.code; });
+  assert(found != std::end(kinds));
+  return *found;
+}
+
+}  // namespace fabricsh::run

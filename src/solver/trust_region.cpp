@@ -1,0 +1,392 @@
+#include "solver/trust_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "solver/line_search.hpp"
+
+namespace fabricsh::solver {
+
+using linear::all_finite;
+using linear::dot;
+
+namespace {
+
+constexpr double kWidest = 0.1;      // rad, largest radius of the trust region
+constexpr double kNarrowest = 1e-9;  // rad, below which there is no way down
+constexpr double kFirst = 1e-7;      // factor m with which regularisation begins
+constexpr double kMost = 1e4;        // factor beyond which it has failed
+constexpr double kLeast = 1e-3;      // least ratio of energy taken away to that of the quadratic model
+constexpr double kPoor = 0.25, kGood = 0.75, kExact = 0.9;  // such ratios
+constexpr double kLinear = 1e-5;  // rad: a step this small is judged by the forces at its end alone
+constexpr int kTrials = 4;        // steps in a row that may end above the least energy so far
+constexpr int kRenew = 3;         // rejections after which the plain tangent replaces the extrapolated one
+constexpr int kSaddles = 3;       // unstable equilibria that a solve leaves
+constexpr double kNudge = 1e-2, kLeastNudge = 5e-7;  // rad, of the step away from one
+constexpr double kSame = 0.999;  // ratio of two works from which on neither side is preferred
+constexpr double kGone = 1e3;  // growth of what rounding makes, with the coordinates, of a part that has gone
+
+struct Step {
+  double work = 0;   // delta . r at its beginning, J
+  double turn = 0;   // rad, of the whole of delta
+  double drop = 0;   // J, energy that it takes away
+  double ratio = 0;  // of that to the quadratic model's
+  Answer answer = Answer::cut;
+};
+
+// One solve.
+class Walk {
+ public:
+  Walk(Problem& problem, const NewtonOptions& options, LinearSolver& linear, bool symmetric)
+      : problem_(problem), options_(options), linear_(linear), symmetric_(symmetric) {
+    for (auto* v : {&r_, &delta_, &trial_r_}) v->assign(static_cast<std::size_t>(problem.size()), 0.0);
+  }
+
+  NewtonResult run(Answer begun) {
+    result_.status = begun == Answer::ok ? iterate() : status_of(begun);
+    return result_;
+  }
+  // The supports go to their targets, while the cloth follows as it would follow small motions.
+  Answer follow_supports();
+  Answer begin_at_trial();
+
+ private:
+  NewtonStatus iterate();
+  bool balanced();
+  bool solve(std::span<const double> b, std::span<double> x) {
+    return linear_.solve(A_, b, x) && all_finite(x);
+  }
+  bool factorise(double m);
+  bool factorise_definite();
+  void set_scale();
+  bool is_free();
+  bool find_direction(Step& step);
+  double next_factor(const Step& step);
+  double work_at(double share, Step& step);
+  void evaluate(Step& step);
+  void search(double share, Step& step);
+  bool is_lowest(const Step& step) const;
+  bool accepts(const Step& step) const;
+  void adapt(const Step& step);
+  Answer move_on();
+  Answer renew_tangent();
+  NewtonStatus make_step();
+  bool reject(const Step& step);
+  bool return_to_best();
+  bool stable();
+  enum class Saddle { left, none, stays };
+  bool find_softest();
+  Saddle leave_saddle();
+  double work_to_side(double turn);
+
+  Problem& problem_;
+  const NewtonOptions& options_;
+  LinearSolver& linear_;
+  const bool symmetric_;
+  Matrix K_, A_;
+  linear::Vector r_, delta_, trial_r_, D_;
+  NewtonResult result_;
+  double m_ = 0, next_m_ = kFirst;     // present factor, and the one to try where 0 is too small
+  double long_m_ = 0, long_turn_ = 0;  // of the last direction that was too long
+  double radius_ = kWidest;            // rad
+  double level_ = 0, fallen_ = 0;      // J, energy above the least so far; taken away so far
+  int trials_ = 0;                     // steps since the configuration of least energy
+  bool singular_ = false;
+  bool watches_ = true;  // whether steps may raise the energy on trial
+  int rejections_ = 0, saddles_ = 0;
+  bool definite_ = false;   // whether K near the present configuration is known to be positive definite
+  double first_floor_ = 0;  // N
+};
+
+// The sums of the columns' absolute values: in the units of each unknown, and never zero.
+void Walk::set_scale() {
+  linear::absolute_sums(K_, D_);
+  const double largest = D_.empty() ? 0 : *std::max_element(D_.begin(), D_.end());
+  for (double& d : D_) d = std::max(d, 1e-12 * largest);
+}
+
+// K + m D. False: it is singular, or symmetric and not positive definite.
+bool Walk::factorise(double m) {
+  ++result_.iterations;
+  if (K_.size() == 0) return true;
+  A_ = K_;
+  for (Index c = 0; m > 0 && c < K_.size(); ++c) A_.add(c, c, m * D_[c]);
+  const bool done = linear_.factorise(A_);
+  result_.negative_pivots = linear_.report().negative_pivots;
+  return done && !(symmetric_ && result_.negative_pivots > 0);
+}
+
+// With the least regularisation that makes it positive definite.
+bool Walk::factorise_definite() {
+  for (double m = 0; m < kMost; m = m == 0 ? kFirst : 8 * m)
+    if (factorise(m)) return true;
+  return false;
+}
+
+// The factor after a direction that turns by more than the radius: the softest part turns by c / (k + m),
+// with c and k from the last two such directions.
+double Walk::next_factor(const Step& step) {
+  double next = m_ == 0 ? next_m_ : m_ * step.turn / radius_;
+  if (long_turn_ > step.turn && m_ > long_m_) {
+    const double k = (m_ * step.turn - long_m_ * long_turn_) / (long_turn_ - step.turn);
+    next = long_turn_ * (k + long_m_) / radius_ - k;
+  }
+  long_m_ = m_;
+  long_turn_ = step.turn;
+  return std::max(next, m_ == 0 ? next_m_ : 1.1 * m_);
+}
+
+// Whether the tangent at the start of the step is singular: a part is not held, and would go for ever.
+bool Walk::is_free() {
+  singular_ = m_ == 0 && result_.residuals.size() == 1 && linear_.report().singular;
+  return singular_;
+}
+
+// Sets delta_, regularised as far as is needed. False: no regularisation helps, or too many iterations.
+bool Walk::find_direction(Step& step) {
+  const auto with = [this](std::span<const double> b, std::span<double> x) { return solve(b, x); };
+  long_turn_ = 0;
+  for (double next = m_;;) {
+    m_ = next;
+    if (m_ > kMost || result_.iterations >= options_.max_iterations) return false;
+    next = m_ == 0 ? next_m_ : 8 * m_;
+    const bool definite = factorise(m_);
+    if (is_free()) return false;
+    if (!definite || (K_.size() > 0 && !solve(r_, delta_))) continue;
+    if (!problem_.finish_direction(with, delta_) || !all_finite(delta_)) continue;
+    step.work = dot(delta_, r_);
+    if (!(step.work > 0) && problem_.arrived()) continue;
+    step.turn = problem_.turn_of(delta_);
+    if (step.turn <= 1.5 * radius_) return true;
+    next = next_factor(step);
+  }
+}
+
+// Goes along delta_ by a share; returns the work of the forces there along it.
+double Walk::work_at(double share, Step& step) {
+  problem_.retract(delta_, share);
+  step.answer = checked(problem_.residual(trial_r_), trial_r_);
+  return step.answer == Answer::ok ? dot(delta_, trial_r_) : 0;
+}
+
+// Goes along delta_ as far as is safe. The energy that this takes away is the work of the forces along the
+// step, by Simpson's rule, which is exact for stresses that are linear in the Green-Lagrange strains.
+void Walk::evaluate(Step& step) {
+  const double share = problem_.limit(delta_);
+  if (!(share > 0)) return;
+  if (step.turn * share < kLinear) return search(share, step);
+  const double half = work_at(share / 2, step);
+  if (step.answer != Answer::ok) return;
+  const double end = work_at(share, step);
+  step.drop = share * (step.work + 4 * half + end) / 6;
+  double damped = 0;
+  for (std::size_t i = 0; i < delta_.size(); ++i) damped += m_ * D_[i] * delta_[i] * delta_[i];
+  const double model = share * (step.work - share / 2 * (step.work - damped));
+  step.ratio = model > 0 ? step.drop / model : 0;
+}
+
+// A short step changes the forces linearly but for switches of yarns, which the line search finds.
+void Walk::search(double share, Step& step) {
+  double end = 0;
+  const auto found = line_search(step.work, {true, true, share}, [&](double s) -> Tried {
+    end = work_at(s, step);
+    return {step.answer, end};
+  });
+  step.answer = found.answer;
+  step.drop = found.share * (step.work + end) / 2;
+  step.ratio = step.drop > 0 || step.work == 0 ? 1 : 0;
+}
+
+// Whether the step ends below the least energy so far, by more than rounding.
+bool Walk::is_lowest(const Step& step) const {
+  return trials_ == 0 ? step.ratio > kLeast : step.drop - level_ > kLeast * step.drop;
+}
+
+// While something besides the supports is on its way it does work on the rest, and energies say nothing.
+bool Walk::accepts(const Step& step) const {
+  if (step.answer != Answer::ok) return false;
+  if (!problem_.arrived() || !options_.line_search) return true;
+  if (is_lowest(step)) return true;
+  return watches_ && trials_ < kTrials;
+}
+
+// The radius by how well the quadratic model foretold the energy, and m for a step of that size.
+void Walk::adapt(const Step& step) {
+  const bool lowest = is_lowest(step);
+  trials_ = lowest ? 0 : trials_ + 1;
+  level_ = lowest ? 0 : level_ - step.drop;
+  fallen_ += step.drop;
+  if (step.ratio > kGood) radius_ = std::min(kWidest, 2 * radius_);
+  if (step.ratio < kPoor && !watches_) radius_ = std::min(radius_, step.turn) / 2;
+  definite_ = m_ == 0 && step.turn < 1e-3;
+  if (m_ > 0) next_m_ = m_ / 4;
+  m_ = step.ratio > kExact && step.turn < radius_ / 3 ? 0 : m_ * std::clamp(step.turn / radius_, 0.1, 4.0);
+}
+
+// The trial configuration becomes the iterate, with the tangent for the stresses that the step predicted.
+Answer Walk::move_on() {
+  const Answer answer = problem_.extrapolated_tangent(K_);
+  problem_.accept();
+  set_scale();
+  if (trials_ == 0) problem_.mark();
+  return answer;
+}
+
+// The plain tangent at the iterate, with its residual.
+Answer Walk::renew_tangent() {
+  std::fill(delta_.begin(), delta_.end(), 0.0);
+  problem_.retract(delta_, 0);
+  Answer answer = checked(problem_.residual(r_), r_);
+  if (answer == Answer::ok) answer = problem_.tangent(K_);
+  set_scale();
+  return answer;
+}
+
+// To the configuration of least energy so far, where from now on every step must lower it.
+bool Walk::return_to_best() {
+  problem_.return_to_mark();
+  problem_.accept();
+  watches_ = false;
+  trials_ = 0;
+  level_ = m_ = 0;
+  radius_ /= 4;
+  return renew_tangent() == Answer::ok;
+}
+
+// Prepares another attempt. False: there is none.
+bool Walk::reject(const Step& step) {
+  if (trials_ > 0) return return_to_best();
+  watches_ = false;
+  radius_ = std::min(radius_, step.turn) / 2;
+  m_ = m_ == 0 ? next_m_ : 2 * m_;
+  return ++rejections_ != kRenew || renew_tangent() == Answer::ok;
+}
+
+// converged: a step has been made. r_ is then the residual at the trial configuration.
+NewtonStatus Walk::make_step() {
+  for (rejections_ = 0; radius_ > kNarrowest;) {
+    Step step;
+    if (!find_direction(step))
+      return singular_ || m_ > kMost ? NewtonStatus::singular : NewtonStatus::too_many_iterations;
+    evaluate(step);
+    if (step.answer == Answer::broken) return NewtonStatus::broken;
+    if (accepts(step)) {
+      adapt(step);
+      r_.swap(trial_r_);
+      return NewtonStatus::converged;
+    }
+    if (!reject(step)) return NewtonStatus::law_failed;
+  }
+  return NewtonStatus::law_failed;
+}
+
+Answer Walk::begin_at_trial() {
+  problem_.accept();
+  problem_.mark();
+  return renew_tangent();
+}
+
+Answer Walk::follow_supports() {
+  linear::Vector lead(r_.size());
+  Answer answer = checked(problem_.predict(K_, r_, lead), r_);
+  if (answer != Answer::ok) return answer;
+  set_scale();
+  const bool driven = std::any_of(lead.begin(), lead.end(), [](double f) { return f != 0; });
+  if (driven && !(factorise_definite() && solve(lead, delta_))) return Answer::cut;
+  const double share = driven ? problem_.limit(delta_) : 0;
+  if (driven && !(share > 0)) return Answer::cut;
+  problem_.retract(delta_, share);
+  answer = checked(problem_.residual(r_), r_);
+  if (answer == Answer::ok && driven) return move_on();
+  problem_.accept();
+  problem_.mark();
+  return answer;
+}
+
+// Records the residual; whether it vanishes. A part that has gone makes rounding look like balance.
+bool Walk::balanced() {
+  const auto [size, where] = problem_.largest(r_);
+  const double relative = compared(size, problem_.force_scale()), floor = problem_.rounding_floor(K_);
+  result_.residuals.push_back(relative);
+  result_.worst = where;
+  if (result_.residuals.size() == 1) first_floor_ = floor;
+  const bool rounding = size <= floor && floor <= kGone * first_floor_;
+  return problem_.arrived() && (relative <= options_.tolerance || rounding);
+}
+
+// Whether the tangent at this equilibrium has no negative pivot. Only a symmetric one tells.
+bool Walk::stable() {
+  if (definite_ || !symmetric_ || K_.size() == 0) return true;
+  if (problem_.tangent(K_) != Answer::ok) return true;
+  set_scale();
+  return factorise(0) || result_.negative_pivots == 0;
+}
+
+// J, of the forces at the end of a step along delta_.
+double Walk::work_to_side(double turn) {
+  problem_.retract(delta_, turn);
+  const Answer answer = checked(problem_.residual(trial_r_), trial_r_);
+  return answer == Answer::ok ? turn * dot(delta_, trial_r_) : 0;
+}
+
+// Sets delta_ to the direction in which the energy falls fastest, with a turn of 1 rad, found by inverse
+// iteration. The first vector has numbers without pattern that are always the same.
+bool Walk::find_softest() {
+  if (!factorise_definite()) return false;
+  std::uint32_t number = 1;
+  for (double& d : delta_) d = ((number = 1664525u * number + 1013904223u) >> 8) / 16777216.0 - 0.5;
+  for (int i = 0; i < 20; ++i) {
+    for (std::size_t k = 0; k < delta_.size(); ++k) trial_r_[k] = D_[k] * delta_[k];
+    if (!solve(trial_r_, delta_)) return false;
+    const double turn = problem_.turn_of(delta_);
+    for (double& d : delta_) d /= turn;
+  }
+  return true;
+}
+
+// From an equilibrium whose tangent has negative pivots a small step to the side to which the energy falls.
+// No step is made where it falls to neither: at a switch of yarns the tangent is that of one side only.
+Walk::Saddle Walk::leave_saddle() {
+  if (result_.negative_pivots > options_.most_unstable || ++saddles_ > kSaddles || !find_softest())
+    return Saddle::stays;
+  for (double nudge = kNudge; nudge > kLeastNudge; nudge /= 10) {
+    const double one = work_to_side(nudge), other = work_to_side(-nudge);
+    if (!(std::max(one, other) > 0)) continue;
+    work_to_side(one >= kSame * other ? nudge : -nudge);
+    r_.swap(trial_r_);
+    radius_ = std::min(kWidest, 10 * nudge);
+    return move_on() == Answer::ok ? Saddle::left : Saddle::stays;
+  }
+  return renew_tangent() == Answer::ok ? Saddle::none : Saddle::stays;
+}
+
+NewtonStatus Walk::iterate() {
+  for (;;) {
+    if (balanced()) {
+      const bool higher = level_ > 1e-3 * std::abs(fallen_);
+      if (!higher && stable()) return NewtonStatus::converged;
+      const Saddle saddle = higher ? (return_to_best() ? Saddle::left : Saddle::stays) : leave_saddle();
+      if (saddle != Saddle::left)
+        return saddle == Saddle::none ? NewtonStatus::converged : NewtonStatus::unstable;
+    } else if (!(result_.residuals.back() < 1e12)) {
+      return NewtonStatus::diverged;
+    }
+    if (const NewtonStatus made = make_step(); made != NewtonStatus::converged) return made;
+    if (const Answer answer = move_on(); answer != Answer::ok) return status_of(answer);
+  }
+}
+
+}  // namespace
+
+NewtonResult TrustRegion::solve(Problem& problem, const NewtonOptions& options) {
+  Walk walk(problem, options, *linear_, symmetric_);
+  return walk.run(walk.follow_supports());
+}
+
+NewtonResult TrustRegion::correct(Problem& problem, const NewtonOptions& options) {
+  Walk walk(problem, options, *linear_, symmetric_);
+  return walk.run(walk.begin_at_trial());
+}
+
+}  // namespace fabricsh::solver

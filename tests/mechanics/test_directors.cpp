@@ -1,0 +1,223 @@
+// The guard of the directors: its forces and tangent are derivatives of its energy, it is zero in ordinary
+// deformation, and a director that is turned over is told from an element that is.
+#include <random>
+
+#include "catch.hpp"
+#include "geometry/node_view.hpp"
+#include "mechanics/assembly.hpp"
+#include "test_cards.hpp"
+
+using namespace fabricsh;
+using mechanics::Index;
+
+namespace {
+
+// Bending along the warp is ten times as stiff as across it, so that directors would splay soon.
+card::Card easily_splayed() {
+  auto card = test::svk();
+  card.bending = card::Bending{15e-6, 1.5e-6, 5e-6, {}, {}};
+  return card;
+}
+
+std::shared_ptr<model::Model> make_sheet(bool triangles,
+                                         const std::function<void(model::Model&)>& hold = {}) {
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.04, 0.03, 4, 3));
+  mesh->map([](const Vec3& X) {
+    return Vec3(X.x() + 0.1 * X.y(), X.y() - 2 * X.x() * X.y(), 0.003 * std::sin(120 * X.x() + 50 * X.y()));
+  });
+  if (triangles) {
+    const auto whole = mesh->elements;
+    mesh->elements.clear();
+    for (const auto& [a, b, c, d] : whole) {
+      mesh->elements.push_back({a, b, c, -1});
+      mesh->elements.push_back({a, c, d, -1});
+    }
+  }
+  model::Options options;
+  options.warp = [](const Vec3&) { return model::Direction(12.0); };
+  auto m = std::make_shared<model::Model>(mesh, easily_splayed(), options);
+  if (hold) hold(*m);
+  return m;
+}
+
+// Gathers a tangent by nodes, five rows and columns each.
+struct Gathered final : mechanics::TangentSink {
+  explicit Gathered(std::size_t nodes) : K(Eigen::MatrixXd::Zero(5 * nodes, 5 * nodes)) {}
+  void on_positions(Index a, Index b, const Mat3& k) override { K.block<3, 3>(5 * a, 5 * b) += k; }
+  void on_director(Index a, const Eigen::Matrix2d& k) override { K.block<2, 2>(5 * a + 3, 5 * a + 3) += k; }
+  void on_nodes(Index a, Index b, const Eigen::Matrix<double, 5, 5>& k) override {
+    K.block<5, 5>(5 * a, 5 * b) += k;
+  }
+  void on_lead(Index, const Vec3&) override {}
+  Eigen::MatrixXd K;
+};
+
+// A sheet, and the guard alone of all its terms.
+struct Guarded {
+  explicit Guarded(std::shared_ptr<model::Model> m) : model(std::move(m)), assembly(*model) {
+    for (const auto& term : assembly.terms())
+      if (std::string(term->name()) == "directors") guard = term.get();
+    REQUIRE(guard != nullptr);
+  }
+  mechanics::Trial trial() { return {std::as_const(assembly).state(), assembly.reference()}; }
+  std::size_t nodes() const { return assembly.reference().size(); }
+  double energy() {
+    std::vector<mechanics::Energy> all;
+    guard->add_energies(trial(), all);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].name == "directors");
+    CHECK(all[0].account == mechanics::Account::stored);
+    return all[0].value;
+  }
+  // Forces on positions and rotations, five per node.
+  Eigen::VectorXd forces() {
+    std::vector<double> x(3 * nodes()), d(3 * nodes());
+    mechanics::Forces sums{x, d};
+    REQUIRE(guard->add_forces({}, trial(), sums).ok());
+    const mechanics::Configuration& now = assembly.state();
+    Eigen::VectorXd f(5 * nodes());
+    for (Index n = 0; n < static_cast<Index>(nodes()); ++n) {
+      f.segment<3>(5 * n) = at(x, n);
+      f[5 * n + 3] = at(d, n).dot(at(now.b1(), n));
+      f[5 * n + 4] = at(d, n).dot(at(now.d(), n).cross(at(now.b1(), n)));
+    }
+    return f;
+  }
+  void move(const Eigen::VectorXd& by, double scale) {
+    assembly.rollback();
+    assembly.begin_iterate();
+    std::vector<double> delta(static_cast<std::size_t>(assembly.unknowns()));
+    for (std::size_t n = 0; n < nodes(); ++n)
+      for (int i = 0; i < 5; ++i)
+        if (const auto eq = assembly.freedoms().nodes[n].equation[i]; eq >= 0) delta[eq] = by[5 * n + i];
+    assembly.retract(delta, scale, assembly.targets(0));
+  }
+  // Numbers at random for all unknowns, zero where there are none.
+  Eigen::VectorXd random(double positions, double rotations, int seed) const {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> number(-1, 1);
+    Eigen::VectorXd v(5 * nodes());
+    for (Index i = 0; i < v.size(); ++i) {
+      v[i] = number(engine) * (i % 5 < 3 ? positions : rotations);
+      if (assembly.freedoms().nodes[i / 5].equation[i % 5] < 0) v[i] = 0;
+    }
+    return v;
+  }
+  std::shared_ptr<model::Model> model;
+  mechanics::Assembly assembly;
+  mechanics::Term* guard = nullptr;
+};
+
+// In a plane of symmetry the frame is the global one, so that nodes' blocks need no turn.
+void symmetric_left(model::Model& m) { m.fix("left", model::parse_freedoms("x ry rz")); }
+
+}  // namespace
+
+TEST_CASE("guard of the directors: forces and tangent are the derivatives of its energy") {
+  for (const bool triangles : {false, true})
+    for (const bool symmetric : {false, true}) {
+      Guarded sheet(make_sheet(triangles, symmetric ? symmetric_left : nullptr));
+      sheet.move(sheet.random(1e-3, 1.2, 5), 1);
+      sheet.assembly.commit(0);
+      const Eigen::VectorXd way = sheet.random(0.004, 1, 6);
+      INFO((triangles ? "triangles" : "quadrilaterals") << (symmetric ? ", symmetric" : ""));
+      CHECK(sheet.energy() > 0);
+      const Eigen::VectorXd f = sheet.forces();
+      Gathered tangent(sheet.nodes());
+      sheet.guard->add_tangent(sheet.trial(), tangent);
+      CHECK((tangent.K - tangent.K.transpose()).norm() < 1e-13 * tangent.K.norm());
+      const Eigen::VectorXd K = tangent.K * way;
+      std::vector<double> errors_f, errors_K;
+      for (const double h : {1e-3, 1e-4}) {
+        sheet.move(way, h);
+        const double up = sheet.energy();
+        const Eigen::VectorXd fu = sheet.forces();
+        sheet.move(way, -h);
+        const double down = sheet.energy();
+        const Eigen::VectorXd fd = sheet.forces();
+        errors_f.push_back(std::abs((up - down) / (2 * h) - f.dot(way)) / std::abs(f.dot(way)));
+        Eigen::VectorXd D = (fu - fd) / (2 * h);
+        for (Index i = 0; i < D.size(); ++i)
+          if (sheet.assembly.freedoms().nodes[i / 5].equation[i % 5] < 0) D[i] = K[i];
+        errors_K.push_back((D - K).norm() / K.norm());
+      }
+      CHECK(std::log10(errors_f[0] / errors_f[1]) > 1.9);
+      CHECK(std::log10(errors_K[0] / errors_K[1]) > 1.9);
+      CHECK(errors_f[1] < 1e-6);
+      CHECK(errors_K[1] < 1e-5);
+    }
+}
+
+TEST_CASE("guard of the directors: nothing at all below its limits, whatever else the sheet does") {
+  for (const bool triangles : {false, true}) {
+    Guarded sheet(make_sheet(triangles));
+    // Directors turned by less than 45 degrees together, which all shear sees, in a stretched and turned
+    // sheet.
+    Eigen::VectorXd v = sheet.random(5e-4, 0.02, 3);
+    for (std::size_t n = 0; n < sheet.nodes(); ++n) v[5 * n + 3] += 0.5;
+    sheet.move(v, 1);
+    CHECK(sheet.energy() == 0);
+    CHECK(sheet.forces() == Eigen::VectorXd::Zero(v.size()));
+    std::vector<mechanics::NodePair> pairs;
+    sheet.guard->couple(sheet.trial(), pairs);
+    CHECK(pairs.empty());
+    // Beyond it the guard pushes back.
+    for (std::size_t n = 0; n < sheet.nodes(); ++n) v[5 * n + 3] += 0.6;
+    sheet.move(v, 1);
+    CHECK(sheet.energy() > 0);
+    CHECK(sheet.forces().dot(v) > 0);
+  }
+}
+
+TEST_CASE("guard of the directors: a fold that closes has no guard, and no force as it closes") {
+  // Two elements that share an edge fold onto each other. The directors of the edge stay in the middle.
+  auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.02, 0.01, 2, 1));
+  auto m = std::make_shared<model::Model>(mesh, test::svk(), model::Options{});
+  Guarded sheet(m);
+  const auto fold = [&](double angle) {  // of each half from the plane
+    sheet.assembly.rollback();
+    auto x = sheet.assembly.state().x();
+    auto d = sheet.assembly.state().d();
+    for (Index n = 0; n < 6; ++n) {
+      const double X = mesh->nodes[n].x() - 0.01, side = X < 0 ? -1 : 1;
+      at(x, n) = Vec3(X * std::cos(angle), mesh->nodes[n].y(), -std::abs(X) * std::sin(angle));
+      at(d, n) = X == 0 ? Vec3(0, 0, 1) : Vec3(side * std::sin(angle), 0, std::cos(angle));
+    }
+    sheet.assembly.state().touch();
+    return sheet.energy();
+  };
+  for (const double angle : {0.0, 0.7, 1.2, 1.5, 1.57, 1.5707}) CHECK(fold(angle) == 0);
+  // With a director on the wrong side the energy goes to zero with the cube of the normal that is left.
+  const auto wrong = [&](double left) {
+    fold(std::acos(left));
+    auto d = sheet.assembly.state().d();
+    for (const Index n : {Index{1}, Index{4}}) at(d, n) = Vec3(0, 0, -1);
+    sheet.assembly.state().touch();
+    return sheet.energy();
+  };
+  CHECK(std::log10(wrong(1e-2) / wrong(1e-3)) > 2.99);
+  CHECK(wrong(1e-3) > 0);
+}
+
+TEST_CASE("a director that is turned over is told from an element that is turned inside out") {
+  for (const bool triangles : {false, true}) {
+    Guarded sheet(make_sheet(triangles));
+    CHECK(sheet.assembly.shape().inverted == -1);
+    CHECK(sheet.assembly.shape().turned == -1);
+    auto d = sheet.assembly.state().d();
+    at(d, 7) = -at(d, 7);
+    sheet.assembly.state().touch();
+    CHECK(sheet.assembly.shape().turned == 7);
+    CHECK(sheet.assembly.shape().inverted == -1);
+    // One of four directors turns the interpolated one at a point; one of three not their mean.
+    CHECK((sheet.assembly.inverted_element() >= 0) != triangles);
+    // A node goes past its neighbours: its elements are inside out, and its director has no side.
+    sheet.assembly.rollback();
+    at(sheet.assembly.state().x(), 7).x() -= 0.025;
+    sheet.assembly.state().touch();
+    CHECK(sheet.assembly.shape().turned == -1);
+    REQUIRE(sheet.assembly.shape().inverted >= 0);
+    const auto& nodes = sheet.model->mesh().elements[sheet.assembly.shape().inverted];
+    CHECK(std::find(nodes.begin(), nodes.end(), 7) != nodes.end());
+  }
+}
