@@ -87,3 +87,37 @@ fails("expected two points", part.cut, part, { line = { { 0, 0, 0 } } })
 fails("the model has no tearable zone: expected m:tearable(set) before the run", plain.cut, plain, { set = "seam" })
 fails("tearable: set 'seam' holds no whole element", function() strip "seam" end)
 fails("the model is in use", m.tearable, m, "all")
+
+-- A cut may lie on the path that arc length follows, as long as there is an equilibrium near by.
+local function along(control)
+  local p = strip()
+  p:remove(p:list()[4]) -- the motion of the top
+  local e = fabric.static { model = p:force("top", { y = fabric.ramp(0.5, 0.01) }), duration = 0.01, step = 0.001, control = control }
+  e:advance(0.005):cut { line = { { 0, 40 * mm, 0 }, { 10 * mm, 40 * mm, 0 } } }
+  return e:solve():mean("uy", "top")
+end
+fabric.expect { { "arc length past a cut", along "arc", along "load", relative = 1e-8 } }
+
+-- Damping forces, the scheme of alpha, ties and contact with friction go over a cut, and back, with the same bits.
+local floor = fabric.rigid.plane { point = { 0, 0, -0.3 * mm }, normal = { 0, 0, 1 } }
+local implicit = { scheme = "implicit", step = 1e-4 }
+local cases = {
+  { options = { damping = { mass = 100, stiffness = 1e-5 } } },
+  { options = { scheme = "implicit", step = 1e-4, hht = -0.1 } },
+  { options = implicit, change = function(p) p:remove(p:list()[1]):remove(p:list()[2]):remove(p:list()[2]):tie("rigid", "top"):force("top", { y = fabric.ramp(0.5, 0.01) }) end },
+  { options = {}, change = function(p)
+    p:gravity { 0, 0, -9.81 }:contact { between = { floor, "all" }, friction = 0.3 }:contact { self = "all", friction = 0.2 }
+  end },
+}
+for _, case in ipairs(cases) do
+  local p = strip()
+  if case.change then case.change(p) end
+  case.options.model, case.options.duration = p, 0.015
+  local e = fabric.dynamic(case.options)
+  e:advance(0.01):cut { line = middle }
+  local cut_there = e:snapshot()
+  assert(e:solve().energy.error < 0.01)
+  local once = e:field "uy"
+  e:restore(cut_there):solve()
+  for i, uy in ipairs(e:field "uy") do assert(uy == once[i]) end
+end

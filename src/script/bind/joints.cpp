@@ -23,7 +23,7 @@ std::vector<Vec3> read_line(const Call& call) {
   for (lua_Integer i = 1; i <= count; ++i) {
     const Argument row{std::to_string(i), numbers, "m", everything, ""};
     lua_rawgeti(L, -1, i);
-    check_value(L, -1, row, "line.", true);
+    check_value(L, -1, row, "line.", false);
     line.push_back(read_vector(read_numbers(L, -1), "field 'line." + row.name + "'"));
     lua_pop(L, 1);
   }
