@@ -157,6 +157,15 @@ bool Contact::widen(std::span<const Vec3> x, std::vector<double>& apart) {
   return more;
 }
 
+void Contact::scene_changed() {
+  patches_ = Patches(*scene_);
+  narrowest_at_first_ = narrowest(*scene_, widest_);
+  at_search_.clear();  // the lists are found anew
+  outer_.clear();
+  inner_.clear();
+  apart_changed();
+}
+
 void Contact::apart_changed() {
   narrowest_ = narrowest_at_first_;
   for (const double apart : scene_->apart())

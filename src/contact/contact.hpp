@@ -81,6 +81,7 @@ class Contact {
   // in; infinite, where none is within reach. Returns whether any is more than before.
   bool widen(std::span<const Vec3> x, std::vector<double>& apart);
   void apart_changed();  // Scene::apart has: the pairs of lips have other lengths
+  void scene_changed();  // other nodes at the corners of its triangles, see Scene::with_corners
 
   // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor; with
   // `among` no pair all of whose points are marked there.

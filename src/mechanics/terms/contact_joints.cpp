@@ -83,7 +83,7 @@ void Contacts::renumbered(Forces& forces) {
     at(forces.on_x, static_cast<Index>(led)) += moved;
   }
   led_by_ = joints_.leaders();
-  contact_ = std::make_unique<contact::Contact>(scene_);
+  contact_->scene_changed();
   find_masses();
   set_apart(std::move(apart));
 }
