@@ -31,6 +31,7 @@ struct Energy {  // J
   double directors = 0;           // part of stored: the guard of the directors
   double friction = 0;            // part of dissipated: friction of contact
   double joints = 0;              // part of dissipated: kinetic energy lost as joints closed
+  double fracture = 0;            // part of dissipated: broken yarns
   double rigid = 0;               // part of kinetic: free rigid bodies
   double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
   double internal() const { return stored + dissipated; }

@@ -201,6 +201,7 @@ int energy(Call& call) {
                                                    {"directors", e.directors},
                                                    {"friction", e.friction},
                                                    {"joints", e.joints},
+                                                   {"fracture", e.fracture},
                                                    {"rigid", e.rigid},
                                                    {"created", e.created},
                                                    {"internal", e.internal()},
@@ -493,7 +494,8 @@ std::vector<Entry> reading() {
        "stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the "
        "directors by the normal where the elements' shear does not). Parts of dissipated: "
        "dissipated_warp, _weft, _shear, _bending, friction (of contact), joints (motion lost as joints "
-       "closed, see analysis:join). Parts of kinetic: rigid (free rigid "
+       "closed, see analysis:join), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free "
+       "rigid "
        "bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external "
        "work.",
        run + "a:solve()\nassert(a.energy.error < 1)",
