@@ -200,6 +200,7 @@ int energy(Call& call) {
                                                    {"guard", e.guard},
                                                    {"directors", e.directors},
                                                    {"friction", e.friction},
+                                                   {"joints", e.joints},
                                                    {"rigid", e.rigid},
                                                    {"created", e.created},
                                                    {"internal", e.internal()},
@@ -491,7 +492,8 @@ std::vector<Entry> reading() {
        "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of "
        "stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the "
        "directors by the normal where the elements' shear does not). Parts of dissipated: "
-       "dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid "
+       "dissipated_warp, _weft, _shear, _bending, friction (of contact), joints (motion lost as joints "
+       "closed, see analysis:join). Parts of kinetic: rigid (free rigid "
        "bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external "
        "work.",
        run + "a:solve()\nassert(a.energy.error < 1)",

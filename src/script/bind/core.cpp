@@ -234,6 +234,7 @@ void bind_all(Session& session) {
   bind_render(session);
   bind_gltf(session);
   bind_analysis(session);
+  bind_joints(session);
   bind_static(session);
   bind_dynamic(session);
   bind_outputs(session);

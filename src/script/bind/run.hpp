@@ -79,6 +79,7 @@ void bind_plot(Session& session);
 void bind_render(Session& session);
 void bind_gltf(Session& session);
 void bind_analysis(Session& session);
+void bind_joints(Session& session);
 void bind_static(Session& session);
 void bind_dynamic(Session& session);
 void bind_outputs(Session& session);

@@ -92,9 +92,10 @@ void push_error(lua_State* L, const std::string& call, const std::string& messag
 // Whether a method changes its object. A mesh's `set` with one argument only reads.
 bool changes(const Entry& entry, int given) {
   constexpr const char* names[] = {
-      "mesh:map",         "mesh:orient",      "analysis:solve",    "analysis:advance", "analysis:step",
-      "analysis:every",   "analysis:event",   "analysis:record",   "analysis:vtk",     "analysis:checkpoint",
-      "analysis:restart", "analysis:restore", "analysis:snapshot", "analysis:set"};
+      "mesh:map",          "mesh:orient",         "analysis:solve",   "analysis:advance",
+      "analysis:step",     "analysis:every",      "analysis:event",   "analysis:record",
+      "analysis:vtk",      "analysis:checkpoint", "analysis:restart", "analysis:restore",
+      "analysis:snapshot", "analysis:set",        "analysis:cut",     "analysis:join"};
   if (entry.name == "mesh:set") return given > 2;
   return (entry.name.starts_with("model:") && entry.name != "model:list") ||
          std::any_of(std::begin(names), std::end(names),
@@ -288,9 +289,9 @@ void push_class(lua_State* L, const std::string& name, lua_CFunction gc) {
 namespace {
 
 Touches touched_by(const Entry& entry) {
-  constexpr const char* own[] = {"solve",    "advance",  "step",   "reach", "restore",    "stop",    "set",
-                                 "every",    "event",    "record", "vtk",   "checkpoint", "restart", "steps",
-                                 "snapshot", "duration", "model",  "mesh",  "stable_step"};
+  constexpr const char* own[] = {"solve",    "advance",  "step",   "reach", "restore",     "stop",    "set",
+                                 "every",    "event",    "record", "vtk",   "checkpoint",  "restart", "steps",
+                                 "snapshot", "duration", "model",  "mesh",  "stable_step", "cut",     "join"};
   const auto takes_run = [](const Argument& row) { return row.of == "analysis"; };
   if (entry.owner() != "analysis")
     return std::any_of(entry.arguments.begin(), entry.arguments.end(), takes_run) ? Touches::whole_run
