@@ -20,7 +20,8 @@
 #include "repl/history.hpp"
 #include "repl/interrupt.hpp"
 #include "repl/prompt.hpp"
-#include "script/checkpoint.hpp"
+#include "script/open/open_session.hpp"
+#include "script/runs/checkpoint.hpp"
 
 namespace {
 
@@ -154,7 +155,7 @@ int main(int count, char** words) {
   try {
     if (command.safe) app::go_safe(command, words);
     Speaker speaker;
-    script::Session session(session_options(command, speaker));
+    script::OpenSession session(session_options(command, speaker));
     if (!command.restart.empty()) session.restart_from(script::load_checkpoint(command.restart));
     const int code = [&] {
       const repl::InterruptGuard guard(session);

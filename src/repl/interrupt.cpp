@@ -5,8 +5,8 @@
 #include <csignal>
 #include <ctime>
 
-#include "script/at_work.hpp"
-#include "script/called_off.hpp"
+#include "script/session/at_work.hpp"
+#include "script/session/called_off.hpp"
 
 namespace fabricsh::repl {
 

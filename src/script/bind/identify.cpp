@@ -11,8 +11,8 @@
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
-#include "script/called_off.hpp"
-#include "script/warning_log.hpp"
+#include "script/session/called_off.hpp"
+#include "script/session/warning_log.hpp"
 
 namespace fabricsh::script {
 

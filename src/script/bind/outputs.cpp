@@ -6,9 +6,9 @@
 #include "base/utf8.hpp"
 #include "format/mesh_file.hpp"
 #include "run/vtk_frame.hpp"
-#include "script/at_work.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
+#include "script/session/at_work.hpp"
 #include "system/paths.hpp"
 
 namespace fabricsh::script {

@@ -5,9 +5,9 @@
 #include "base/suggest.hpp"
 #include "run/result_fields.hpp"
 #include "script/bind/rooms.hpp"
+#include "script/call/parts.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
-#include "script/values/card_table.hpp"
 
 namespace fabricsh::script {
 

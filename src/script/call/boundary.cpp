@@ -1,17 +1,18 @@
 // The boundary of C++ and Lua: every binding is called through enter(), which converts C++ exceptions to Lua
 // errors. Lua's own errors are C++ exceptions of a type private to Lua; they pass through and run the
 // destructors on their way.
+#include "script/call/boundary.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "script/bind/run.hpp"
 #include "script/call/call.hpp"
 #include "script/call/chain.hpp"
+#include "script/call/push.hpp"
 #include "script/call/words.hpp"
-#include "script/called_off.hpp"
-#include "script/replay.hpp"
+#include "script/session/called_off.hpp"
 #include "system/paths.hpp"
 #include "system/stack.hpp"
 
@@ -89,35 +90,6 @@ void push_error(lua_State* L, const std::string& call, const std::string& messag
   lua_pushstring(L, (position(L) + (named ? "" : call + ": ") + message).c_str());
 }
 
-// Whether a method changes its object. A mesh's `set` with one argument only reads.
-bool changes(const Entry& entry, int given) {
-  constexpr const char* names[] = {
-      "mesh:map",         "mesh:orient",      "analysis:solve",    "analysis:advance", "analysis:step",
-      "analysis:every",   "analysis:event",   "analysis:record",   "analysis:vtk",     "analysis:checkpoint",
-      "analysis:restart", "analysis:restore", "analysis:snapshot", "analysis:set"};
-  if (entry.name == "mesh:set") return given > 2;
-  return (entry.name.starts_with("model:") && entry.name != "model:list") ||
-         std::any_of(std::begin(names), std::end(names),
-                     [&](const char* name) { return entry.name == name; });
-}
-
-const void* changed_object(lua_State* L) {
-  if (const auto mesh = to_object<mesh::Mesh>(L, 1)) return mesh.get();
-  if (const auto model = to_object<model::Model>(L, 1)) return model.get();
-  return to_object<Run>(L, 1).get();
-}
-
-void refuse_within(lua_State* L, const Entry& entry) {
-  if (!entry.method() || !changes(entry, lua_gettop(L) - 1))
-    return;  // without the table of the gathered arguments
-  if (!Session::of(L).is_still(changed_object(L))) return;
-  throw Error(
-      "this " + entry.owner() +
-      " may not change while it asks a function for a value (a history, a direction, a column, an event's "
-      "value, a function of mesh:set or mesh:map)" +
-      (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
-}
-
 // The system's reason for a file error.
 std::string system_words(const std::filesystem::filesystem_error& trouble) {
   const std::string path = trouble.path1().string();
@@ -141,8 +113,7 @@ int enter(lua_State* L) {
     if (system::stack_is_short())
       throw Error("calls are nested too deeply for the stack of this process (ulimit -s)");
     Call arguments(L, entry);
-    refuse_within(L, entry);
-    return execute(arguments);
+    return Session::of(L).execute(arguments);
   } catch (const Raised& raised) {
     raised.push(L);
   } catch (const NumericalFailure& failure) {

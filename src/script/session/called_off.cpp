@@ -1,4 +1,4 @@
-#include "script/called_off.hpp"
+#include "script/session/called_off.hpp"
 
 namespace fabricsh::script {
 

@@ -1,4 +1,4 @@
-#include "script/checkpoint.hpp"
+#include "script/runs/checkpoint.hpp"
 
 #include "base/error.hpp"
 #include "base/hash.hpp"

@@ -1,14 +1,14 @@
-#include "script/drive.hpp"
+#include "script/runs/drive.hpp"
 
 #include <algorithm>
 #include <csignal>
 
 #include "base/number.hpp"
-#include "script/at_work.hpp"
 #include "script/call/words.hpp"
-#include "script/called_off.hpp"
-#include "script/checkpoint.hpp"
-#include "script/replay.hpp"
+#include "script/runs/checkpoint.hpp"
+#include "script/runs/replay.hpp"
+#include "script/session/at_work.hpp"
+#include "script/session/called_off.hpp"
 #include "script/values/lua_table.hpp"
 
 namespace fabricsh::script {

@@ -1,6 +1,6 @@
 // After Ctrl-C no further run of the same input or deck starts, even if a pcall has caught the first error.
 #pragma once
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::script {
 

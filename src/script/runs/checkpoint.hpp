@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "script/bind/run.hpp"
+#include "script/runs/run.hpp"
 
 namespace fabricsh::script {
 

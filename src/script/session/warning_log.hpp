@@ -1,6 +1,5 @@
 // The warnings of a session, for the results of virtual tests and studies.
 #pragma once
-#include <lua.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,8 +37,5 @@ class WarningLog {
   std::vector<std::shared_ptr<const Warnings>> lists_;
   std::size_t runs_ = 0, last_place_ = 0;
 };
-
-// Pushes { {code=, text=, time=, element=, serious=}, ... }; elements are numbered from 1.
-void push_warnings(lua_State* L, const WarningLog::Warnings& warnings);
 
 }  // namespace fabricsh::script

@@ -1,4 +1,4 @@
-#include "script/collector.hpp"
+#include "script/session/collector.hpp"
 
 #include <algorithm>
 #include <new>

@@ -1,4 +1,4 @@
-#include "script/at_work.hpp"
+#include "script/session/at_work.hpp"
 
 #include <atomic>
 

@@ -1,10 +1,9 @@
-#include "script/replay.hpp"
+#include "script/runs/replay.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/number.hpp"
-#include "script/bind/model.hpp"
 #include "script/call/words.hpp"
 #include "script/values/lua_table.hpp"
 #include "system/gate.hpp"
@@ -154,8 +153,42 @@ int read_between(lua_State* L, Run& run, const std::string& name, const std::str
   return results;
 }
 
+namespace {
+
+// Whether a method changes its object. A mesh's `set` with one argument only reads.
+bool changes(const Entry& entry, int given) {
+  constexpr const char* names[] = {
+      "mesh:map",         "mesh:orient",      "analysis:solve",    "analysis:advance", "analysis:step",
+      "analysis:every",   "analysis:event",   "analysis:record",   "analysis:vtk",     "analysis:checkpoint",
+      "analysis:restart", "analysis:restore", "analysis:snapshot", "analysis:set"};
+  if (entry.name == "mesh:set") return given > 2;
+  return (entry.name.starts_with("model:") && entry.name != "model:list") ||
+         std::any_of(std::begin(names), std::end(names),
+                     [&](const char* name) { return entry.name == name; });
+}
+
+const void* changed_object(lua_State* L) {
+  if (const auto mesh = to_object<mesh::Mesh>(L, 1)) return mesh.get();
+  if (const auto model = to_object<model::Model>(L, 1)) return model.get();
+  return to_object<Run>(L, 1).get();
+}
+
+void refuse_within(lua_State* L, const Entry& entry) {
+  if (!entry.method() || !changes(entry, lua_gettop(L) - 1))
+    return;  // without the table of the gathered arguments
+  if (!Session::of(L).is_still(changed_object(L))) return;
+  throw Error(
+      "this " + entry.owner() +
+      " may not change while it asks a function for a value (a history, a direction, a column, an event's "
+      "value, a function of mesh:set or mesh:map)" +
+      (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
+}
+
+}  // namespace
+
 int execute(Call& call) {
   const Entry& entry = call.entry();
+  refuse_within(call.L(), entry);
   if (entry.weighs) return make(call);
   if (entry.touches == Touches::nothing) return entry.run(call);
   if (entry.touches == Touches::whole_run) {

@@ -1,8 +1,8 @@
-#include "script/warning_log.hpp"
+#include "script/session/warning_log.hpp"
 
 #include <algorithm>
 
-#include "script/bind/rooms.hpp"
+#include "base/archive.hpp"
 
 namespace fabricsh::script {
 
@@ -46,24 +46,6 @@ void WarningLog::adopt(const std::string& packed) {
   archive(warnings, ran);
   lists_.push_back(std::make_shared<const Warnings>(std::move(warnings)));
   runs_ += ran ? 1 : 0;
-}
-
-void push_warnings(lua_State* L, const WarningLog::Warnings& warnings) {
-  lua_createtable(L, static_cast<int>(warnings.size()), 0);
-  lua_Integer place = 0;
-  for (const run::Warning& w : warnings) {
-    lua_createtable(L, 0, 5);
-    set_text(L, "code", w.code);
-    set_text(L, "text", w.text);
-    set_number(L, "time", w.time);
-    if (w.element >= 0) {
-      lua_pushinteger(L, w.element + 1);
-      lua_setfield(L, -2, "element");
-    }
-    lua_pushboolean(L, w.serious ? 1 : 0);
-    lua_setfield(L, -2, "serious");
-    lua_rawseti(L, -2, ++place);
-  }
 }
 
 }  // namespace fabricsh::script

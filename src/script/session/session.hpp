@@ -1,5 +1,5 @@
-// A Lua state with the fabric module, and the data shared by its bindings. There are no globals, so several
-// sessions may exist at the same time.
+// A Lua state and the data shared by its bindings. There are no globals, so several sessions may exist at the
+// same time. The module fabric is opened by OpenSession (script/open/open_session.hpp).
 #pragma once
 #include <atomic>
 #include <functional>
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/notice.hpp"
-#include "script/call/entry.hpp"
-#include "script/collector.hpp"
-#include "script/sandbox/limits.hpp"
+#include "script/session/collector.hpp"
+#include "script/session/entry.hpp"
+#include "script/session/limits.hpp"
 
 namespace fabricsh::run {
 struct Checkpoint;
@@ -69,6 +69,8 @@ class Session {
   Collector& collector() { return collector_; }
   // Null unless --safe.
   Limits* limits() { return limits_.get(); }
+  // From now on the limits of --safe apply to the state.
+  void begin_limits();
   // Whether this process is a copy of the one that created the session.
   bool forked() const;
   // Restores the hook of L when no interrupt is pending: none, or the counting one.
@@ -99,6 +101,11 @@ class Session {
   std::int64_t analyses() const { return analyses_; }
   // Shared by the runs of the session.
   const std::shared_ptr<run::Journal>& journal() const { return journal_; }
+  void set_journal(std::shared_ptr<run::Journal> journal) { journal_ = std::move(journal); }
+  // Makes every call of a binding, whose arguments have been checked.
+  using Execute = int (*)(Call&);
+  void set_execute(Execute execute) { execute_ = execute; }
+  int execute(Call& call) const { return execute_(call); }
   // Whether the object (a mesh, model or run of the core) must not be changed at present. See Still.
   bool is_still(const void* object) const {
     const auto found = still_.find(object);
@@ -109,7 +116,6 @@ class Session {
   friend class ActiveState;
   friend class Still;
   friend class Free;
-  void open_libraries();
   const int process_;
   Options options_;
   Notices notices_;
@@ -126,6 +132,7 @@ class Session {
   std::int64_t analyses_ = 0;
   std::shared_ptr<const run::Checkpoint> restart_;
   std::shared_ptr<run::Journal> journal_;
+  Execute execute_ = nullptr;
   std::map<const void*, int> still_;
 };
 
@@ -178,16 +185,6 @@ class ActiveState {
   lua_State* before_;
 };
 
-// "deck.lua:12: " for the innermost Lua line of the user (not in lua/fabric), or empty.
-std::string position(lua_State* L);
-
-// Registry key of the report on the last numerical failure.
-inline constexpr const char* why_key = "fabricsh.why";
-
-// Pushes the function of a row in the registry.
-void push_function(lua_State* L, const Entry& entry);
-// The row of the function at index; null if it is not in the registry.
-const Entry* entry_of(lua_State* L, int index);
 // Does the work in a protected call of the active state. A Lua error becomes a Raised, which enter() raises
 // again; caught without a protected call it would leave Lua's stack as it was at the error.
 void in_protected_call(Session& session, const std::function<void()>& work);
@@ -203,16 +200,6 @@ class Raised : public std::exception {
  private:
   std::shared_ptr<const int> reference_;
 };
-
-// Stores the function of a row in the table that its name states.
-void place(lua_State* L, const Entry& entry);
-
-// Makes reading an unknown field of the table on top of the stack an error with the nearest known name.
-void watch_module(lua_State* L, const std::string& name);
-
-// Stores every row at the place that its name states: functions in the table `fabric` (registry key
-// "fabric"), methods and properties in their class.
-void install(Session& session, std::vector<Entry> entries);
 
 // A reference to a Lua function, shared by copies. The function is called on the state active then.
 class Function {

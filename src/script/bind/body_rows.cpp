@@ -1,5 +1,5 @@
 // fabric.model{...}: the bodies of a model and their materials.
-#include "script/values/body_rows.hpp"
+#include "script/bind/body_rows.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -5,8 +5,8 @@
 #pragma once
 #include <functional>
 
-#include "script/bind/run.hpp"
 #include "script/call/call.hpp"
+#include "script/runs/run.hpp"
 
 namespace fabricsh::script {
 

@@ -1,11 +1,9 @@
-#include "script/sandbox/limits.hpp"
+#include "script/session/limits.hpp"
 
 #include <sys/mman.h>
 
 #include <cstdlib>
 #include <new>
-
-#include "script/session.hpp"
 
 namespace fabricsh::script {
 
@@ -48,7 +46,9 @@ void* Limits::allocate(void* self, void* block, std::size_t old_size, std::size_
 
 // When the allowance is used up, each instruction raises the error again, so that no pcall goes on.
 void Limits::count(lua_State* L, lua_Debug*) {
-  Limits& limits = *Session::of(L).limits();
+  void* limits_of_allocator = nullptr;
+  lua_getallocf(L, &limits_of_allocator);
+  auto& limits = *static_cast<Limits*>(limits_of_allocator);
   if (!limits.take()) limits.refuse(L);
 }
 

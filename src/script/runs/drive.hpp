@@ -1,6 +1,6 @@
 // Driving a run from Lua: what a call of solve(), advance() or step() does besides the steps.
 #pragma once
-#include "script/bind/run.hpp"
+#include "script/runs/run.hpp"
 
 namespace fabricsh::script {
 

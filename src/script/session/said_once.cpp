@@ -1,4 +1,4 @@
-#include "script/show/said_once.hpp"
+#include "script/session/said_once.hpp"
 
 #include <sys/mman.h>
 #include <unistd.h>

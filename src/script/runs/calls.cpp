@@ -1,4 +1,4 @@
-#include "script/calls.hpp"
+#include "script/runs/calls.hpp"
 
 #include <algorithm>
 
