@@ -29,7 +29,7 @@ const char* const usage =
     "  --limit-seconds S        with --safe: computing time of all threads (86400)\n"
     "  --limit-instructions N   with --safe: instructions of Lua (1e10)\n"
     "  --restart F   runs the deck; the analysis that wrote the checkpoint F begins where it was\n"
-    "  --quiet       no progress on standard error\n"
+    "  --quiet       no progress and no remarks on standard error, only warnings\n"
     "  --version     versions of the program and of what it stands on\n"
     "  --help        this text\n"
     "exit codes: 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended by Ctrl-C, 143 by "

@@ -1,10 +1,12 @@
 // Rows or frames written during a run, at most one per step, each complete when it exists.
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/archive.hpp"
+#include "run/listener.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
@@ -41,6 +43,25 @@ class Series {
   std::vector<std::size_t> steps_;  // the steps of the frames
   bool extra_ = false;              // whether the last frame is an extra one
   bool in_trouble_ = false;
+};
+
+// A table or series of a run. Its frames are written by a hook of the run: at time 0, then each `every`
+// seconds or step, among the deck's hooks in the order of declaration; and where a call ends.
+struct Output final : Listener {
+  Output(std::string kind_, std::string path_, std::string written_)
+      : kind(std::move(kind_)), path(std::move(path_)), written(std::move(written_)) {}
+  std::string kind, path, written;  // "record" or "vtk", as given, the file for run.json
+  std::string file = {};            // its full path
+  std::shared_ptr<Series> series = nullptr;
+  std::size_t hook = 0;
+
+  Turn turn() const override { return Turn::output; }
+  void begin(Job&) override { series->go_on(); }
+  void end(Job& job, const Ending& ending) override;
+  void forget(Job& job) override;
+  void restored(Job&) override { series->remove_forgotten(); }
+  void sync() override { series->sync(); }
+  void save(std::vector<Checkpoint::Part>& parts) override;
 };
 
 }  // namespace fabricsh::run

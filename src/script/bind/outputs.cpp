@@ -314,7 +314,7 @@ std::vector<Entry> rows() {
        vtk},
       {"analysis:write",
        Style::positional,
-       {value_("file", text, std::string("ends in ") + format::mesh_endings),
+       {value_("file", text, "ends in " + format::written_endings()),
         fields_("options", contents_rows(), "what; fields go into a .vtu alone").optional()},
        "Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a "
        "frame of a:vtk into a .vtu, else as mesh:write does.",

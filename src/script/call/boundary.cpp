@@ -169,6 +169,21 @@ int index_module(lua_State* L) {
   return lua_error(L);
 }
 
+// module{...}: its function `of`.
+int call_module(lua_State* L) {
+  lua_pushliteral(L, "of");
+  if (lua_rawget(L, 1) == LUA_TNIL) {
+    const std::string name = lua_tostring(L, lua_upvalueindex(1));
+    lua_pushstring(L, (position(L) + name + ": it is no function; it holds functions, as " + name + "." +
+                       keys_of(L, 1).front())
+                          .c_str());
+    return lua_error(L);
+  }
+  lua_replace(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
 }  // namespace
 
 void watch_module(lua_State* L, const std::string& name) {
@@ -176,6 +191,9 @@ void watch_module(lua_State* L, const std::string& name) {
   lua_pushstring(L, name.c_str());
   lua_pushcclosure(L, index_module, 1);
   lua_setfield(L, -2, "__index");
+  lua_pushstring(L, name.c_str());
+  lua_pushcclosure(L, call_module, 1);
+  lua_setfield(L, -2, "__call");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);

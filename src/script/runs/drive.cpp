@@ -1,12 +1,11 @@
 #include "script/runs/drive.hpp"
 
 #include <algorithm>
-#include <csignal>
 
-#include "base/number.hpp"
 #include "script/call/words.hpp"
 #include "script/runs/checkpoint.hpp"
 #include "script/runs/replay.hpp"
+#include "script/runs/watch.hpp"
 #include "script/session/at_work.hpp"
 #include "script/session/called_off.hpp"
 #include "script/values/lua_table.hpp"
@@ -15,56 +14,16 @@ namespace fabricsh::script {
 
 namespace {
 
-std::string ended_by(const Session& session) {
-  return session.terminated() == SIGHUP ? "ended by SIGHUP" : "ended by SIGTERM";
-}
-
-// Reports progress and reacts to Ctrl-C.
-class Watch {
+// While a call of a run is under way, Ctrl-C is for it.
+class Driving {
  public:
-  explicit Watch(Run& run) : run_(run), from_(run.analysis->time()) { run_.session.count_drive(1); }
-  ~Watch() {
-    run_.session.count_drive(-1);
-    if (run_.session.options().clear_progress) run_.session.options().clear_progress();
-  }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
-
-  void listen() const {
-    if (!run_.session.take_interrupt()) return;
-    run_.session.rest_hook(run_.session.active());
-    call_off(run_.session);
-    throw Interrupted(
-        (run_.session.terminated() != 0 ? ended_by(run_.session) + " at " : "interrupted at ") +
-        fabricsh::number(
-            run_.analysis->steps().empty() ? run_.analysis->time() : run_.analysis->steps().back().time, 7) +
-        " s; the run is kept, solve() continues it");
-  }
-
-  // After a step, but only several times a second.
-  void report() {
-    const auto& options = run_.session.options();
-    const double now = clock_.seconds();
-    if (!options.progress || now < next_) return;
-    next_ = now + 0.1;
-    const run::Run& a = *run_.analysis;
-    Progress p;
-    p.run = run_.number();
-    p.time = a.time();
-    p.duration = a.duration();
-    p.steps = a.steps().size();
-    p.iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
-    p.elapsed = run_.job.seconds();
-    const double done = a.time() - from_, left = run_.calls.made.back().target - a.time();
-    if (done > 0) p.remaining = now * std::max(0.0, left) / done;
-    p.ledger_error = [&a] { return a.energy().error; };
-    options.progress(p);
-  }
+  explicit Driving(Session& session) : session_(session) { session_.count_drive(1); }
+  ~Driving() { session_.count_drive(-1); }
+  Driving(const Driving&) = delete;
+  Driving& operator=(const Driving&) = delete;
 
  private:
-  Run& run_;
-  double from_, next_ = 0;
-  run::Clock clock_;
+  Session& session_;
   RunAtWork at_work_;
 };
 
@@ -89,12 +48,10 @@ class All {
   std::exception_ptr first_;
 };
 
-void leave(Run& run, const std::string& status, bool ended, bool broken) {
-  run.analysis->monitor({});
-  run.analysis->poll({});
+void leave(Run& run, const run::Ending& ending) {
   All all(run.session);
-  run.job.leave(status, ended, broken, [&all](const std::function<void()>& work) { all.run(work); });
-  if (!broken) return all.finish();
+  run.job.leave(ending, [&all](const std::function<void()>& work) { all.run(work); });
+  if (!ending.broken) return all.finish();
   for (const auto& output : run.job.outputs())
     if (output->series->in_trouble())
       run.analysis->warn("lost", "'" + output->file + "' lacks a row or frame: solve() tries it again; a:" +
@@ -215,35 +172,29 @@ void drive(Run& run, const Drive& call) {
   run.job.begin();
   std::erase_if(run.calls.failed, [&](const FailedCall& failed) { return failed.call == run.calls.count; });
   begin_tables(run);
-  run::Run& a = *run.analysis;
-  Watch watch(run);
-  a.monitor([&watch](run::Run&) {
-    watch.report();
-    watch.listen();
-  });
-  a.poll([&watch] { watch.listen(); });
+  const Driving driving(run.session);
   try {
     if (!over) Collector::with_room(run.session.active(), [&run] { work(run); });
   } catch (const Interrupted&) {
-    leave(run, "interrupted", true, true);
+    leave(run, {"interrupted", true, true});
     throw;
   } catch (const std::exception& trouble) {
     note_failure(run, trouble);
     note_tables(run);
-    leave(run, trouble.what(), true, true);
+    leave(run, {trouble.what(), true, true});
     if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) run.job.remember_end();
     throw;
   } catch (...) {  // a Lua error in a hook; its message remains where Lua has it
     note_failure(run, Error("an error in a hook"));
     run.calls.failed.back().value = plain_error(run.session.active());
     note_tables(run);
-    leave(run, "an error in a hook", false, true);
+    leave(run, {"an error in a hook", false, true});
     throw;
   }
   note_tables(run);
-  const bool ended = a.stopped() || a.time() >= a.duration() * (1 - 1e-12);
-  leave(run, a.stopped() ? "stopped: " + a.stop_reason() : ended ? "done" : "under way", ended, false);
-  if (ended) run.job.remember_end();
+  const run::Ending ending = run.job.ending();
+  leave(run, ending);
+  if (ending.ended) run.job.remember_end();
 }
 
 void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot) {

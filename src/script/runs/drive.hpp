@@ -4,12 +4,6 @@
 
 namespace fabricsh::script {
 
-// Ctrl-C or SIGTERM stopped the run at its last committed step.
-class Interrupted : public Error {
- public:
-  using Error::Error;
-};
-
 // Executes the call, measures its time, reports progress and reacts to Ctrl-C. When the run ends or fails,
 // outputs and checkpoints get its last state, and run.json records how far it came. In a restarted deck the
 // calls made before the checkpoint do nothing (one that failed fails again), and the interrupted call

@@ -2,6 +2,7 @@
 #include "script/runs/run.hpp"
 
 #include "script/runs/checkpoint.hpp"
+#include "script/runs/watch.hpp"
 #include "script/session/warning_log.hpp"
 
 namespace fabricsh::script {
@@ -39,6 +40,7 @@ void want_alive(lua_State* L) {
 
 Run::Run(Session& s, std::shared_ptr<run::Run> a)
     : session(s), job(a, s.journal(), s.count_analysis()), analysis(std::move(a)) {
+  job.listen(std::make_shared<Watch>(*this));
   job.caller = [this] {
     Archive archive;
     archive(calls);
