@@ -15,8 +15,9 @@ trap 'rm -r "$work"' EXIT
 gallery() {
   for deck in scripts/gallery/*.lua; do
     case $deck in
-      */table.lua) "$program" --quiet "$deck" "$out/gallery" 56 ;;
-      */drape.lua) "$program" --quiet "$deck" "$out/gallery" 20 ;;
+      */table.lua) "$program" --quiet "$deck" "$out/gallery" 96 ;;
+      */drape.lua|*/sleeve.lua) "$program" --quiet "$deck" "$out/gallery" 32 ;;
+      */balloon.lua) "$program" --quiet "$deck" "$out/gallery" 16 ;;
       *) "$program" --quiet "$deck" "$out/gallery" ;;
     esac
   done

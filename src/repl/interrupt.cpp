@@ -6,7 +6,6 @@
 #include <ctime>
 
 #include "script/session/at_work.hpp"
-#include "script/session/called_off.hpp"
 
 namespace fabricsh::repl {
 
@@ -37,7 +36,7 @@ void stop(lua_State* L, bool late) {
     return;
   }
   session.take_interrupt();
-  script::call_off(session);
+  session.call_off();
   luaL_error(L, "interrupted");
 }
 
@@ -126,7 +125,7 @@ void set_watch(void (*handler)(int)) {
 }  // namespace
 
 Running::Running(script::Session& session) : session_(session) {
-  script::begin_input(session);
+  session.begin_input();
   asked = 0;
   running = 1;
 }

@@ -5,7 +5,6 @@
 
 #include "base/error.hpp"
 #include "base/utf8.hpp"
-#include "run/vtk_series.hpp"
 #include "system/atomic.hpp"
 
 namespace fabricsh::run {
@@ -24,7 +23,7 @@ std::string absolute(const std::string& path) {
 
 Job::Job(std::shared_ptr<Run> run, std::shared_ptr<Journal> journal, std::int64_t number)
     : run_(std::move(run)), journal_(std::move(journal)), number_(number) {
-  listen(std::make_shared<RunJson>());
+  listen(make_run_json());
   run_->when_settled([this](Run&) { tell(&Listener::step, *this); });
   run_->on_restore([this](Run&) {
     tell(&Listener::forget, *this);
@@ -39,8 +38,8 @@ std::string Job::free_path(const std::string& path) const {
 }
 
 // Opens an output: new, or continued if the run starts from a checkpoint that has it.
-template <class Make, class Continue>
-void Job::add(std::shared_ptr<Output> output, double every, const Make& make, const Continue& continued) {
+void Job::add(std::shared_ptr<Output> output, double every,
+              const std::function<std::shared_ptr<Series>(Archive* from)>& make) {
   Output* old = nullptr;
   for (const auto& there : outputs_)
     if (there->kind == output->kind && there->file == absolute(output->written) && replaceable(*there))
@@ -49,14 +48,10 @@ void Job::add(std::shared_ptr<Output> output, double every, const Make& make, co
   const std::string* const kept = claims_.take(output->kind, output->path);
   if (kept == nullptr) system::make_folder_for(output->written);
   auto lock = journal_->locks.take(output->written);
-  if (kept != nullptr) {
-    Archive from(*kept);
-    output->series = continued(from);
-    for (const std::string& file : output->series->lost())
-      run_->warn("lost", "warning: restart: '" + file + "' is gone, the series goes on without it");
-  } else {
-    output->series = make();
-  }
+  Archive from(kept == nullptr ? std::string() : *kept);
+  output->series = make(kept == nullptr ? nullptr : &from);
+  for (const std::string& file : output->series->lost())
+    run_->warn("lost", "warning: restart: '" + file + "' is gone, the series goes on without it");
   if (old != nullptr) {
     old->series = output->series;
     for (const auto& keeper : keepers_) keeper->force();
@@ -82,18 +77,15 @@ void Job::record(const std::string& path, const std::vector<Column>& columns, do
     want_plain(column.name + column.unit, "record: field 'columns'");
     if (!column.value) throw Error("record: column '" + column.name + "': expected a function, got none");
   }
-  add(
-      std::make_shared<Output>("record", path, path), every,
-      [&] { return std::make_shared<TableSeries>(path, columns); },
-      [&](Archive& from) { return std::make_shared<TableSeries>(path, columns, from); });
+  add(std::make_shared<Output>("record", path, path), every,
+      [&](Archive* from) { return make_table(path, columns, from); });
 }
 
 void Job::vtk(const std::string& stem, double every, const VtkContents& contents) {
-  const auto checked = [&]() -> const VtkContents& { return check_fields(*run_, contents, "vtk"), contents; };
-  add(
-      std::make_shared<Output>("vtk", stem, stem + ".pvd"), every,
-      [&] { return std::make_shared<VtkSeries>(stem, checked()); },
-      [&](Archive& from) { return std::make_shared<VtkSeries>(stem, checked(), from); });
+  add(std::make_shared<Output>("vtk", stem, stem + ".pvd"), every, [&](Archive* from) {
+    check_fields(*run_, contents, "vtk");
+    return make_vtk(stem, contents, from);
+  });
 }
 
 std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<double> every,

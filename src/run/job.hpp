@@ -18,10 +18,7 @@
 
 #include "format/json.hpp"
 #include "run/keeper.hpp"
-#include "run/run_json.hpp"
 #include "run/series.hpp"
-#include "run/table_series.hpp"
-#include "run/vtk_frame.hpp"
 #include "system/lock.hpp"
 
 namespace fabricsh::run {
@@ -124,8 +121,8 @@ class Job {
   std::function<std::string()> caller = {};
 
  private:
-  template <class Make, class Continue>
-  void add(std::shared_ptr<Output> output, double every, const Make& make, const Continue& continued);
+  void add(std::shared_ptr<Output> output, double every,
+           const std::function<std::shared_ptr<Series>(Archive* from)>& make);
   std::string free_path(const std::string& path) const;
 
   std::shared_ptr<Run> run_;

@@ -1,6 +1,7 @@
 // The events of a driven run, for all that writes or watches it: tables, series, checkpoints, run.json,
 // progress. A new one is a class in a file of its own and one Job::listen.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,10 @@ class Listener {
   virtual void sync() {}
   virtual void save(std::vector<Checkpoint::Part>&) {}
 };
+
+// The one that writes run.json in the folders of the outputs.
+std::shared_ptr<Listener> make_run_json();
+// "fnv1a64:...", the hash by which run.json identifies files.
+std::string hash_text(const std::string& bytes);
 
 }  // namespace fabricsh::run

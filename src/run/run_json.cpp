@@ -1,5 +1,5 @@
-#include "run/run_json.hpp"
-
+// run.json, beside the outputs of a run: program, options, steps, energy balance, warnings. It is written
+// when a run first begins, and where each call ends.
 #include <omp.h>
 
 #include <cstdio>
@@ -93,13 +93,17 @@ void write(const Job& job, const std::string& status) {
   }
 }
 
+class RunJson final : public Listener {
+  Turn turn() const override { return Turn::report; }
+  void begin(Job& job) override {
+    if (job.seconds() == 0) write(job, "running");
+  }
+  void end(Job& job, const Ending& ending) override { write(job, ending.status); }
+};
+
 }  // namespace
 
-void RunJson::begin(Job& job) {
-  if (job.seconds() == 0) write(job, "running");
-}
-
-void RunJson::end(Job& job, const Ending& ending) { write(job, ending.status); }
+std::shared_ptr<Listener> make_run_json() { return std::make_shared<RunJson>(); }
 
 std::string hash_text(const std::string& bytes) {
   char text[32];

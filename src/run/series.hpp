@@ -1,6 +1,7 @@
 // Rows or frames written during a run, at most one per step, each complete when it exists.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/archive.hpp"
 #include "run/listener.hpp"
 #include "run/run.hpp"
+#include "run/vtk_frame.hpp"
 
 namespace fabricsh::run {
 
@@ -32,8 +34,10 @@ class Series {
   void keep(Archive& archive);
 
  protected:
-  Series() = default;
-  explicit Series(Archive& from) { from(steps_); }
+  // from: the state of the series in the checkpoint of an earlier program; null: it is new.
+  explicit Series(Archive* from) {
+    if (from != nullptr) (*from)(steps_);
+  }
   std::size_t frames() const { return steps_.size(); }
   virtual void write(const run::Run& run) = 0;
   virtual void cut(std::size_t frames) = 0;                           // keeps only the first ones
@@ -44,6 +48,18 @@ class Series {
   bool extra_ = false;              // whether the last frame is an extra one
   bool in_trouble_ = false;
 };
+
+struct Column {
+  std::string name;
+  std::function<double(const Run&)> value;
+  std::string unit = {};  // in the heading, after the name; empty: none
+};
+
+// A table in CSV, a row per frame: the time and the values of the columns. Errors: a folder that cannot be
+// written; two columns of one name; a table to be continued that has been changed.
+std::shared_ptr<Series> make_table(const std::string& path, std::vector<Column> columns, Archive* from);
+// A series for ParaView: a .vtu per frame, and the .pvd that lists them. Errors: as above.
+std::shared_ptr<Series> make_vtk(const std::string& stem, VtkContents contents, Archive* from);
 
 // A table or series of a run. Its frames are written by a hook of the run: at time 0, then each `every`
 // seconds or step, among the deck's hooks in the order of declaration; and where a call ends.

@@ -247,12 +247,7 @@ int card_by_name(Call& call) {
 }
 
 int cards(Call& call) {
-  lua_newtable(call.L());
-  lua_Integer i = 0;
-  for (const std::string& name : shipped()) {
-    lua_pushstring(call.L(), name.c_str());
-    lua_rawseti(call.L(), -2, ++i);
-  }
+  push_texts(call.L(), shipped());
   return 1;
 }
 

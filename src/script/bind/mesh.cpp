@@ -99,13 +99,7 @@ int set(Call& call) {
 }
 
 int sets(Call& call) {
-  lua_State* L = call.L();
-  lua_newtable(L);
-  lua_Integer i = 0;
-  for (const std::string& name : call.self<Mesh>()->set_names()) {
-    lua_pushstring(L, name.c_str());
-    lua_rawseti(L, -2, ++i);
-  }
+  push_texts(call.L(), call.self<Mesh>()->set_names());
   return 1;
 }
 

@@ -12,7 +12,6 @@
 #include "script/call/chain.hpp"
 #include "script/call/push.hpp"
 #include "script/call/words.hpp"
-#include "script/session/called_off.hpp"
 #include "system/paths.hpp"
 #include "system/stack.hpp"
 
@@ -101,7 +100,7 @@ bool interrupted_by_now(lua_State* L) {
   Session& session = Session::of(L);
   if (session.drives() || !session.take_interrupt()) return false;
   session.rest_hook(L);
-  call_off(session);
+  session.call_off();
   return true;
 }
 

@@ -13,6 +13,15 @@ void push_numbers(lua_State* L, const std::vector<double>& values) {
   }
 }
 
+void push_texts(lua_State* L, const std::vector<std::string>& texts) {
+  lua_createtable(L, static_cast<int>(texts.size()), 0);
+  lua_Integer place = 0;
+  for (const std::string& one : texts) {
+    lua_pushlstring(L, one.data(), one.size());
+    lua_rawseti(L, -2, ++place);
+  }
+}
+
 void push_ids(lua_State* L, const std::vector<mesh::Index>& ids) {
   lua_createtable(L, static_cast<int>(ids.size()), 0);
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -12,6 +12,7 @@ class Session;
 
 // Arrays as Lua tables; ids count from 0 in C++ and from 1 in Lua.
 void push_numbers(lua_State* L, const std::vector<double>& values);
+void push_texts(lua_State* L, const std::vector<std::string>& texts);
 void push_ids(lua_State* L, const std::vector<mesh::Index>& ids);
 void set_number(lua_State* L, const char* name, double value);
 void set_text(lua_State* L, const char* name, const std::string& value);

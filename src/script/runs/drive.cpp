@@ -7,7 +7,6 @@
 #include "script/runs/replay.hpp"
 #include "script/runs/watch.hpp"
 #include "script/session/at_work.hpp"
-#include "script/session/called_off.hpp"
 #include "script/values/lua_table.hpp"
 
 namespace fabricsh::script {
@@ -163,7 +162,7 @@ void drive(Run& run, const Drive& call) {
   begin_call(run, call);
   if (passes_over(run)) return;
   if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
-  if (is_called_off(run.session)) throw Interrupted("interrupted before this run continued");
+  if (run.session.is_called_off()) throw Interrupted("interrupted before this run continued");
   const bool over = is_under_way(run) && is_over(run);
   if (is_under_way(run))
     restore_tables(run);

@@ -40,7 +40,7 @@ void want_alive(lua_State* L) {
 
 Run::Run(Session& s, std::shared_ptr<run::Run> a)
     : session(s), job(a, s.journal(), s.count_analysis()), analysis(std::move(a)) {
-  job.listen(std::make_shared<Watch>(*this));
+  job.listen(make_watch(*this));
   job.caller = [this] {
     Archive archive;
     archive(calls);

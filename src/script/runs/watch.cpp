@@ -3,13 +3,30 @@
 #include <csignal>
 
 #include "base/number.hpp"
-#include "script/session/called_off.hpp"
 
 namespace fabricsh::script {
 
 std::string ended_by(const Session& session) {
   return session.terminated() == SIGHUP ? "ended by SIGHUP" : "ended by SIGTERM";
 }
+
+namespace {
+
+class Watch final : public run::Listener {
+ public:
+  explicit Watch(Run& run) : run_(run) {}
+  Turn turn() const override { return Turn::watch; }
+  void begin(run::Job& job) override;
+  void step(run::Job& job) override;
+  void end(run::Job& job, const run::Ending& ending) override;
+
+ private:
+  void stop_if_interrupted() const;
+  void report(const run::Job& job);
+  Run& run_;
+  double from_ = 0, next_ = 0;  // s, simulated and real
+  run::Clock clock_;
+};
 
 void Watch::begin(run::Job& job) {
   from_ = job.run().time();
@@ -32,7 +49,7 @@ void Watch::stop_if_interrupted() const {
   Session& session = run_.session;
   if (!session.take_interrupt()) return;
   session.rest_hook(session.active());
-  call_off(session);
+  session.call_off();
   const run::Run& a = *run_.analysis;
   throw Interrupted((session.terminated() != 0 ? ended_by(session) + " at " : "interrupted at ") +
                     fabricsh::number(a.steps().empty() ? a.time() : a.steps().back().time, 7) +
@@ -57,5 +74,9 @@ void Watch::report(const run::Job& job) {
   p.ledger_error = [&a] { return a.energy().error; };
   options.progress(p);
 }
+
+}  // namespace
+
+std::shared_ptr<run::Listener> make_watch(Run& run) { return std::make_shared<Watch>(run); }
 
 }  // namespace fabricsh::script

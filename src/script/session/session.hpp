@@ -90,8 +90,11 @@ class Session {
   // While a run is driven, Ctrl-C stops the run after its step, and not its hooks.
   bool drives() const { return drives_ > 0; }
   void count_drive(int by) { drives_ += by; }
-  // Whether Ctrl-C has ended something in this session.
-  void set_stopped_by_interrupt() { stopped_by_interrupt_ = true; }
+  // To be called when Ctrl-C has ended something: until the next input no further run starts, even if a pcall
+  // has caught the first error.
+  void call_off() { stopped_by_interrupt_ = called_off_ = true; }
+  void begin_input() { called_off_ = false; }
+  bool is_called_off() const { return called_off_; }
   bool stopped_by_interrupt() const { return stopped_by_interrupt_; }
 
   // Analyses are numbered from 1; one of them may start from a checkpoint.
@@ -127,7 +130,7 @@ class Session {
   lua_State* active_ = nullptr;
   std::atomic<bool> interrupted_{false};
   std::atomic<int> terminated_{0};
-  bool stopped_by_interrupt_ = false;
+  bool stopped_by_interrupt_ = false, called_off_ = false;
   int drives_ = 0;
   std::int64_t analyses_ = 0;
   std::shared_ptr<const run::Checkpoint> restart_;
