@@ -24,6 +24,6 @@ if frames then
 end
 run:solve()
 if fabric.checking() then return end
-draw(out .. "/fall.png", 1600, 1100, false)
+draw(out .. "/fall_end.png", 1600, 1100, true)
 print(("nothing has passed through: %s; the ledger's error is %.0e"):format(run:gap() > 0, run.energy.error))
 fabric.expect { { "nothing has passed through (1: yes)", run:gap() > 0 and 1 or 0, 1, absolute = 0 }, { "the ledger's error", run.energy.error, 0, absolute = 1e-2 } }
