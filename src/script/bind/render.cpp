@@ -295,6 +295,10 @@ std::vector<std::shared_ptr<Run>> runs_of(const Call& call) {
     runs.push_back(to_object<Run>(L, -1));
     if (runs.back() == nullptr)
       call.refuse("run", "expected an analysis at place " + std::to_string(i) + ", got " + describe(L, -1));
+    if (runs.back()->passes_over())
+      call.refuse("run",
+                  "a list of runs is not drawn in a part of the deck that a restart passes over: draw "
+                  "them in a hook, or run the deck without --restart");
   }
   lua_pop(L, 2);
   if (runs.empty()) call.refuse("run", "expected an analysis or a list of them, got an empty list");
