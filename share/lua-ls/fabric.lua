@@ -29,7 +29,7 @@ local card = {}
 ---@class mesh
 ---@field elements integer[][] Node numbers of each element, counter-clockwise.
 ---@field nodes number[][] Reference positions {x, y, z}, m, by node number.
----@field sets string[] Names of the node sets.
+---@field sets string[] Names of the node sets. In the mesh of a model of several bodies also those of each, as body.left.
 local mesh = {}
 
 ---A mesh of a cloth with its supports and loads. Its methods return it.
@@ -250,7 +250,7 @@ function analysis:why() end
 ---@field averaged? boolean fields of elements also on the nodes, under the same names: means of the elements that meet there, by area (default false)
 
 ---Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a frame of a:vtk into a .vtu, else as mesh:write does.
----@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
+---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
 ---@param options? analysis_write_fields.options what; fields go into a .vtu alone
 ---@return any
 function analysis:write(file, options) end
@@ -304,7 +304,7 @@ function fabric.asked_case() end
 function fabric.budget(fields) end
 
 ---@class fabric_card_fields.options
----@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured; thickness: integration through the thickness, without a warning
+---@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured (a card with a rigidity of its own keeps it); thickness: integration through the thickness, without a warning
 
 ---A shipped card by name, or the card that a Lua file returns.
 ---@param name string of a shipped card, or a path (with / or ending in .lua)
@@ -1577,8 +1577,26 @@ function fabric.mesh.disk(fields) end
 ---@return mesh
 function fabric.mesh.hemisphere(fields) end
 
+---@class fabric_mesh_merge_fields
+---@field meshes table { a, b, ... }
+---@field distance? number m: within which nodes of different meshes become one (default 1e-06)
+
+---Several meshes as one: nodes of different meshes that coincide are joined, sets of one name become one, all and boundary are made anew. The edges that meet need the same nodes.
+---@param fields fabric_mesh_merge_fields
+---@return mesh
+function fabric.mesh.merge(fields) end
+
+---@class fabric_mesh_of_fields
+---@field nodes table { {x, y, z}, ... }, m; without z it is 0
+---@field elements table { {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise
+
+---A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. Sets all and boundary.
+---@param fields fabric_mesh_of_fields
+---@return mesh
+function fabric.mesh.of(fields) end
+
 ---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
----@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k; a bare name may be a mesh shipped with the program
+---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
 ---@return mesh
 function fabric.mesh.read(file) end
 
@@ -1636,7 +1654,7 @@ function fabric.model(fields) end
 ---@field columns? integer width of a drawing in letters (default 79)
 ---@field lines? integer height of a drawing in letters (default 24)
 
----Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. fabric.plot(rows, "E", "S", {...}) is short for fabric.plot{ rows=rows, x="E", y="S", ... }. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
+---Draws curves (by gnuplot) into a file, or without one returns them as text: the prompt shows it, a deck prints it by print(fabric.plot{...}). fabric.plot(rows, "E", "S", {...}) is short for fabric.plot{ rows=rows, x="E", y="S", ... }. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
 ---@param fields fabric_plot_fields
 ---@return string|boolean|nil
 function fabric.plot(fields) end
@@ -2078,7 +2096,7 @@ function mesh:orient(direction) end
 function mesh:set(name, nodes) end
 
 ---Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, .inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The old file stays until the new one is whole.
----@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
+---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
 ---@return mesh
 function mesh:write(file) end
 

@@ -55,7 +55,6 @@ class Run {
   void event(std::function<double(Run&)> value, double tolerance, Hook hook);
   // Called after each step when everything else is done, so that the state can be saved. May throw.
   void when_settled(Hook hook) { settled_.push_back(std::move(hook)); }
-  void monitor(Hook hook) { monitor_ = std::move(hook); }  // called after the former
   // Called while a step is solved. If it throws, the step ends and the run stays at the committed state.
   void poll(std::function<void()> look) { poll_ = std::move(look); }
   void on_restore(Hook hook) { restored_.push_back(std::move(hook)); }
@@ -298,7 +297,6 @@ class Run {
   std::vector<TimedState> kept_timed_;  // as last restored, for hooks that are added later
   std::vector<EventState> kept_events_;
   std::vector<Hook> settled_;
-  Hook monitor_;
   std::vector<Hook> restored_;
   std::vector<double> kinks_;
   bool started_ = false, stopped_ = false, busy_ = false, stepping_ = false;
