@@ -252,21 +252,6 @@ local function left_out_text(held)
     and ("%.0f %% of %d points in the band of the others"):format(100 * held.inside, held.points) or "no band: " .. held.predicted.reason)
 end
 
--- What the records tell of another specimen, in words.
-local function effects_text(state, learned)
-  local words
-  if learned.freedom < 1 then
-    words = "bands: none, " .. learned.reason
-  else
-    words = ("bands: a new specimen differs by %.3g %% (deviation, %d degrees of freedom)"):format(100 * learned.deviation, learned.freedom)
-    for _, name in ipairs(groups) do
-      if learned.shares[name] then words = words .. (", %.0f %% of the variance by %s"):format(100 * learned.shares[name], name) end
-      if learned.constant[name] ~= nil then words = words .. (", all of one %s"):format(name) end
-    end
-  end
-  return words .. (state.given and ("; %g %% between specimens, given"):format(100 * state.scatter) or "")
-end
-
 local function text_of(out)
   local lines = {}
   if out.edge_deviation then
@@ -352,7 +337,7 @@ local function bias_sizes(t)
   end
   if not out.edges then answer = plain end
   out.left_out, out.left_out_by, out.curve = {}, {}, curve_out(state, answer, t.thickness)
-  out.effects, out.effects_text = answer.effects, effects_text(state, answer.effects)
+  out.effects, out.effects_text = answer.effects, effects.text(answer.effects) .. (state.given and ("; %g %% between specimens, given"):format(100 * state.scatter) or "")
   for _, name in ipairs(state.groups) do
     local list = {}
     for i in ipairs(state.sizes) do list[i] = left_out(state, i, name, most, out.edges) or nil end

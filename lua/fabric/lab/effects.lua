@@ -241,8 +241,9 @@ end
 
 -- A test that was not made: what is to be added to the model's values, and half the width of its band; nil with a reason where the tests cannot tell.
 local function predicted(state, new)
-  for name, label in pairs(state.constant) do
-    if new.labels[name] ~= nil and new.labels[name] ~= label then
+  for _, name in ipairs(state.asked) do
+    local label = state.constant[name]
+    if label ~= nil and new.labels[name] ~= nil and new.labels[name] ~= label then
       return nil, ("all tests have one %s, %s: how much another one differs is not in them"):format(name, tostring(label))
     end
   end
@@ -289,7 +290,7 @@ end
 -- model's curve over x was free), labels = { group = label } }. Returns freedom, reason (why nothing is known, where it is 0), deviation (of a new
 -- specimen, relative to the scale), shares (by group and `specimen`), predict(self, { x, scale, columns, free, labels }).
 function effects.learn(tests, groups, level)
-  local state = { tests = tests, groups = {}, constant = {}, labels = {}, count = {}, level = level, low = math.huge, high = -math.huge, seen = {}, rest = 0, predict = predicted }
+  local state = { tests = tests, asked = groups, groups = {}, constant = {}, labels = {}, count = {}, level = level, low = math.huge, high = -math.huge, seen = {}, rest = 0, predict = predicted }
   for _, test in ipairs(tests) do
     for _, x in ipairs(test.x) do state.low, state.high = math.min(state.low, x), math.max(state.high, x) end
   end
@@ -320,6 +321,17 @@ function effects.learn(tests, groups, level)
   end
   state.deviation = math.exp(state.deviation / 2)
   return state
+end
+
+-- What was learned, in words.
+function effects.text(learned)
+  if learned.freedom < 1 then return "bands: none, " .. learned.reason end
+  local words = ("bands: a new specimen differs by %.3g %% (deviation, %d degrees of freedom)"):format(100 * learned.deviation, learned.freedom)
+  for _, name in ipairs(learned.groups) do words = words .. (", %.0f %% of the variance by %s"):format(100 * learned.shares[name], name) end
+  for _, name in ipairs(learned.asked) do
+    if learned.constant[name] ~= nil then words = words .. (", all of one %s"):format(name) end
+  end
+  return words
 end
 
 return effects
