@@ -225,14 +225,52 @@ local function tells_edges(sizes)
   return high > 1.05 * low
 end
 
+-- The common curve at its knots, and its deviation as that of a specimen of another size: learned, or by the scatter that was given; nil where neither is known.
 local function curve_out(state, answer, thickness)
-  local out = { angle = {}, normal_force = {}, deviation = {}, E12 = {}, S12 = {} }
+  local out = { angle = {}, normal_force = {}, E12 = {}, S12 = {} }
+  local x, unmoved = {}, {} -- the edge does not change the curve itself
+  for k, N in ipairs(answer.found.N) do
+    x[k], unmoved[k] = (k - 1) * state.spacing, 0.0
+    out.angle[k], out.normal_force[k] = math.deg(x[k]), N
+    out.E12[k], out.S12[k] = math.sin(x[k]) / 2, N / thickness
+  end
+  local learned = answer.effects:predict { x = x, scale = answer.found.N, free = true, columns = answer.found.edge ~= 0 and { unmoved } or nil, labels = {} }
+  out.deviation, out.learned = learned and learned.deviation, learned
+  if not state.given then return out end
+  out.deviation = out.deviation or {}
   for k, N in ipairs(answer.found.N) do
     local variance = 0
     for _, moved in ipairs(answer.moved) do variance = variance + (moved.N[k] - N) ^ 2 end
-    local gamma = (k - 1) * state.spacing
-    out.angle[k], out.normal_force[k], out.deviation[k] = math.deg(gamma), N, math.sqrt(variance)
-    out.E12[k], out.S12[k] = math.sin(gamma) / 2, N / thickness
+    out.deviation[k] = math.max(out.deviation[k] or 0, math.sqrt(variance + (state.scatter * N) ^ 2))
+  end
+  return out
+end
+
+-- Half widths and covariance of the stresses of a card's points, of those of the curve at its knots.
+local function band_of(curve, points, thickness)
+  if not curve.deviation then return end
+  local out, places = { value = {}, low = {}, high = {}, covariance = {} }, {}
+  local function nearest(E)
+    local best = 1
+    for k, at in ipairs(curve.E12) do
+      if math.abs(at - E) < math.abs(curve.E12[best] - E) then best = k end
+    end
+    return best
+  end
+  for _, point in ipairs(points) do
+    if point[1] > 0 then
+      local n = #places + 1
+      places[n] = nearest(point[1])
+      local half = 1.96 * curve.deviation[places[n]] / thickness
+      out.value[n], out.low[n], out.high[n] = point[2], point[2] - half, point[2] + half
+    end
+  end
+  for i, a in ipairs(places) do
+    for j, b in ipairs(places) do
+      local own = curve.deviation[a] * curve.deviation[b]
+      if curve.learned then own = effects.covariance(curve.learned, a, b) * own / (curve.learned.deviation[a] * curve.learned.deviation[b]) end
+      out.covariance[(i - 1) * #places + j] = own / thickness ^ 2
+    end
   end
   return out
 end
@@ -241,7 +279,7 @@ end
 local function card_part(t, state, out)
   local points = fabric.lab.monotone { curves = { { E = table.move(out.curve.E12, 2, #out.curve.E12, 1, {}), S = table.move(out.curve.S12, 2, #out.curve.S12, 1, {}) } },
     bins = math.max(2, state.knots) }
-  local part = { loading = points, tested = points[#points][1] }
+  local part = { loading = points, tested = points[#points][1], band = band_of(out.curve, points, t.thickness), level = 0.95 }
   origin.remember(part, { loading = ("fitted to %d bias pulls of %s together, monotone curve up to %g degrees%s"):format(#t.specimens, out.names, t.limit,
     out.edges and (", edges of %.3g mm that carry nothing"):format(out.edge * 1e3) or "") })
   return part

@@ -6,8 +6,8 @@
 --
 --     c = X b + sum_g u_g,    var(u_g) = s^2 share_g diag(1, r_2^2, r_3^2)    for tests of one laboratory, size ... alike
 --
--- X b: what other parameters of the model would have explained (generalised least squares, no prior on b). s^2 has the prior 1/s^2 and drops out as
--- Student's t; the shares and the roughness r_2, r_3 are averaged over a grid by their restricted likelihood [patterson1971]. What the tests cannot separate, such as two
+-- X b: what other parameters of the model would have explained. They stay as they were fitted, and count with their uncertainty: moved to where these modes would
+-- have them, they would leave the range in which the model is linear. s^2 has the prior 1/s^2 and drops out as Student's t; the shares and the roughness r_2, r_3 are averaged over a grid by their restricted likelihood [patterson1971]. What the tests cannot separate, such as two
 -- sizes from two laboratories, so stays open in the answer. With as many parameters as the tests have modes nothing is left to learn from: `freedom` is 0.
 local fabric = require "fabric"
 local linear = require "fabric.lab.linear"
@@ -151,24 +151,17 @@ local function with(state, shares, A, r)
   local out = { shares = table.move(shares, 1, #shares, 1, {}), w = { 1, r[1] ^ 2, r[2] ^ 2 }, columns = {} }
   local inverse, determinant = linear.inverse(A), modes * linear.log_determinant(A) + n * math.log(out.w[2] * out.w[3])
   out.inverse = inverse
-  local M, right = linear.zeros(q), {}
+  local M = linear.zeros(q)
   for j, base in ipairs(state.bases) do
     out.columns[j] = weighted(inverse, out.w, base.values)
-    right[j] = dot(out.columns[j], state.seen)
     for l = 1, j do
       M[j][l] = dot(out.columns[j], state.bases[l].values)
       M[l][j] = M[j][l]
     end
   end
   out.M = linear.inverse(M)
-  out.b = {}
-  for j = 1, q do out.b[j] = dot(out.M[j], right) end
-  local left = table.move(state.seen, 1, n * modes, 1, {})
-  for j, base in ipairs(state.bases) do
-    for k, x in ipairs(base.values) do left[k] = left[k] - out.b[j] * x end
-  end
-  out.left = weighted(inverse, out.w, left)
-  out.square = math.max(dot(out.left, left), 1e-12) / state.freedom
+  out.left = weighted(inverse, out.w, state.seen)
+  out.square = math.max(dot(out.left, state.seen), 1e-12) / state.freedom
   out.likelihood = -0.5 * (determinant + linear.log_determinant(M) + state.freedom * math.log(out.square))
   return out
 end
@@ -209,7 +202,6 @@ local function of_new(state, point, labels, columns)
     end
     mean[k], D[k] = carried(point.left), {}
     for j = 1, #state.bases do
-      mean[k] = mean[k] + columns[j][k] * point.b[j]
       D[k][j] = columns[j][k] - carried(point.columns[j])
     end
     V[k][k] = point.w[k] * math.max(0, total - known)
@@ -251,11 +243,14 @@ local function predicted(state, new)
   local rows, inverse = rows_of(state, new.x, new.scale)
   local columns, open = combined(state.bases, columns_of(rows, inverse, new))
   if open then return nil, "it depends on parameters that the tests do not determine" end
-  local shift, second, half, largest, own = {}, {}, {}, 0, freedom_of(state, new.labels)
+  local shift, second, half, largest, own, mean_V = {}, {}, {}, 0, freedom_of(state, new.labels), linear.zeros(modes)
   for i, s in ipairs(new.scale) do shift[i], second[i], half[i], largest = 0, 0, 0, math.max(largest, math.abs(s)) end
   for _, point in ipairs(state.grid) do
     local mean, V = of_new(state, point, new.labels, columns)
     local w = point.w
+    for k = 1, modes do
+      for l = 1, modes do mean_V[k][l] = mean_V[k][l] + point.weight * V[k][l] end
+    end
     local count = (w[1] + w[2] + w[3]) ^ 2 / (w[1] ^ 2 + w[2] ^ 2 + w[3] ^ 2)
     local quantile = fabric.lab.student(0.5 + state.level / 2, math.max(1, math.min(state.freedom, count * own)))
     for i, row in ipairs(rows) do
@@ -270,7 +265,19 @@ local function predicted(state, new)
     half[i] = math.sqrt(math.exp(2 * half[i]) + normal ^ 2 * (state.rest * largest ^ 2 + math.max(0, second[i] - shift[i] ^ 2)))
     deviation[i] = half[i] / normal
   end
-  return { shift = shift, half = half, deviation = deviation }
+  return { shift = shift, half = half, deviation = deviation, rows = rows, modes = mean_V }
+end
+
+-- Covariance of a prediction's points i and j: their deviations, and the correlation that the modes give them.
+function effects.covariance(new, i, j)
+  local function product(a, b)
+    local sum = 0
+    for k = 1, modes do sum = sum + a[k] * dot(new.modes[k], b) end
+    return sum
+  end
+  local a, b = new.rows[i], new.rows[j]
+  local square = product(a, a) * product(b, b)
+  return new.deviation[i] * new.deviation[j] * (i == j and 1 or square > 0 and product(a, b) / math.sqrt(square) or 0)
 end
 
 -- The groups in which the tests differ; the others have one label.

@@ -11,6 +11,7 @@
 -- specimen would count as a hundred specimens.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local carry = require "fabric.lab.carry"
 local check = require "fabric.lab.identify_check"
 local numbers = require("fabric.lab.check").numbers
 local effects = require "fabric.lab.effects"
@@ -131,10 +132,11 @@ local function mesh_of(t, p)
   return factors, whole > 0 and math.sqrt(open / whole) or 0
 end
 
--- The scatter of the specimens' factors beyond their noise: factors b with variances v; `spent` is the number of fitted parameters.
-local function scatter_of(b, v, spent)
-  local freedom = #b - spent
-  if freedom < 1 then return 0 end
+-- The scatter of the specimens' factors beyond their noise: factors b with variances v; `spent` is the number of fitted parameters. None where the
+-- model's error has a scale of its own: tests are then not replicates that differ by a factor, and how they differ is learned after the fit.
+local function scatter_of(t, b, v)
+  local freedom = #b - t.spent
+  if freedom < 1 or t.scaled then return 0 end
   local function excess(tau2)
     local weight, mean, sum = 0, 0, 0
     for i, x in ipairs(b) do weight, mean = weight + 1 / (v[i] + tau2), mean + x / (v[i] + tau2) end
@@ -320,7 +322,7 @@ end
 
 -- Predicts a left-out specimen from the others: one Gauss-Newton step from the fit of all, then the simulation itself.
 local function left_out(t, tests, state, i)
-  local between = scatter_of(without(state.factors, i), without(state.variances, i), t.spent)
+  local between = scatter_of(t, without(state.factors, i), without(state.variances, i))
   local A, b, weighted = normal_equations(t, state, between, i)
   local rest = shape_of(t, state, i)
   local step, p = linear.solve(A, b), {}
@@ -444,7 +446,7 @@ local function predict_specimen(t, state, specimen, predict)
     local half = {}
     for k, y in ipairs(predicted) do
       predicted[k] = y + learned.shift[k]
-      half[k] = math.sqrt(learned.half[k] ^ 2 + (fabric.lab.student(0.5 + t.level / 2, 1e6) * state.mesh * y) ^ 2)
+      half[k] = math.sqrt((state.widen * learned.half[k]) ^ 2 + (fabric.lab.student(0.5 + t.level / 2, 1e6) * state.mesh * y) ^ 2)
     end
     out.low, out.high = edges(predicted, half)
   end
@@ -463,8 +465,8 @@ local function text_of(t, out)
     lines[#lines + 1] = ("speed: %+.3g %% a decade, %.3g to %.3g"):format(100 * out.parameters.rate * math.log(10), 100 * out.low.rate * math.log(10),
       100 * out.high.rate * math.log(10))
   end
-  lines[#lines + 1] = #t.tests - t.spent >= 1 and ("between specimens: %.3g %% (deviation of %d)"):format(100 * out.between, #t.tests)
-    or "between specimens: unknown from so few; these bands are of the noise of the records alone"
+  lines[#lines + 1] = not t.scaled and (#t.tests - t.spent >= 1 and ("between specimens: %.3g %% (deviation of %d)"):format(100 * out.between, #t.tests)
+    or "between specimens: unknown from so few; these bands are of the noise of the records alone") or nil
   if out.mesh > 0 then lines[#lines + 1] = ("mesh, once extrapolated: %.3g %%"):format(100 * out.mesh) end
   for _, test in ipairs(t.tests) do
     local held = out.left_out and out.left_out[test.name]
@@ -478,7 +480,7 @@ local function text_of(t, out)
         and ("%.0f %% of %d points in the band"):format(100 * held.inside, held.points) or "no band: " .. held.reason)
     end
   end
-  lines[#lines + 1] = effects.text(out.effects)
+  lines[#lines + 1] = effects.text(out.effects) .. (out.widen > 1 and ("; bands %.3g times as wide, so that they hold labels left out"):format(out.widen) or "")
   return table.concat(lines, "\n")
 end
 
@@ -494,7 +496,7 @@ local function iterate(t)
     predicted = {}
     for i, test in ipairs(tests) do predicted[i] = test.predict(found.parameters) end
     state.factors, state.variances = own_factors(t, predicted)
-    local between = scatter_of(state.factors, state.variances, t.spent)
+    local between = scatter_of(t, state.factors, state.variances)
     local correction, mesh = mesh_of(t, found.parameters)
     local same = math.abs(between - state.between) <= settled * between and math.abs(mesh - state.mesh) <= settled * mesh
     state.between, state.mesh, state.correction = between, mesh, correction
@@ -513,36 +515,67 @@ end
 -- Fits and learns what the model misses.
 local function fitted(t)
   local state, tests = iterate(t)
-  state.slopes = derivatives(t, tests, state.found)
+  state.slopes, state.widen = derivatives(t, tests, state.found), 1
   state.effects = learn(t, state)
   return state, tests
 end
 
--- Predicts all tests of each label of a group from the tests of the other labels, by a fit of their own.
-local function leave_labels_out(t, group)
-  local labels, seen, out = {}, {}, {}
+local function labels_of(t, group)
+  local labels, seen = {}, {}
   for _, test in ipairs(t.tests) do
     if not seen[test[group]] then labels[#labels + 1], seen[test[group]] = test[group], true end
   end
+  return labels
+end
+
+-- The tests without those of a label, and these.
+local function split(t, group, label)
+  local part, held = setmetatable({ tests = {} }, { __index = t }), {}
+  for _, test in ipairs(t.tests) do table.insert(test[group] == label and held or part.tests, test) end
+  part.predicted = function(i, p) return with_rate(t, part.tests[i], p) end
+  return part, held
+end
+
+-- Calls visit(label, test, comparison) for the tests of each label of a group, predicted by a fit to the others; prepare(part, state) may change that fit's answer.
+local function without_labels(t, group, prepare, visit)
+  local labels = labels_of(t, group)
   for _, label in ipairs(#labels > 1 and labels or {}) do
-    local part = setmetatable({ tests = {} }, { __index = t })
-    for _, test in ipairs(t.tests) do
-      if test[group] ~= label then part.tests[#part.tests + 1] = test end
-    end
-    part.predicted = function(i, p) return with_rate(t, part.tests[i], p) end
+    local part, held = split(t, group, label)
     local state = fitted(part)
-    local held = { label = tostring(label), points = 0, rms = 0, tests = {} }
-    local inside = 0
-    for _, test in ipairs(t.tests) do
-      if test[group] == label then
-        local own = compared(test.measured, predict_specimen(part, state, test.asked, test.predict), test.peak)
-        held.tests[test.name], held.reason = own, own.reason or held.reason
-        held.points, held.rms = held.points + own.points, held.rms + own.rms ^ 2 * own.points
-        inside = inside + (own.inside or 0) * own.points
+    prepare(part, state)
+    for _, test in ipairs(held) do visit(label, test, compared(test.measured, predict_specimen(part, state, test.asked, test.predict), test.peak)) end
+  end
+end
+
+-- The factor on the bands with which they hold the stated share of the points of labels left out, at least 1: how far a model that is not linear is off where
+-- it was not fitted, its derivatives do not tell. Only where tests are not replicates.
+local function widening(t)
+  local ratios = {}
+  for _, group in ipairs(t.scaled and t.leave and t.groups or {}) do
+    without_labels(t, group, function() end, function(_, test, own)
+      for k, y in ipairs(own.low and test.measured or {}) do
+        ratios[#ratios + 1] = math.abs(y - own.predicted[k]) / math.max(1e-300, (own.high[k] - own.low[k]) / 2)
       end
+    end)
+  end
+  table.sort(ratios)
+  return math.max(1, ratios[math.ceil(t.level * #ratios)] or 1)
+end
+
+-- How well the tests of each label of a group are predicted from those of the other labels.
+local function leave_labels_out(t, group)
+  local out, by = {}, {}
+  without_labels(t, group, function(part, state) state.widen = widening(part) end, function(label, test, own)
+    local held = by[label]
+    if not held then
+      held = { label = tostring(label), points = 0, rms = 0, inside = 0, tests = {} }
+      out[#out + 1], by[label] = held, held
     end
-    held.rms, held.inside = math.sqrt(held.rms / held.points), not held.reason and inside / held.points or nil
-    out[#out + 1] = held
+    held.tests[test.name], held.reason = own, own.reason or held.reason
+    held.points, held.rms, held.inside = held.points + own.points, held.rms + own.rms ^ 2 * own.points, held.inside + (own.inside or 0) * own.points
+  end)
+  for _, held in ipairs(out) do
+    held.rms, held.inside = math.sqrt(held.rms / held.points), not held.reason and held.inside / held.points or nil
   end
   return out
 end
@@ -573,6 +606,7 @@ local function pool(t)
     if own.peak == 0 then fail(("pool: field 'tests[%d].measured': expected values that are not all zero"):format(i)) end
   end
   t.spent = t.rate and 2 or 1
+  for _, test in ipairs(t.tests) do t.scaled = t.scaled or test.scale ~= nil end
   t.predicted = function(i, p) return with_rate(t, t.tests[i], p) end
   local state, tests = fitted(t)
   local A, _, weighted = normal_equations(t, state, state.between)
@@ -601,7 +635,7 @@ local function pool(t)
     own.rms = math.sqrt(dot(state.rest[i], state.rest[i]) / #own.predicted) / test.peak
     out.tests[test.name] = own
   end
-  if freedom >= 2 then
+  if freedom >= 2 and not t.scaled then
     out.left_out, out.coverage = {}, 0
     for i, test in ipairs(t.tests) do
       out.left_out[test.name] = left_out(t, tests, state, i)
@@ -612,6 +646,13 @@ local function pool(t)
   if t.leave and #t.groups > 0 then
     out.left_out_by = {}
     for _, name in ipairs(t.groups) do out.left_out_by[name] = leave_labels_out(t, name) end
+    state.widen = widening(t)
+  end
+  out.widen = state.widen
+  out.card = function(_, make)
+    local C, n = {}, #t.parameters
+    for i = 1, n do C[i] = table.move(out.covariance, (i - 1) * n + 1, i * n, 1, {}) end
+    return carry("pool", out.parameters, t.parameters, C, fabric.lab.student(0.5 + t.level / 2, math.max(1, freedom)), t.level, make)
   end
   out.predict = function(_, specimen) return predict_of(t, state, specimen) end
   out.text = text_of(t, out)
@@ -624,7 +665,7 @@ define {
     { name = "parameters", kind = "table", sentence = "{ {name=, start=, low=, high=}, ... } as of fabric.lab.identify" },
     { name = "tests", kind = "table", sentence = "one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=, x=, scale=}, "
       .. "... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one; x: abscissa of the numbers (strain, angle), "
-      .. "of one meaning in all tests (default: the place in the list); scale: what the model's error is relative to (default: the predicted numbers)" },
+      .. "of one meaning in all tests (default: the place in the list); scale: what the model's error is relative to, where it is not the predicted numbers: the fit then has no factor of specimens" },
     { name = "model", kind = "function", optional = true,
       sentence = "function(p, test) return numbers end, in place of `predict` of each test; it reads the test's further fields (width=, angle= ...), and takes what `predict` is asked for" },
     { name = "groups", kind = "table", optional = true, sentence = "names of fields of the tests by which they belong together: {'laboratory', 'size'}; "
@@ -646,7 +687,7 @@ define {
     .. "per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this "
     .. "specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects "
     .. "(what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil "
-    .. "and reason says why where the tests do not tell how wrong the model is; text.",
+    .. "and reason says why where the tests do not tell how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands carried to its numbers; text.",
   example = "local tests = {}\nfor i, scale in ipairs{ 0.96, 1, 1.05, 0.99 } do\n"
     .. "  tests[i] = { name='pull '..i, measured={ 2*scale, 4*scale, 6*scale }, noise=0.02, predict=function(p) return { p.k, 2*p.k, 3*p.k } end }\nend\n"
     .. "local f = require 'fabric'.lab.pool{ parameters={ {name='k', start=1, low=0.1, high=10} }, tests=tests, processes=1 }\n"
