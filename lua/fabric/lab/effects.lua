@@ -14,7 +14,7 @@ local linear = require "fabric.lab.linear"
 local effects = {}
 
 local modes = 3
-local roughness = { { 0.05, 0.02 }, { 0.1, 0.1 }, { 0.2, 0.05 }, { 0.2, 0.2 }, { 0.45, 0.2 }, { 0.45, 0.45 }, { 1, 0.5 }, { 1, 1 } }
+local roughness = { { 0.015, 0.015 }, { 0.05, 0.02 }, { 0.1, 0.1 }, { 0.2, 0.05 }, { 0.2, 0.2 }, { 0.45, 0.2 }, { 0.45, 0.45 }, { 1, 0.5 }, { 1, 1 } }
 local least_share = 0.02  -- of the specimen itself, below which the others cannot explain everything
 local dependent = 1e-3    -- of a column: below it the columns before it explain it
 local ridge = 1e-4        -- of a mode's own square, for tests that cover only a part of x
