@@ -295,7 +295,7 @@ end
 
 -- tests: { x = {}, scale = {}, rest = {} (measured less predicted), columns = { {}, ... } (derivatives of the prediction by each parameter), free (true: the
 -- model's curve over x was free), labels = { group = label } }. Returns freedom, reason (why nothing is known, where it is 0), deviation (of a new
--- specimen, relative to the scale), shares (by group and `specimen`), predict(self, { x, scale, columns, free, labels }).
+-- specimen, relative to the scale, rms over x), shares (by group and `specimen`), predict(self, { x, scale, columns, free, labels }).
 function effects.learn(tests, groups, level)
   local state = { tests = tests, asked = groups, groups = {}, constant = {}, labels = {}, count = {}, level = level, low = math.huge, high = -math.huge, seen = {}, rest = 0, predict = predicted }
   for _, test in ipairs(tests) do
@@ -324,7 +324,7 @@ function effects.learn(tests, groups, level)
       local name = state.groups[g] or "specimen"
       state.shares[name] = (state.shares[name] or 0) + point.weight * share
     end
-    state.deviation = state.deviation + point.weight * math.log(point.square)
+    state.deviation = state.deviation + point.weight * math.log(point.square * (point.w[1] + point.w[2] / 3 + point.w[3] / 5))
   end
   state.deviation = math.exp(state.deviation / 2)
   return state
