@@ -17,7 +17,7 @@ local x = {}
 for k = 1, 10 do x[k] = k / 10 end
 -- A record that differs from the model 2x by c1 + c2 s + c3 (3 s^2 - 1)/2, s from -1 to 1.
 local function record(c, labels)
-  local t = { x = x, scale = {}, rest = {}, free = true, labels = labels or {} }
+  local t = { x = x, scale = {}, rest = {}, labels = labels or {} }
   for k, at in ipairs(x) do
     local s = (2 * at - 1.1) / 0.9
     t.scale[k] = 2 * at

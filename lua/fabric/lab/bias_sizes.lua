@@ -124,7 +124,7 @@ end
 
 -- Angles, forces by the common curve, and their derivative by the edge, of a size.
 local function model_of(state, answer, size, displacement)
-  local out = { x = {}, scale = {}, free = true, columns = answer.found.edge ~= 0 and { {} } or nil, labels = size.labels }
+  local out = { x = {}, scale = {}, columns = answer.found.edge ~= 0 and { {} } or nil, labels = size.labels }
   local step = 1e-3 * size.width
   for i, d in ipairs(displacement) do
     local gamma = angle_of(size, d)
@@ -234,7 +234,7 @@ local function curve_out(state, answer, thickness)
     out.angle[k], out.normal_force[k] = math.deg(x[k]), N
     out.E12[k], out.S12[k] = math.sin(x[k]) / 2, N / thickness
   end
-  local learned = answer.effects:predict { x = x, scale = answer.found.N, free = true, columns = answer.found.edge ~= 0 and { unmoved } or nil, labels = {} }
+  local learned = answer.effects:predict { x = x, scale = answer.found.N, columns = answer.found.edge ~= 0 and { unmoved } or nil, labels = {} }
   out.deviation, out.learned = learned and learned.deviation, learned
   if not state.given then return out end
   out.deviation = out.deviation or {}

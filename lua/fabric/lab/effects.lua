@@ -6,8 +6,8 @@
 --
 --     c = X b + sum_g u_g,    var(u_g) = s^2 share_g diag(1, r_2^2, r_3^2)    for tests of one laboratory, size ... alike
 --
--- X b: what other parameters of the model would have explained. They stay as they were fitted, and count with their uncertainty: moved to where these modes would
--- have them, they would leave the range in which the model is linear. s^2 has the prior 1/s^2 and drops out as Student's t; the shares and the roughness r_2, r_3 are averaged over a grid by their restricted likelihood [patterson1971]. What the tests cannot separate, such as two
+-- X b: a function common to all tests, which is found by least squares, and what other parameters of the model would have explained. These stay as they were fitted
+-- and count with their uncertainty: moved to where these modes would have them, they would leave the range in which the model is linear. s^2 has the prior 1/s^2 and drops out as Student's t; the shares and the roughness r_2, r_3 are averaged over a grid by their restricted likelihood [patterson1971]. What the tests cannot separate, such as two
 -- sizes from two laboratories, so stays open in the answer. With as many parameters as the tests have modes nothing is left to learn from: `freedom` is 0.
 local fabric = require "fabric"
 local linear = require "fabric.lab.linear"
@@ -56,10 +56,10 @@ local function rows_of(state, x, scale)
   return rows, linear.inverse(A)
 end
 
--- Coefficients of the columns of a test (lists along x); where the model's curve was free, each mode is one too.
+-- Coefficients of the columns of a test: each mode, for what all tests have in common, and the lists along x that it has.
 local function columns_of(rows, inverse, test)
   local out = {}
-  for k = 1, test.free and modes or 0 do
+  for k = 1, modes do
     out[k] = { 0, 0, 0 }
     out[k][k] = 1
   end
@@ -160,8 +160,8 @@ local function with(state, shares, A, r)
     end
   end
   out.M = linear.inverse(M)
-  out.left = weighted(inverse, out.w, state.seen)
-  out.square = math.max(dot(out.left, state.seen), 1e-12) / state.freedom
+  out.left = weighted(inverse, out.w, state.unexplained)
+  out.square = math.max(dot(out.left, state.unexplained), 1e-12) / state.freedom
   out.likelihood = -0.5 * (determinant + linear.log_determinant(M) + state.freedom * math.log(out.square))
   return out
 end
@@ -202,6 +202,7 @@ local function of_new(state, point, labels, columns)
     end
     mean[k], D[k] = carried(point.left), {}
     for j = 1, #state.bases do
+      mean[k] = mean[k] + columns[j][k] * state.moved[j]
       D[k][j] = columns[j][k] - carried(point.columns[j])
     end
     V[k][k] = point.w[k] * math.max(0, total - known)
@@ -293,26 +294,34 @@ local function sort_groups(state, groups)
   end
 end
 
--- tests: { x = {}, scale = {}, rest = {} (measured less predicted), columns = { {}, ... } (derivatives of the prediction by each parameter), free (true: the
--- model's curve over x was free), labels = { group = label } }. Returns freedom, reason (why nothing is known, where it is 0), deviation (of a new
--- specimen, relative to the scale, rms over x), shares (by group and `specimen`), predict(self, { x, scale, columns, free, labels }).
+-- tests: { x = {}, scale = {}, rest = {} (measured less predicted), columns = { {}, ... } (derivatives of the prediction by each parameter that does not act
+-- alike on all tests), labels = { group = label } }. Returns freedom, reason (why nothing is known, where it is 0), deviation (of a new
+-- specimen, rms relative to that of the scale), shares (by group and `specimen`), predict(self, { x, scale, columns, labels }).
 function effects.learn(tests, groups, level)
   local state = { tests = tests, asked = groups, groups = {}, constant = {}, labels = {}, count = {}, level = level, low = math.huge, high = -math.huge, seen = {}, rest = 0, predict = predicted }
   for _, test in ipairs(tests) do
     for _, x in ipairs(test.x) do state.low, state.high = math.min(state.low, x), math.max(state.high, x) end
   end
   sort_groups(state, groups)
-  local lists = {}
+  local lists, size = {}, { 0, 0, 0 } -- sums of the squares of the modes times the scale
   for i, test in ipairs(tests) do
     local rows, inverse = rows_of(state, test.x, test.scale)
     local c, sum, largest = projected(rows, inverse, test.rest), 0, 0
     lists[i] = columns_of(rows, inverse, test)
     table.move(c, 1, modes, #state.seen + 1, state.seen)
+    for _, row in ipairs(rows) do
+      for k = 1, modes do size[k] = size[k] + row[k] ^ 2 end
+    end
     for k, row in ipairs(rows) do sum, largest = sum + (test.rest[k] - dot(row, c)) ^ 2, math.max(largest, math.abs(test.scale[k])) end
     state.rest = state.rest + sum / #rows / largest ^ 2 / #tests
   end
   state.bases = combinations(lists)
   state.freedom = modes * #tests - #state.bases
+  state.moved, state.unexplained = {}, table.move(state.seen, 1, #state.seen, 1, {})
+  for j, base in ipairs(state.bases) do
+    state.moved[j] = base.of <= modes and dot(base.values, state.seen) or 0
+    for k, x in ipairs(base.values) do state.unexplained[k] = state.unexplained[k] - state.moved[j] * x end
+  end
   if state.freedom < 1 then
     state.reason = #tests == 1 and "a single record says nothing of others"
       or ("%d records have as many freedoms as the model that was fitted to them: nothing is left that could say how wrong it is"):format(#tests)
@@ -324,7 +333,7 @@ function effects.learn(tests, groups, level)
       local name = state.groups[g] or "specimen"
       state.shares[name] = (state.shares[name] or 0) + point.weight * share
     end
-    state.deviation = state.deviation + point.weight * math.log(point.square * (point.w[1] + point.w[2] / 3 + point.w[3] / 5))
+    state.deviation = state.deviation + point.weight * math.log(point.square * dot(point.w, size) / size[1])
   end
   state.deviation = math.exp(state.deviation / 2)
   return state
