@@ -1,5 +1,4 @@
 -- Bands of parameters carried to the numbers of a card (fabric.lab.identify and fabric.lab.pool: found:card(make)).
-local fabric = require "fabric"
 local define = require "fabric.define"
 local linear = require "fabric.lab.linear"
 local fail = define.fail

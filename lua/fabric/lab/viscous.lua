@@ -735,7 +735,8 @@ local function withhold(t, out)
   end
   if #words == 0 then return end
   out.reason = ("Nothing is concluded, since it hangs on the angles that are taken: up to %g degrees %s, but %s."):format(t.limit, own, table.concat(words, ", "))
-  out.withheld, out.viscous, out.modulus, out.time, out.low, out.high, out.contradicts, out.open_below, out.open_above = true
+  for _, name in ipairs { "viscous", "modulus", "time", "low", "high", "contradicts", "open_below", "open_above" } do out[name] = nil end
+  out.withheld = true
 end
 
 local function viscous(t)
