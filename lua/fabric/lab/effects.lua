@@ -7,8 +7,10 @@
 --     c = X b + sum_g u_g,    var(u_g) = s^2 share_g diag(1, r_2^2, r_3^2)    for tests of one laboratory, size ... alike
 --
 -- X b: a function common to all tests, which is found by least squares, and what other parameters of the model would have explained. These stay as they were fitted
--- and count with their uncertainty: moved to where these modes would have them, they would leave the range in which the model is linear. s^2 has the prior 1/s^2 and drops out as Student's t; the shares and the roughness r_2, r_3 are averaged over a grid by their restricted likelihood [patterson1971]. What the tests cannot separate, such as two
--- sizes from two laboratories, so stays open in the answer. With as many parameters as the tests have modes nothing is left to learn from: `freedom` is 0.
+-- and count with their uncertainty: moved to where these modes would have them, they would leave the range in which the model is linear. s^2 has the prior 1/s^2
+-- and drops out as Student's t; the shares and the roughness r_2, r_3 are averaged over a grid by their restricted likelihood [patterson1971], half widths of
+-- bands in their logarithm. What the tests cannot separate, such as two sizes from two laboratories, so stays open in the answer. With as many
+-- parameters as the tests have modes nothing is left to learn from: `freedom` is 0.
 local fabric = require "fabric"
 local linear = require "fabric.lab.linear"
 local effects = {}
@@ -234,13 +236,13 @@ end
 
 -- A test that was not made: what is to be added to the model's values, and half the width of its band; nil with a reason where the tests cannot tell.
 local function predicted(state, new)
+  if state.freedom < 1 then return nil, state.reason end
   for _, name in ipairs(state.asked) do
     local label = state.constant[name]
     if label ~= nil and new.labels[name] ~= nil and new.labels[name] ~= label then
       return nil, ("all tests have one %s, %s: how much another one differs is not in them"):format(name, tostring(label))
     end
   end
-  if state.freedom < 1 then return nil, state.reason end
   local rows, inverse = rows_of(state, new.x, new.scale)
   local columns, open = combined(state.bases, columns_of(rows, inverse, new))
   if open then return nil, "it depends on parameters that the tests do not determine" end
