@@ -94,10 +94,7 @@ for _, yarn in ipairs { "warp", "weft" } do
   for k, n in ipairs(first.load) do test.n_w[k], test.n_f[k] = n * share_w / most, n * share_f / most end
   local p = pool:predict(test)
   print(("%s predicted, %s: at the end %s"):format(asked, yarn, end_of(p, #first.load)))
-  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. ", predicted" }
-  for _, edge in ipairs(p.low and { "low", "high" } or {}) do
-    curves[#curves + 1] = { x = first.load, y = p[edge], label = ("%s %s, %s end of the band"):format(asked, yarn, edge), style = "dashed" }
-  end
+  curves[#curves + 1] = { x = first.load, y = p.predicted, label = asked .. " " .. yarn .. ", predicted", band = p.low and { low = p.low, high = p.high } or nil }
   if rows[asked] then curves[#curves + 1] = { x = rows[asked].load, y = rows[asked][yarn], label = asked .. " " .. yarn .. ", measured", style = "points" } end
 end
 fabric.plot { file = out .. "/predicted.svg", title = asked .. " from the other ratios", xlabel = "larger load, kN/m", ylabel = "strain, %", curves = curves }

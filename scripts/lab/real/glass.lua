@@ -131,7 +131,17 @@ if #sizes > 1 then
     specimens[i] = { name = size.name, displacement = size.record.displacement, force = size.record.force, width = size.width, length = size.length,
       laboratory = named and size.laboratory or nil }
   end
-  print(lab.bias_sizes({ specimens = specimens, thickness = thickness }).text)
+  local b = lab.bias_sizes { specimens = specimens, thickness = thickness }
+  print(b.text)
+  local curves = {}
+  for _, size in ipairs(sizes) do -- as a further specimen of its size in another laboratory
+    local d, F = {}, {}
+    for k, row in ipairs(size.shear.rows) do d[k], F[k] = size.record.displacement[row], size.record.force[row] end
+    local p = b:predict { displacement = d, width = size.width, length = size.length }
+    curves[#curves + 1] = { x = p.angle, y = p.force, label = size.name .. ", predicted", band = p.band and { low = p.low, high = p.high } or nil }
+    curves[#curves + 1] = { x = p.angle, y = F, label = size.name .. ", measured", style = "points" }
+  end
+  fabric.plot { file = out .. "/sizes.svg", title = "bias extension, sizes with 95 % bands", xlabel = "shear angle, degrees", ylabel = "force, N", curves = curves }
 end
 all:write(out .. "/card.lua")
 print(all)
