@@ -400,10 +400,6 @@ end
 -- A test or an asked-for specimen as fabric.lab.effects takes it: abscissa, scale, columns and labels.
 local function for_effects(t, test, predicted, slopes)
   local out = { x = test.x, scale = test.scale or predicted, columns = {}, labels = {} }
-  if not out.x then
-    out.x = {}
-    for k = 1, #predicted do out.x[k] = k / #predicted end
-  end
   for j = 1, #t.parameters do
     out.columns[j] = {}
     for k = 1, #predicted do out.columns[j][k] = slopes[k][j] end
@@ -593,6 +589,12 @@ local function predict_of(t, state, specimen)
   return predict_specimen(t, state, specimen, function(p) return t.model(p, specimen) end)
 end
 
+local function places(n)
+  local x = {}
+  for k = 1, n do x[k] = k / n end
+  return x
+end
+
 local function pool(t)
   local plain
   t.groups = t.groups or {}
@@ -601,7 +603,8 @@ local function pool(t)
   for i, test in ipairs(t.tests) do
     local own = { peak = largest_of(test.measured) }
     for key, value in pairs(test) do own[key] = value end
-    own.predict, own.asked = plain[i].predict, setmetatable({ x = test.x or test.measured }, { __index = test })
+    own.x = own.x or places(#own.measured)
+    own.predict, own.asked = plain[i].predict, setmetatable({ x = own.x }, { __index = test })
     t.tests[i] = own
     if own.peak == 0 then fail(("pool: field 'tests[%d].measured': expected values that are not all zero"):format(i)) end
   end
