@@ -154,8 +154,9 @@ close(deviation(card:sample(400), function(c) return c.shear.loading[1] end), fo
 fails("identify: card: expected a function of the parameters that returns a woven card", found.card, found, function() return 5 end)
 fails("identify: card: expected a function of the parameters that returns a card, got nil", found.card, found)
 local pooled = {}
-for i, factor in ipairs { 0.95, 1, 1.05 } do pooled[i] = { name = "t" .. i, pull = i, measured = { 10 * factor, 20 * factor }, noise = 1e-3, predict = function(q) return { q.G, 2 * q.G } end } end
+for i, factor in ipairs { 0.95, 1, 1.05 } do pooled[i] = { name = "t" .. i, measured = { 10 * factor, 20 * factor }, noise = 1e-3, predict = function(q) return { q.G, 2 * q.G } end } end
 f = lab.pool { parameters = own, tests = pooled, processes = 1 }
 close(f:card(card_of).bands.shear.high[1], 1e6 * f.high.G, 1e-3, "the band of the pool")
+for i, test in ipairs(pooled) do test.pull = i end
 f = lab.pool { parameters = own, tests = pooled, groups = { "pull" }, processes = 1 } -- the place in the list is the abscissa
 for _, held in ipairs(f.left_out_by.pull) do assert(held.inside and held.points == 2, held.reason) end
