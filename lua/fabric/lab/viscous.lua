@@ -724,8 +724,8 @@ local function withhold(t, out)
   out.by_limit = {}
   for _, limit in ipairs(other_limits) do
     if limit ~= t.limit and reached(t, limit) then
-      local own = analysed(setmetatable({ limit = limit }, { __index = t }))
-      out.by_limit[#out.by_limit + 1] = { limit = limit, verdict = verdict_of(own), relaxes = own.modulus ~= nil, contradicts = own.contradicts == true, speed = own.speed }
+      local good, own = pcall(analysed, setmetatable({ limit = limit }, { __index = t })) -- a part that carries nothing yet tells nothing
+      out.by_limit[#out.by_limit + 1] = good and { limit = limit, verdict = verdict_of(own), relaxes = own.modulus ~= nil, contradicts = own.contradicts == true, speed = own.speed } or nil
     end
   end
   local own, words = verdict_of(out), {}
