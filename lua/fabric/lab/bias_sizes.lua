@@ -293,7 +293,8 @@ end
 local function text_of(out)
   local lines = {}
   if out.edge_deviation then
-    lines[1] = ("edges (slip of edge yarns, pull-out): %+.3g mm on either side carry nothing, deviation %.2g"):format(out.edge * 1e3, out.edge_deviation * 1e3)
+    lines[1] = ("edges (slip of edge yarns, pull-out): %+.3g mm on either side carry nothing, deviation %.2g%s"):format(out.edge * 1e3, out.edge_deviation * 1e3,
+      out.scatter_assumed and (" with an assumed scatter of specimens of %g %%"):format(100 * out.scatter_assumed) or "")
       .. (out.edges and "" or out.edge_on_bound and ": at the bound, a fifth of the width, which does not explain how these sizes differ; taken as none" or ": these sizes cannot separate them from the scatter of specimens and laboratories; taken as none")
   else
     lines[1] = "edges: specimens of such similar shape cannot separate them from the curve; taken as none"
@@ -365,7 +366,7 @@ local function bias_sizes(t)
   local most, told = most_edge * narrow, t.edges and tells_edges(state.sizes)
   local plain = answered(state, most, false)
   local answer = told and answered(state, most, true) or plain
-  local out = { edge = answer.found.edge, edges = false, specimens = {}, names = table.concat(names, ", ") }
+  local out = { edge = answer.found.edge, edges = false, scatter_assumed = not state.given and usual or nil, specimens = {}, names = table.concat(names, ", ") }
   if told then
     local variance = 0
     for _, moved in ipairs(answer.moved) do variance = variance + (moved.edge - out.edge) ^ 2 end
