@@ -565,14 +565,14 @@ function fabric.lab.bias_extension(fields) end
 function fabric.lab.bias_shear(fields) end
 
 ---@class fabric_lab_bias_sizes_fields
----@field specimens table bias pulls: { {displacement=, force=, width=, length=, name=}, ... }, m and N, of one size or several
+---@field specimens table bias pulls: { {displacement=, force=, width=, length=, name=, laboratory=, direction=}, ... }, m and N, of one size or several; laboratory and direction: names, of all or of none
 ---@field thickness number m: of the cloth
 ---@field limit? number degrees: angle up to which rows count (default 30)
 ---@field knots? integer of the curve, at equal angles, straight between them (default 10)
 ---@field edges? boolean the free edges are accounted for, if the sizes determine them (default true)
----@field scatter? number relative deviation of one specimen, for the bands (default 0.04)
+---@field scatter? number relative deviation of one specimen, known from elsewhere: the least that bands hold; default: only what the records show (0.04 for the deviation of the edge)
 
----One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high (95 % of specimens), angle}, text.
+---One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others: rms, at_end, points, inside), left_out_by (the same by laboratory and direction), predict(self, {displacement, width, length, laboratory, direction, edges=false}) -> {force, angle, band, low, high}: the 95 % band of a specimen, band 'learned' from how sizes, laboratories, directions and specimens differ, 'given' where only `scatter` is known, nil with a reason where nothing tells it; text.
 ---@param fields fabric_lab_bias_sizes_fields
 ---@return table<string, any>
 function fabric.lab.bias_sizes(fields) end
@@ -896,7 +896,7 @@ function fabric.lab.identifiability(fields) end
 ---@field settle? integer rounds at the end, with central differences over a standard deviation along combinations of parameters (default 8)
 ---@field progress? boolean prints the progress on stderr (default false)
 
----Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text.
+---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text, card(self, function(p) return card end): the card with the parameters' 95 % bands carried to its numbers, for card:sample.
 ---@param fields fabric_lab_identify_fields
 ---@return table<string, any>
 function fabric.lab.identify(fields) end
@@ -1164,7 +1164,10 @@ function fabric.lab.poke(fields) end
 
 ---@class fabric_lab_pool_fields
 ---@field parameters table { {name=, start=, low=, high=}, ... } as of fabric.lab.identify
----@field tests table one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=}, ... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one
+---@field tests table one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=, x=, scale=}, ... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one; x: abscissa of the numbers (strain, angle), of one meaning in all tests (default: the place in the list); scale: what the model's error is relative to, where it is not the predicted numbers: the fit then has no factor of specimens
+---@field model? function function(p, test) return numbers end, in place of `predict` of each test; it reads the test's further fields (width=, angle= ...), and takes what `predict` is asked for
+---@field groups? table names of fields of the tests by which they belong together: {'laboratory', 'size'}; each has a deviation of its own, and each label is predicted from the others
+---@field leave? boolean predicts each label of each group by a fit to the others (default true)
 ---@field rate? fabric_lab_pool_fields.rate accounts for the speed: predictions times 1 + p.rate ln(rate / reference)
 ---@field order? number order of the simulation's error in the size of its cells (default 2)
 ---@field level? number of confidence (default 0.95)
@@ -1173,7 +1176,7 @@ function fabric.lab.poke(fields) end
 ---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
 ---@field progress? boolean prints the progress on stderr (default false)
 
----Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, text.
+---Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects (what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil and reason says why where the tests do not tell how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands carried to its numbers; text.
 ---@param fields fabric_lab_pool_fields
 ---@return table<string, any>
 function fabric.lab.pool(fields) end
@@ -1459,7 +1462,7 @@ function fabric.lab.unloading(fields) end
 ---@field limit? number degrees: shear angle up to which rows count (default 30)
 ---@field level? number of confidence (default 0.95)
 
----The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, elastic {E, S}, shear (for fabric.lab.card), scatter, rms, profile, reason, text.
+---The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, ratio {angle, E, ratio, low, high} (the fastest over the slowest against the angle), withheld (the conclusion hangs on the angles that are taken: none is drawn), by_limit ({limit, verdict}, ...), elastic {E, S}, shear (for fabric.lab.card), scatter, rms, profile, reason, text.
 ---@param fields fabric_lab_viscous_fields
 ---@return table<string, any>
 function fabric.lab.viscous(fields) end
@@ -2004,17 +2007,17 @@ function fabric.why() end
 ---@field shear fabric_woven_fields.viscous.shear a spring and a dashpot in series beside in-plane shear
 
 ---@class fabric_woven_fields.bands.warp
----@field low number[] of loading coefficients, unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
 ---@class fabric_woven_fields.bands.weft
----@field low number[] of loading coefficients, unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
 ---@class fabric_woven_fields.bands.shear
----@field low number[] of loading coefficients, unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
