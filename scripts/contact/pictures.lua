@@ -28,6 +28,6 @@ rows[#rows + 1] = { "edge: the gap stays open, the ledger is closed (1: yes)", a
 if not fabric.checking() then
   fabric.render { file = out .. "/contact_ball_drop.png", run = runs, field = "uz", labels = labels, columns = 2, view = { 30, 25 },
                   size = { 120 * mm, 90 * mm }, dpi = 200, axes = false, edges = false, smooth = true }
-  fabric.render { file = out .. "/contact_edge.png", run = a, field = "uz", view = { 30, 20 }, width = 1600, height = 1100, smooth = true }
+  fabric.render { file = out .. "/contact_edge.png", run = a, field = "uz", view = { 30, 20 }, width = 1200, height = 825, smooth = true }
 end
 fabric.expect(rows)
