@@ -29,7 +29,7 @@ local card = {}
 ---@class mesh
 ---@field elements integer[][] Node numbers of each element, counter-clockwise.
 ---@field nodes number[][] Reference positions {x, y, z}, m, by node number.
----@field sets string[] Names of the node sets.
+---@field sets string[] Names of the node sets. In the mesh of a model of several bodies also those of each, as body.left.
 local mesh = {}
 
 ---A mesh of a cloth with its supports and loads. Its methods return it.
@@ -47,7 +47,8 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.
+---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
 ---@field stable_step number A step that no frequency of the reference configuration forbids central differences, s.
@@ -105,6 +106,15 @@ function analysis:body(body) end
 ---@return analysis
 function analysis:checkpoint(path, options) end
 
+---@class analysis_cut_fields
+---@field set? string the edges between nodes of this set
+---@field line? table a list of points {x, y, z}: the edges that lie on the line through them, m in the reference
+
+---Opens joints of tearable zones, between two steps: in a hook, an event's action, or between calls. Along the edges named the elements come apart; the tip of a cut stays whole. Returns how many joints there are more.
+---@param fields analysis_cut_fields
+---@return any
+function analysis:cut(fields) end
+
 ---Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
 ---@param number integer of the element
 ---@return table<string, any>
@@ -127,7 +137,7 @@ function analysis:event(fields) end
 function analysis:every(interval, action) end
 
 ---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
 ---@return number[]
 function analysis:field(name) end
 
@@ -135,13 +145,23 @@ function analysis:field(name) end
 ---@return number, string?
 function analysis:gap() end
 
+---@class analysis_join_fields
+---@field set? string the edges between nodes of this set
+---@field line? table a list of points {x, y, z}: the edges that lie on the line through them, m in the reference
+---@field within? number m: how far apart nodes that become one may be; default a millionth of the mean edge
+
+---Closes joints of tearable zones, between two steps, where their nodes have met again. They take the mean of their velocities weighted by their masses; the kinetic energy lost is a.energy.joints. Returns how many joints there are less.
+---@param fields analysis_join_fields
+---@return any
+function analysis:join(fields) end
+
 ---The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
+---@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
 ---@param set? string elements all of whose nodes are in it; or its nodes (default "all")
 ---@return number
 function analysis:mean(name, set) end
 
----Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; that on the front and that on the back of a sheet added; Pa).
+---Where a node is and how it moves, global: a table of ux uy uz (from the reference position; m), vx vy vz (of a run in motion; zero in statics; m/s), nx ny nz (unit vector across the sheet), x y z (where the node is now; m), X Y Z (where the node was in the reference; m), reaction_x reaction_y reaction_z (force of the supports on the node, which a:reaction sums over a set; N), gap (distance to the nearest surface that it may touch, less the smallest distance that contact allows; at most the reach of contact; m), contact_pressure (normal pressure of contact, without friction; that on the front and that on the back of a sheet added; Pa), joint_open (1 where a joint of a tearable zone is open, 0 elsewhere).
 ---@param number integer of the node
 ---@return table<string, any>
 function analysis:node(number) end
@@ -230,7 +250,7 @@ function analysis:why() end
 ---@field averaged? boolean fields of elements also on the nodes, under the same names: means of the elements that meet there, by area (default false)
 
 ---Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a frame of a:vtk into a .vtu, else as mesh:write does.
----@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
+---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
 ---@param options? analysis_write_fields.options what; fields go into a .vtu alone
 ---@return any
 function analysis:write(file, options) end
@@ -284,7 +304,7 @@ function fabric.asked_case() end
 function fabric.budget(fields) end
 
 ---@class fabric_card_fields.options
----@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured; thickness: integration through the thickness, without a warning
+---@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured (a card with a rigidity of its own keeps it); thickness: integration through the thickness, without a warning
 
 ---A shipped card by name, or the card that a Lua file returns.
 ---@param name string of a shipped card, or a path (with / or ending in .lua)
@@ -353,7 +373,7 @@ function fabric.export.card(fields) end
 ---@field file string to write; ends in .glb
 ---@field series? string a .pvd that a:vtk wrote: every frame of it
 ---@field run? analysis in place of a series: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
 ---@field range? number[] {low, high} of the colours; default: those of all frames
 ---@field every? number s: at least between two frames; default: all that there are
 ---@field duration? number s: of the animation; default: that of the series
@@ -1560,8 +1580,26 @@ function fabric.mesh.disk(fields) end
 ---@return mesh
 function fabric.mesh.hemisphere(fields) end
 
+---@class fabric_mesh_merge_fields
+---@field meshes table { a, b, ... }
+---@field distance? number m: within which nodes of different meshes become one (default 1e-06)
+
+---Several meshes as one: nodes of different meshes that coincide are joined, sets of one name become one, all and boundary are made anew. The edges that meet need the same nodes.
+---@param fields fabric_mesh_merge_fields
+---@return mesh
+function fabric.mesh.merge(fields) end
+
+---@class fabric_mesh_of_fields
+---@field nodes table { {x, y, z}, ... }, m; without z it is 0
+---@field elements table { {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise
+
+---A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. Sets all and boundary.
+---@param fields fabric_mesh_of_fields
+---@return mesh
+function fabric.mesh.of(fields) end
+
 ---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
----@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k; a bare name may be a mesh shipped with the program
+---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
 ---@return mesh
 function fabric.mesh.read(file) end
 
@@ -1619,7 +1657,7 @@ function fabric.model(fields) end
 ---@field columns? integer width of a drawing in letters (default 79)
 ---@field lines? integer height of a drawing in letters (default 24)
 
----Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. fabric.plot(rows, "E", "S", {...}) is short for fabric.plot{ rows=rows, x="E", y="S", ... }. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
+---Draws curves (by gnuplot) into a file, or without one returns them as text: the prompt shows it, a deck prints it by print(fabric.plot{...}). fabric.plot(rows, "E", "S", {...}) is short for fabric.plot{ rows=rows, x="E", y="S", ... }. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
 ---@param fields fabric_plot_fields
 ---@return string|boolean|nil
 function fabric.plot(fields) end
@@ -1645,7 +1683,7 @@ function fabric.ramp(value, duration) end
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
 ---@field run? analysis in place of files: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
 ---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
@@ -2061,7 +2099,7 @@ function mesh:orient(direction) end
 function mesh:set(name, nodes) end
 
 ---Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, .inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The old file stays until the new one is whole.
----@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
+---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
 ---@return mesh
 function mesh:write(file) end
 
@@ -2184,6 +2222,11 @@ function model:spring(set, stiffness, options) end
 ---@param normal string "x", "y" or "z": normal of the plane
 ---@return model
 function model:symmetry(set, normal) end
+
+---Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the others at its place until a:cut opens the joint. The further nodes are numbered after those of the mesh.
+---@param set string a set whose elements may come apart along their edges during a run
+---@return model
+function model:tearable(set) end
 
 ---Ties nodes to each other exactly, by elimination.
 ---@param kind string "equal": the set's nodes share displacements; "straight": they stay on the line between its ends; "rigid": nodes and directors move as one body; "periodic": two sets whose pairs of nodes keep one common relative displacement; the second follows the first

@@ -30,6 +30,7 @@ struct Energy {  // J
   double contact = 0, guard = 0;  // part of stored: contact, and the guard above its floor
   double directors = 0;           // part of stored: the guard of the directors
   double friction = 0;            // part of dissipated: friction of contact
+  double joints = 0;              // part of dissipated: kinetic energy lost as joints closed
   double rigid = 0;               // part of kinetic: free rigid bodies
   double dissipated_warp = 0, dissipated_weft = 0, dissipated_shear = 0, dissipated_bending = 0, created = 0;
   double internal() const { return stored + dissipated; }
