@@ -1682,7 +1682,7 @@ function fabric.ramp(value, duration) end
 ---@class fabric_render_fields
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
----@field run? analysis in place of files: the run as it stands
+---@field run? table|analysis in place of files: the run as it stands, with its rigid bodies, or a list of runs
 ---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
