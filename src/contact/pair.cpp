@@ -31,30 +31,79 @@ double visit_pressed(const Law& law, const Pair& pair, const Corners& x, bool se
   });
 }
 
-void add_friction(const Pressed& at, const Sliding& sliding, Force& force) {
+// The sliding of a step at a place, perpendicular to the normal, and the elastic slip to which it leads, as
+// far as friction carries it.
+struct Slid {
+  Vec3 moved;  // m, of the first side against the second, with its part along the normal
+  Vec3 lever;  // m
+  Vec3 slid;   // m
+  Vec3 trial;  // m, elastic slip of a spring that never gives way
+  double spring = 0, most = 0;  // N/m; N, mu times the normal force
+  bool sticks() const { return spring * trial.norm() <= most; }
+  // Share of the trial slip that friction holds.
+  double kept() const { return sticks() ? 1 : most / (spring * trial.norm()); }
+};
+
+Slid slide(const Pressed& at, const Slip& slip) {
   const Touch& touch = at.place.touch;
-  Vec3 v = Vec3::Zero();
-  double lightness = 0;  // 1/kg
-  for (std::size_t i = 0; i < 4; ++i) {
-    v += touch.weight[i] * sliding.velocity[i];
-    lightness += touch.weight[i] * touch.weight[i] * sliding.inverse_mass[i];
-  }
-  const Vec3 lever = touch.distance * touch.normal;
-  v -= sliding.spin.cross(lever);
-  v -= touch.normal.dot(v) * touch.normal;
-  const double speed = v.norm();
-  if (!(speed > 0) || !(lightness > 0)) return;
-  const double most = sliding.friction * std::fabs(at.count) * at.answer.pressure;
-  const double f = std::copysign(std::min(most, 0.2 * speed / (lightness * sliding.step)), at.count);
-  for (std::size_t i = 0; i < 4; ++i) force.on[i] -= f / speed * touch.weight[i] * v;
-  force.torque += f / speed * lever.cross(v);
-  force.lost += f * speed;
+  Slid out;
+  out.lever = touch.distance * touch.normal;
+  out.moved = -slip.turn.cross(out.lever);
+  for (std::size_t i = 0; i < 4; ++i) out.moved += touch.weight[i] * slip.moved[i];
+  out.slid = out.moved - touch.normal.dot(out.moved) * touch.normal;
+  out.trial = out.slid + slip.held - touch.normal.dot(slip.held) * touch.normal;
+  out.spring = slip.stiffness * std::fabs(at.count);
+  out.most = slip.friction * std::fabs(at.count) * at.answer.pressure;
+  return out;
 }
+
+// N/m: what resists the sliding of an explicit step.
+double resistance(const Touch& touch, const Slip& slip) {
+  if (slip.step == 0) return 0;
+  double lightness = 0;  // 1/kg
+  for (std::size_t i = 0; i < 4; ++i)
+    lightness += touch.weight[i] * touch.weight[i] * slip.inverse_mass[i];
+  return lightness > 0 ? 0.2 / (lightness * slip.step * slip.step) : 0;
+}
+
+// The slip of a pair is that of its nearest place, which comes first; that of an edge on a rod the mean.
+class Friction {
+ public:
+  Friction(const Pair& pair, const Slip& slip, Force& force) : pair_(pair), slip_(slip), force_(force) {}
+  void add(const Pressed& at) {
+    const Touch& touch = at.place.touch;
+    const Slid s = slide(at, slip_);
+    Vec3 pull = s.spring * s.trial + resistance(touch, slip_) * s.slid;
+    const double size = pull.norm(), kept = s.kept();
+    if (size > s.most) pull *= s.most / size;
+    if (at.count < 0) pull = -pull;
+    for (std::size_t i = 0; i < 4; ++i) force_.on[i] -= touch.weight[i] * pull;
+    force_.torque += s.lever.cross(pull);
+    force_.pull += pull;
+    force_.stick += std::copysign(s.spring, at.count) * kept * kept * s.trial.squaredNorm() / 2;
+    const double before = slip_.step == 0 ? 0 : 0.5;
+    force_.work += (1 - before) * pull.dot(s.slid);
+    if (first_) force_.work += before * slip_.pull.dot(s.slid);
+    const double weight = pair_.kind == Kind::wrap ? s.most : first_ ? 1 : 0;
+    first_ = false;
+    share_ += weight;
+    if (weight > 0) force_.slip += weight / share_ * (kept * s.trial - force_.slip);
+  }
+
+ private:
+  const Pair& pair_;
+  const Slip& slip_;
+  Force& force_;
+  bool first_ = true;
+  double share_ = 0;
+};
 
 }  // namespace
 
-Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Sliding* sliding) {
+Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip) {
   Force force;
+  std::optional<Friction> friction;
+  if (slip != nullptr) friction.emplace(pair, *slip, force);
   const double nearest = visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
     force.active = true;
     force.contact += at.count * at.answer.contact;
@@ -67,7 +116,7 @@ Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slidi
       const double energy = pair.area * at.place.modulated * (at.answer.contact + at.answer.guard);
       for (std::size_t i = 0; i < 4; ++i) force.on[i] -= energy * m.gradient.segment<3>(3 * int(i));
     }
-    if (sliding != nullptr) add_friction(at, *sliding, force);
+    if (friction) friction->add(at);
   });
   force.gap = nearest - law.floor() * pair.scale;
   return force;
@@ -100,15 +149,6 @@ Matrix12 positive_part(const Matrix12& hessian) {
 }
 
 namespace {
-
-// f(y)/slip for y = slip/creep (1/m), and the derivative of that by the slip, divided by the slip (1/m3).
-struct Hold {
-  double value, slope;
-};
-Hold hold(double slip, double creep) {
-  if (slip >= creep) return {1 / slip, -1 / (slip * slip * slip)};
-  return {(2 - slip / creep) / creep, slip > 0 ? -1 / (creep * creep * slip) : 0};
-}
 
 Mat3 cross_matrix(const Vec3& a) {
   Mat3 m;
@@ -145,42 +185,35 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& mo
 
 }  // namespace
 
-Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const Slip& slip,
-                       bool with_jacobian) {
-  Friction out;
-  Corners moved;
-  for (std::size_t i = 0; i < 4; ++i) moved[i] = x[i] - slip.start[i];
+FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners& x, const Slip& slip) {
+  FrictionTangent out;
   visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
     const Touch& touch = at.place.touch;
-    Vec3 u = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) u += touch.weight[i] * moved[i];
-    const Vec3 lever = touch.distance * touch.normal;
-    u -= slip.turn.cross(lever);
-    const Vec3 slid = u - touch.normal.dot(u) * touch.normal;
-    const double length = slid.norm(), normal_force = at.count * at.answer.pressure;
-    const Hold h = hold(length, slip.creep);
-    const Vec3 pull = slip.friction * normal_force * h.value * slid;  // N, at the place
-    for (int i = 0; i < 4; ++i) out.force.segment<3>(3 * i) -= touch.weight[std::size_t(i)] * pull;
-    out.torque += lever.cross(pull);
-    out.lost += pull.dot(slid);
-    if (!with_jacobian) return;
-
-    // Derivative of the normal force by all corners, including that of the modulation.
-    Vector12 press = -at.count * at.answer.stiffness * distance_gradient(touch);
+    const Slid s = slide(at, slip);
+    // pull = force * direction: of what sticks the direction is the trial slip itself, of what slides its
+    // unit vector. `grows` is the derivative of the force by all corners, including that of the modulation.
+    const double length = s.trial.norm();
+    const bool sticks = s.sticks();
+    Vector12 grows = Vector12::Zero();
+    if (!sticks) grows = -slip.friction * at.count * at.answer.stiffness * distance_gradient(touch);
     if (at.place.modulated != 0 && !m.constant)
-      press += pair.area * at.place.modulated * at.answer.pressure * m.gradient;
-    const Mat3 turn =
-        slip.friction * normal_force * (h.value * Mat3::Identity() + h.slope * slid * slid.transpose());
+      grows += pair.area * at.place.modulated *
+               (sticks ? slip.stiffness : slip.friction * at.answer.pressure) * m.gradient;
+    const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
+    const double force =
+        at.count * (sticks ? slip.stiffness : slip.friction * at.answer.pressure);  // N/m or N
+    Mat3 turn = force * Mat3::Identity();
+    if (!sticks) turn = force / length * (Mat3::Identity() - direction * direction.transpose());
+    const Vec3 pull = force * direction;
     // The lever is along the normal, so lever x turn has no part along it.
-    const Mat3 levers = cross_matrix(lever), pull_by_turn = turn * levers;
+    const Mat3 levers = cross_matrix(s.lever), pull_by_turn = turn * levers;
     for (int i = 0; i < 4; ++i)
       out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
     out.torque_by_turn += levers * pull_by_turn;
     const Slides slide = slides(x, touch);
     for (std::size_t j = 0; j < 4; ++j) {
-      const Place3 by = sliding_by_corner(touch, x, moved, u, slip.turn, slide, j);
-      const Mat3 dpull =
-          turn * by.sliding + slip.friction * h.value * slid * press.segment<3>(3 * int(j)).transpose();
+      const Place3 by = sliding_by_corner(touch, x, slip.moved, s.moved + slip.held, slip.turn, slide, j);
+      const Mat3 dpull = turn * by.sliding + direction * grows.segment<3>(3 * int(j)).transpose();
       out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by.lever;
       for (std::size_t i = 0; i < 4; ++i) {
         Mat3 block = touch.weight[i] * dpull;

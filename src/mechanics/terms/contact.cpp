@@ -19,7 +19,6 @@ constexpr double kNearest = 1e-3;     // smallest gap at the start that is opene
 constexpr double kOfCloth = 0.6;      // largest step with contact, as a share of the cloth's stable step
 constexpr double kCarried = 0.2;      // stiffness * step^2 / areal mass
 constexpr double kInGuard = 1;        // the same while the guard acts
-constexpr double kCreep = 2e-4;       // sliding over which friction rises, as a share of the mean edge
 constexpr double kFar = 5;            // mean edges, the farthest that one of Newton's steps goes
 constexpr std::size_t kShare = 4096;  // number of nodes from which loops use several threads
 constexpr std::size_t kTold = 5;      // number of overlaps named in a message
@@ -163,7 +162,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     sheets_.back().name = bodies_of(model.mesh(), elements);
     least_areal_ = std::min(least_areal_, sheets_.back().areal);
   }
-  creep_ = kCreep * mean_edge(scene_);
+  edge_ = mean_edge(scene_);
   for (const model::Meeting& m : surfaces.meetings) {
     const double friction = model.interactions().contacts()[m.contact].friction;
     meetings_.push_back(meeting_of(m));
@@ -175,7 +174,7 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   contact_ = std::make_unique<contact::Contact>(scene_);
   x_ = start_ = scene_.reference();
   force_.assign(x_.size(), Vec3::Zero());
-  velocity_ = torque_ = turning_ = force_;
+  torque_ = turning_ = force_;
   find_masses(freedoms);
   find_driven(freedoms);
   refuse_overlaps();
@@ -483,46 +482,36 @@ void Contacts::positions(std::span<const double> x, double share, std::vector<Ve
     out[nodes_ + v] = share >= 1 ? to[v] : share <= 0 ? from[v] : Vec3(from[v] + share * (to[v] - from[v]));
 }
 
-// Velocities half a step ago, from the motion in the step, and the largest motion of any point.
-void Contacts::find_motion(double dt) {
-  positions(configuration_.committed_kinematics(), 0, start_);
+// The largest motion of any point in the step so far.
+void Contacts::find_motion() {
   double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most) if (nodes_ >= kShare)
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    const Vec3 moved = x_[i] - start_[i];
-    most = std::max(most, moved.squaredNorm());
-    if (friction_) velocity_[i] = moved / dt;
-  }
+  for (std::size_t i = 0; i < x_.size(); ++i) most = std::max(most, (x_[i] - start_[i]).squaredNorm());
   moved_ = std::sqrt(most);
-  if (friction_) find_turning(1 / dt);
 }
 
-// Sets the rotation of each body in the step, times a factor, at all of its vertices.
-void Contacts::find_turning(double factor) {
+// The way of friction from the beginning of the step to the present share of the bodies' motion; with the
+// step's length if it is explicit. At the start of an explicit run there is none.
+contact::Way Contacts::way(double dt) {
+  if (!friction_ || (explicit_ && !(dt > 0))) return {};
+  const double share = std::clamp(share_, 0.0, 1.0);
   for (std::size_t b = 0; b < bodies_.count(); ++b) {
     const auto [first, last] = bodies_.vertices(b);
     std::fill(turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + first),
-              turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + last), factor * bodies_.turned(b));
+              turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + last), share * bodies_.turned(b));
   }
-}
-
-// The way from the beginning of the step to the present share of the bodies' motion.
-contact::Way Contacts::way() {
-  positions(configuration_.committed_kinematics(), 0, start_);
-  find_turning(std::clamp(share_, 0.0, 1.0));
-  return {start_, creep_, turning_};
+  if (!explicit_) return {start_, turning_};
+  return {start_, turning_, dt, inverse_mass_, planes_};
 }
 
 Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& forces) {
   positions(trial.configuration.x(), share_, x_);
-  const bool steps = step.dt > 0;
   const bool room = work_of_opening();
-  if (explicit_ && steps) find_motion(step.dt);
-  const contact::Motion motion{velocity_, inverse_mass_, step.dt, turning_, planes_};
+  positions(configuration_.committed_kinematics(), 0, start_);
+  if (explicit_) find_motion();
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
-  trial_ = contact_->add_forces(x_, force_, explicit_ && steps && friction_ ? &motion : nullptr, torque_);
-  trial_lost_ = explicit_ ? step.dt * (power_ + trial_.lost) / 2 : 0;
+  trial_ = contact_->add_forces(x_, force_, way(step.dt), torque_);
   evaluated_ = true;
   blocked_ = !(trial_.gap > 0) || !room;
   if (!explicit_ && driven_meet())
@@ -532,9 +521,6 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
     for (std::size_t n = 0; n < nodes_ && passed.element < 0; ++n)
       if (!force_[n].allFinite()) passed.element = cloth_.element_at(static_cast<Index>(n));
     return passed;
-  }
-  if (!explicit_ && friction_ && trial_.touching > 0) {
-    trial_lost_ = contact_->add_friction(x_, way(), force_, torque_);
   }
   bodies_.load(std::span(force_).subspan(nodes_), std::span(torque_).subspan(nodes_));
   if (trial_.touching == 0) return {};
@@ -547,7 +533,8 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
   const contact::Totals& totals = evaluated_ ? trial_ : committed_;
   out.push_back({"contact", Account::stored, totals.contact});
   out.push_back({"guard", Account::stored, totals.guard});
-  out.push_back({"friction", Account::dissipated, lost_ + (evaluated_ ? trial_lost_ : 0)});
+  out.push_back({"stick", Account::stored, totals.stick});
+  out.push_back({"friction", Account::dissipated, lost_ + lost()});
   out.push_back({"rigid", Account::moving, bodies_.kinetic()});
 }
 
@@ -558,6 +545,7 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
 // visited.
 void Contacts::prepare_tangent(const Trial& trial) {
   positions(trial.configuration.x(), share_, x_);
+  positions(configuration_.committed_kinematics(), 0, start_);
   blocks_.clear();
   on_bodies_.clear();
   bool known = true;
@@ -573,16 +561,16 @@ void Contacts::prepare_tangent(const Trial& trial) {
   contact_->stiffness(
       x_,
       [&](const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
-          const contact::Friction* friction) {
+          const contact::FrictionTangent* friction) {
         blocks_.push_back({points, k});
         if (bodies_.unknowns() > 0) add_on_body(friction);
         add(points, [&](std::int64_t pair) {
           known = known && std::binary_search(pairs_.begin(), pairs_.end(), pair);
         });
       },
-      friction_ ? way() : contact::Way());
+      way(0));
   if (known) return;
-  const double skin = mean_edge(scene_) / 3;
+  const double skin = edge_ / 3;
   for (const auto& candidate : contact::find_pairs(scene_, x_, skin))
     add(candidate.point, [&](std::int64_t pair) { pairs_.push_back(pair); });
   std::sort(pairs_.begin(), pairs_.end());
@@ -590,7 +578,7 @@ void Contacts::prepare_tangent(const Trial& trial) {
 }
 
 // Adds the coupling of the last block with a free body, if it has one.
-void Contacts::add_on_body(const contact::Friction* friction) {
+void Contacts::add_on_body(const contact::FrictionTangent* friction) {
   Block& block = blocks_.back();
   OnBody out{blocks_.size() - 1, {}, {}, {}};
   Eigen::Matrix<double, 12, 6> by = Eigen::Matrix<double, 12, 6>::Zero();  // corners by place and turn
@@ -713,7 +701,7 @@ double Contacts::near_share(const Trial& trial) {
   double most = 0;
   for (std::size_t i = 0; i < by_.size(); ++i)
     most = std::max(most, (by_[i] - marked_[i] - mean).squaredNorm());
-  const double far = kFar * creep_ / kCreep;
+  const double far = kFar * edge_;
   return far > 0 && most > far * far ? far / std::sqrt(most) : 1;
 }
 
@@ -731,11 +719,10 @@ double Contacts::safe_share(const Trial& trial) {
 
 void Contacts::commit() {
   if (evaluated_) {
+    lost_ += lost();
     committed_ = trial_;
-    lost_ += trial_lost_;
-    power_ = trial_.lost;
+    contact_->commit();
   }
-  trial_lost_ = 0;
   evaluated_ = false;
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) committed_pairs_ = pairs_;
@@ -744,6 +731,7 @@ void Contacts::commit() {
 
 void Contacts::rollback() {
   evaluated_ = blocked_ = false;
+  contact_->rollback();
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) pairs_ = committed_pairs_;
   bodies_.rollback();
@@ -751,7 +739,8 @@ void Contacts::rollback() {
 
 void Contacts::keep(Archive& archive) {
   bodies_.keep(archive);
-  archive(committed_.contact, committed_.guard, committed_.lost, committed_.gap, lost_, power_, pairs_);
+  archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, pairs_);
+  contact_->keep(archive);
   if (!archive.reading()) return;
   committed_pairs_ = pairs_;
   reading_.version = 0;

@@ -1,8 +1,7 @@
 // Contact of cloth with rigid bodies, other cloth and itself (share/doc/contact.md), and the rigid bodies.
 //
-// Static and implicit steps: friction depends on the sliding since the beginning of the step, and its
-// Jacobian is exact; Newton's steps are cut to the safe share. Explicit steps: friction depends on the
-// velocity half a step ago, computed from the positions.
+// Friction remembers its elastic slip from step to step (contact/pair.hpp). In static and implicit steps its
+// Jacobian is exact, and Newton's steps are cut to the safe share.
 #pragma once
 #include <functional>
 #include <memory>
@@ -156,10 +155,11 @@ class Contacts final : public Term {
   bool driven_meet();
   void begin_pressed();
   void positions(std::span<const double> x, double share, std::vector<Vec3>& out) const;
-  void find_motion(double dt);
-  void find_turning(double factor);
-  contact::Way way();
-  void add_on_body(const contact::Friction* friction);
+  void find_motion();
+  contact::Way way(double dt);
+  // J, lost by friction in the trial step: its work less what the springs of what sticks take up.
+  double lost() const { return evaluated_ ? trial_.work - (trial_.stick - committed_.stick) : 0; }
+  void add_on_body(const contact::FrictionTangent* friction);
   void prepare_tangent(const Trial& trial);
   const Reading& read() const;
   int surface_of(std::int32_t point) const;
@@ -178,10 +178,10 @@ class Contacts final : public Term {
   mutable std::vector<double> share_of_;  // see open_to()
   bool friction_ = false, explicit_ = false, moves_ = false, blocked_ = false;
   double least_areal_ = 0, step_ = 0;  // kg/m2; s, step for which stiffnesses are limited
-  double creep_ = 0;                   // m
+  double edge_ = 0;                    // m, mean length of an edge
 
   std::size_t nodes_ = 0;
-  std::vector<Vec3> x_, start_, marked_, force_, torque_, velocity_, turning_, by_;
+  std::vector<Vec3> x_, start_, marked_, force_, torque_, turning_, by_;
   std::vector<double> inverse_mass_;
   // With parts of bodies that planes of symmetry cut: the planes that each node lies in, a bit each. Inverse
   // masses are then those of the whole model.
@@ -189,8 +189,7 @@ class Contacts final : public Term {
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step
   contact::Totals trial_, committed_;
-  double lost_ = 0, trial_lost_ = 0;  // J, lost by friction so far; in the step
-  double power_ = 0;                  // W, at the committed state (explicit)
+  double lost_ = 0;  // J, lost by friction up to the committed state
   bool evaluated_ = false;
   std::vector<Block> blocks_;
   std::vector<OnBody> on_bodies_;
