@@ -211,6 +211,7 @@ void Contact::index_slots() {
   guard_.resize(touched_.size());
   stick_.resize(touched_.size());
   work_.resize(touched_.size());
+  impact_.resize(touched_.size());
 }
 
 Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way,
@@ -228,7 +229,7 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     const Corners corners = corners_of(c, x);
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     Force& slot = slots_[std::size_t(i)];
-    if (!way.start.empty() && it.friction > 0) {
+    if (!way.start.empty() && it.rubs()) {
       const Slip slip = slip_of(std::size_t(i), x, way);
       slot = pair_force(it.law, c.pair, corners, &slip);
     } else {
@@ -251,7 +252,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     const auto row = std::size_t(t);
     const auto p = std::size_t(touched_[row]);
     Vec3 sum = Vec3::Zero(), turning = Vec3::Zero();
-    double contact = 0, guard = 0, stick = 0, work = 0;
+    double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
       if (!active_[of_point_[k] / 4]) continue;
       const Force& slot = slots_[of_point_[k] / 4];
@@ -262,6 +263,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
       guard += slot.guard;
       stick += slot.stick;
       work += slot.work;
+      impact += slot.impact;
       ++touching;
     }
     force[p] += sum;
@@ -270,6 +272,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     guard_[row] = guard;
     stick_[row] = stick;
     work_[row] = work;
+    impact_[row] = impact;
   }
   totals.touching = touching;
   // Over all points and not only those in the lists, which depend on the skin.
@@ -278,6 +281,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     totals.guard += guard_[row];
     totals.stick += stick_[row];
     totals.work += work_[row];
+    totals.impact += impact_[row];
   }
 }
 
@@ -289,7 +293,7 @@ void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, co
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     if (gap_of(c, corners) >= it.law.gap() * c.pair.scale) continue;
     Matrix12 k = pair_derivatives(it.law, c.pair, corners).hessian;
-    if (way.start.empty() || it.friction == 0) {
+    if (way.start.empty() || !it.rubs()) {
       visit(c.point, k, nullptr);
       continue;
     }

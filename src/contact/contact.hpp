@@ -20,8 +20,8 @@ namespace fabricsh::contact {
 struct Way {
   std::span<const Vec3> start;      // m, positions at its start; empty: friction is left out
   std::span<const Vec3> turn = {};  // rad, of the body that a rigid vertex is of; empty: none turns
-  // Explicit steps: their length, s, else 0; and the points' inverse masses, 1/kg, 0: held or driven.
-  double step = 0;
+  double dt = 0;  // s, of a step in time; 0: a static step
+  // Explicit steps: the points' inverse masses, 1/kg, 0: held or driven.
   std::span<const double> inverse_mass = {};
   // The planes of symmetry that a node lies in, one bit each, if masses are those of the whole model; else
   // empty.
@@ -32,6 +32,7 @@ struct Totals {
   double contact = 0, guard = 0;  // J
   double stick = 0;               // J, elastic energy of friction that sticks
   double work = 0;                // J, of the step's sliding against friction
+  double impact = 0;              // J, of its approaches against their damping
   // m: smallest gap above the floor of all pairs within range of contact; if there is none, the least
   // distance from gap to floor of any pair, which is then a lower bound.
   double gap = 0;
@@ -150,7 +151,7 @@ class Contact {
   std::vector<char> active_;                     // whether the slot of a pair is in use
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
-  std::vector<double> energy_, guard_, stick_, work_;  // by touched point
+  std::vector<double> energy_, guard_, stick_, work_, impact_;  // by touched point
   // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
   // the slips are in the order of the first corners, for each in the order of the pairs.
   struct Held {
@@ -160,6 +161,7 @@ class Contact {
     std::size_t slot = 0;  // of the list at that time
     double gap = 0;        // m
     Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
+    double damped = 0;
     bool is(const Candidate& c) const {
       return point == c.point && interaction == c.interaction && kind == c.pair.kind;
     }

@@ -38,13 +38,24 @@ struct Slid {
   Vec3 lever;  // m
   Vec3 slid;   // m
   Vec3 trial;  // m, elastic slip of a spring that never gives way
-  double spring = 0, most = 0;  // N/m; N, mu times the normal force
+  double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
+  double spring = 0, most = 0;            // N/m; N, mu times the normal force
   bool sticks() const { return spring * trial.norm() <= most; }
   // Share of the trial slip that friction holds.
   double kept() const { return sticks() ? 1 : most / (spring * trial.norm()); }
 };
 
-Slid slide(const Pressed& at, const Slip& slip) {
+// An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach.
+void damp(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip, Slid& out) {
+  const double opened = at.place.touch.normal.dot(out.moved);
+  if (slip.loss == 0 || slip.dt == 0 || opened >= 0) return;
+  const double gap = at.place.touch.distance - pair.offset - (slip.step == 0 ? opened : 0);
+  const double stiffness = std::min(law.scaled(gap, pair.scale).stiffness, law.stiffest());
+  out.damping_slope = -slip.loss * std::sqrt(stiffness) / slip.dt;
+  out.damping = out.damping_slope * opened;
+}
+
+Slid slide(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip) {
   const Touch& touch = at.place.touch;
   Slid out;
   out.lever = touch.distance * touch.normal;
@@ -52,8 +63,9 @@ Slid slide(const Pressed& at, const Slip& slip) {
   for (std::size_t i = 0; i < 4; ++i) out.moved += touch.weight[i] * slip.moved[i];
   out.slid = out.moved - touch.normal.dot(out.moved) * touch.normal;
   out.trial = out.slid + slip.held - touch.normal.dot(slip.held) * touch.normal;
+  damp(law, pair, at, slip, out);
   out.spring = slip.stiffness * std::fabs(at.count);
-  out.most = slip.friction * std::fabs(at.count) * at.answer.pressure;
+  out.most = slip.friction * std::fabs(at.count) * (at.answer.pressure + out.damping);
   return out;
 }
 
@@ -66,13 +78,22 @@ double resistance(const Touch& touch, const Slip& slip) {
   return lightness > 0 ? 0.2 / (lightness * slip.step * slip.step) : 0;
 }
 
+
 // The slip of a pair is that of its nearest place, which comes first; that of an edge on a rod the mean.
 class Friction {
  public:
-  Friction(const Pair& pair, const Slip& slip, Force& force) : pair_(pair), slip_(slip), force_(force) {}
+  Friction(const Law& law, const Pair& pair, const Slip& slip, Force& force)
+      : law_(law), pair_(pair), slip_(slip), force_(force) {}
   void add(const Pressed& at) {
+    const Slid s = slide(law_, pair_, at, slip_);
+    damp(at, s);
+    if (slip_.friction > 0) rub(at, s);
+    first_ = false;
+  }
+
+ private:
+  void rub(const Pressed& at, const Slid& s) {
     const Touch& touch = at.place.touch;
-    const Slid s = slide(at, slip_);
     Vec3 pull = s.spring * s.trial + resistance(touch, slip_) * s.slid;
     const double size = pull.norm(), kept = s.kept();
     if (size > s.most) pull *= s.most / size;
@@ -85,12 +106,21 @@ class Friction {
     force_.work += (1 - before) * pull.dot(s.slid);
     if (first_) force_.work += before * slip_.pull.dot(s.slid);
     const double weight = pair_.kind == Kind::wrap ? s.most : first_ ? 1 : 0;
-    first_ = false;
     share_ += weight;
     if (weight > 0) force_.slip += weight / share_ * (kept * s.trial - force_.slip);
   }
 
- private:
+  void damp(const Pressed& at, const Slid& s) {
+    const double press = at.count * s.damping;
+    const Touch& touch = at.place.touch;
+    const double closed = -touch.normal.dot(s.moved), before = slip_.step == 0 ? 0 : 0.5;
+    if (first_) force_.impact += before * slip_.damped * closed;
+    for (std::size_t i = 0; i < 4; ++i) force_.on[i] += press * touch.weight[i] * touch.normal;
+    force_.damped += press;
+    force_.impact += (1 - before) * press * closed;
+  }
+
+  const Law& law_;
   const Pair& pair_;
   const Slip& slip_;
   Force& force_;
@@ -103,7 +133,7 @@ class Friction {
 Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip) {
   Force force;
   std::optional<Friction> friction;
-  if (slip != nullptr) friction.emplace(pair, *slip, force);
+  if (slip != nullptr) friction.emplace(law, pair, *slip, force);
   const double nearest = visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
     force.active = true;
     force.contact += at.count * at.answer.contact;
@@ -161,10 +191,11 @@ struct Place3 {
   Mat3 sliding;               // of the sliding perpendicular to the normal
   Mat3 lever;                 // of the vector between the closest points
   std::array<Vec3, 2> slide;  // of the parameters of the closest points
+  Vec3 opened;                // of the motion along the normal
 };
 
 Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& moved, const Vec3& u,
-                         const Vec3& turn, const Slides& slide, std::size_t j) {
+                         const Vec3& held, const Vec3& turn, const Slides& slide, std::size_t j) {
   const Mat3 one = Mat3::Identity();
   Mat3 r = touch.weight[j] * one, du = touch.weight[j] * one;
   Place3 out;
@@ -179,7 +210,9 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& mo
   const Mat3 across = one - n * n.transpose();
   const Mat3 dn = across * r / touch.distance;
   out.lever = r;
-  out.sliding = across * du - n.dot(u) * dn - n * (u.transpose() * dn);
+  const Vec3 trial = u + held;
+  out.sliding = across * du - n.dot(trial) * dn - n * (trial.transpose() * dn);
+  out.opened = du.transpose() * n + dn.transpose() * u;
   return out;
 }
 
@@ -189,19 +222,34 @@ FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners
   FrictionTangent out;
   visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
     const Touch& touch = at.place.touch;
-    const Slid s = slide(at, slip);
+    const Slid s = slide(law, pair, at, slip);
+    const bool modulated = at.place.modulated != 0 && !m.constant;
+    const double share = pair.area * at.place.modulated, pressure = at.answer.pressure + s.damping;
+    const Slides slide = slides(x, touch);
+    std::array<Place3, 4> by;
+    Vector12 opened, press;  // derivatives of the opening, and of the normal force by all corners
+    for (std::size_t j = 0; j < 4; ++j) {
+      by[j] = sliding_by_corner(touch, x, slip.moved, s.moved, slip.held, slip.turn, slide, j);
+      opened.segment<3>(3 * int(j)) = by[j].opened;
+    }
+    press = at.count * s.damping_slope * opened;
+    if (modulated) press += share * s.damping * m.gradient;
+    if (s.damping != 0)
+      out.jacobian += distance_gradient(touch) * press.transpose() +
+                      at.count * s.damping * distance_hessian(x, touch);
+    if (slip.friction == 0) return;
+    press -= at.count * at.answer.stiffness * distance_gradient(touch);
+    if (modulated) press += share * at.answer.pressure * m.gradient;
+
     // pull = force * direction: of what sticks the direction is the trial slip itself, of what slides its
-    // unit vector. `grows` is the derivative of the force by all corners, including that of the modulation.
-    const double length = s.trial.norm();
+    // unit vector.
     const bool sticks = s.sticks();
+    const double length = s.trial.norm();
+    const double force = at.count * (sticks ? slip.stiffness : slip.friction * pressure);  // N/m or N
     Vector12 grows = Vector12::Zero();
-    if (!sticks) grows = -slip.friction * at.count * at.answer.stiffness * distance_gradient(touch);
-    if (at.place.modulated != 0 && !m.constant)
-      grows += pair.area * at.place.modulated *
-               (sticks ? slip.stiffness : slip.friction * at.answer.pressure) * m.gradient;
+    if (!sticks) grows = slip.friction * press;
+    if (sticks && modulated) grows = share * slip.stiffness * m.gradient;
     const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
-    const double force =
-        at.count * (sticks ? slip.stiffness : slip.friction * at.answer.pressure);  // N/m or N
     Mat3 turn = force * Mat3::Identity();
     if (!sticks) turn = force / length * (Mat3::Identity() - direction * direction.transpose());
     const Vec3 pull = force * direction;
@@ -210,16 +258,14 @@ FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners
     for (int i = 0; i < 4; ++i)
       out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
     out.torque_by_turn += levers * pull_by_turn;
-    const Slides slide = slides(x, touch);
     for (std::size_t j = 0; j < 4; ++j) {
-      const Place3 by = sliding_by_corner(touch, x, slip.moved, s.moved + slip.held, slip.turn, slide, j);
-      const Mat3 dpull = turn * by.sliding + direction * grows.segment<3>(3 * int(j)).transpose();
-      out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by.lever;
+      const Mat3 dpull = turn * by[j].sliding + direction * grows.segment<3>(3 * int(j)).transpose();
+      out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
       for (std::size_t i = 0; i < 4; ++i) {
         Mat3 block = touch.weight[i] * dpull;
         for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
-          if (i == std::size_t(touch.plus[k])) block += pull * by.slide[k].transpose();
-          if (i == std::size_t(touch.minus[k])) block -= pull * by.slide[k].transpose();
+          if (i == std::size_t(touch.plus[k])) block += pull * by[j].slide[k].transpose();
+          if (i == std::size_t(touch.minus[k])) block -= pull * by[j].slide[k].transpose();
         }
         out.jacobian.block<3, 3>(3 * int(i), 3 * int(j)) -= block;
       }

@@ -34,6 +34,10 @@ struct Pair {
 // the steps. A step adds its sliding to it; where the spring would then pull harder than mu times the normal
 // force, it is shortened to that, and the rest of the sliding is lost. What sticks therefore stays, whatever
 // the number and the length of the steps.
+//
+// While a pair approaches, a pressure of loss * sqrt(stiffness of the law) times the speed of approach is added:
+// a share zeta of the critical damping, whatever the depth. A sheet that meets something flat then leaves with
+// exp(-zeta acos(zeta) / sqrt(1 - zeta^2)) of its speed.
 struct Slip {
   double friction = 0;   // mu
   double stiffness = 0;  // Pa/m, of the spring, per area
@@ -43,6 +47,9 @@ struct Slip {
   Vec3 turn = Vec3::Zero();
   Vec3 held = Vec3::Zero();  // m, elastic slip at the beginning of the step
   Vec3 pull = Vec3::Zero();  // N, friction on the second side then
+  double loss = 0;           // sqrt(kg)/m, 2 zeta sqrt(areal mass)
+  double dt = 0;             // s, of the step in time; 0: no damping
+  double damped = 0;         // N, of the damping of approach at the beginning of the step
   // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
   // effective mass m of the pair at the place, damps the vibration of what sticks. It cannot reverse the
   // sliding.
@@ -57,9 +64,10 @@ struct Force {
   Vec3 slip = Vec3::Zero();    // m, elastic slip at the end of the step
   Vec3 pull = Vec3::Zero();    // N, friction on the second side
   double stick = 0;            // J, elastic energy of the slip
+  double damped = 0;           // N, of the damping of approach
   // J, work that the sliding of the step does against friction: in explicit steps by the forces at both ends,
-  // else by those at the end.
-  double work = 0;
+  // else by those at the end; and against the damping of approach.
+  double work = 0, impact = 0;
   double gap = 0;              // m, the smallest distance above the floor
   bool active = false;         // at least one place is within the law's range
 };
@@ -76,7 +84,7 @@ Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x)
 // The nearest matrix (in the Frobenius norm) without negative eigenvalues.
 Matrix12 positive_part(const Matrix12& hessian);
 
-// Derivatives of the friction of an implicit or static step: of the forces on the corners by the corners (N/m,
+// Derivatives of friction and damping of an implicit or static step: of the forces on the corners by the corners (N/m,
 // not symmetric) and by the turn of the rigid side, and of the torque likewise.
 struct FrictionTangent {
   Matrix12 jacobian = Matrix12::Zero();

@@ -59,7 +59,7 @@ bool Contact::Held::beside(const Held& other) const {
 void Contact::Held::keep(Archive& archive) {
   archive(point[0], point[1], point[2], point[3], interaction, kind);
   for (Vec3* v : {&slip, &pull}) archive((*v)[0], (*v)[1], (*v)[2]);
-  archive(gap);
+  archive(gap, damped);
 }
 
 // Balls and rods lie on many facets at once, each with a slip of its own.
@@ -101,9 +101,12 @@ Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
   if (const Held* held = held_by(i)) {
     slip.held = held->slip;
     if (held->is(c)) slip.pull = held->pull;
+    if (held->is(c)) slip.damped = held->damped;
   }
-  slip.step = way.step;
-  if (way.step == 0) return slip;
+  slip.loss = it.loss;
+  slip.dt = way.dt;
+  if (way.inverse_mass.empty()) return slip;
+  slip.step = way.dt;
   const double images = this->images(c, way.planes);
   for (std::size_t k = 0; k < 4; ++k)
     if (const auto p = c.point[k]; p >= 0) slip.inverse_mass[k] = images * way.inverse_mass[std::size_t(p)];
@@ -136,11 +139,12 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
       const std::size_t slot = of_point_[k] / 4;
       if (of_point_[k] % 4 != 0 || !active_[slot]) continue;
       const Candidate& c = inner_[slot];
-      if (scene_->interactions()[std::size_t(c.interaction)].friction == 0) continue;
+      if (!scene_->interactions()[std::size_t(c.interaction)].rubs()) continue;
       const Force& force = slots_[slot];
       const Vec3 slip =
           turned(c, force.slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
-      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull});
+      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull,
+                      force.damped});
       passes = passes && (c.pair.kind != Kind::facet || passes_on(c));
     }
     if (passes) join(std::span(held).subspan(first));

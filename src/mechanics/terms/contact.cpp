@@ -128,6 +128,17 @@ std::string bodies_of(const mesh::Mesh& mesh, const std::vector<Index>& elements
   return covered == elements.size() && count <= 2 ? words : "";
 }
 
+// The share of the critical damping with which a mass on a spring, damped while it approaches, leaves with this
+// share of its speed: exp(-zeta acos(zeta) / sqrt(1 - zeta^2)), which falls from 1 to 1/e.
+double damping_of(double restitution) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double zeta = (low + high) / 2, leaves = std::exp(-zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta));
+    (leaves > restitution ? low : high) = zeta;
+  }
+  return restitution < 1 ? low : 0;
+}
+
 Mat3 cross_matrix(const Vec3& a) {
   Mat3 m;
   m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
@@ -164,10 +175,12 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   }
   edge_ = mean_edge(scene_);
   for (const model::Meeting& m : surfaces.meetings) {
-    const double friction = model.interactions().contacts()[m.contact].friction;
+    const auto& given = model.interactions().contacts()[m.contact];
     meetings_.push_back(meeting_of(m));
-    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), friction);
-    friction_ = friction_ || friction > 0;
+    const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
+    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), given.friction, loss);
+    friction_ = friction_ || given.friction > 0;
+    rubs_ = rubs_ || friction_ || loss > 0;
   }
   moves_ = bodies_.any_free() || bodies_.any_driven();
   open_overlaps();
@@ -193,6 +206,14 @@ Contacts::Sheet Contacts::sheet(const std::vector<Index>& elements) const {
     if (out.compression != section.compression) out.compression.clear();  // cloths of several kinds
   }
   return out;
+}
+
+// kg/m2, of a sheet on a body, or the reduced mass of two sheets that meet.
+double Contacts::moving_mass(const model::Meeting& m) const {
+  double inverse = 0;
+  for (const int side : {m.first, m.second})
+    if (side < static_cast<int>(sheets_.size())) inverse += 1 / sheets_[side].areal;
+  return 1 / inverse;
 }
 
 void Contacts::find_masses(const Freedoms& freedoms) {
@@ -298,7 +319,9 @@ void Contacts::go_explicit() {
   begin_pressed();
 }
 
-void Contacts::go_implicit() {
+void Contacts::go_implicit(double weight) {
+  implicit_ = true;
+  weight_ = weight;
   bodies_.go_implicit();
   soften(false);
   begin_pressed();
@@ -493,15 +516,34 @@ void Contacts::find_motion() {
 // The way of friction from the beginning of the step to the present share of the bodies' motion; with the
 // step's length if it is explicit. At the start of an explicit run there is none.
 contact::Way Contacts::way(double dt) {
-  if (!friction_ || (explicit_ && !(dt > 0))) return {};
+  if (!rubs_ || (explicit_ && !(dt > 0))) return {};
   const double share = std::clamp(share_, 0.0, 1.0);
   for (std::size_t b = 0; b < bodies_.count(); ++b) {
     const auto [first, last] = bodies_.vertices(b);
     std::fill(turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + first),
               turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + last), share * bodies_.turned(b));
   }
-  if (!explicit_) return {start_, turning_};
+  if (!explicit_) return {start_, turning_, implicit_ ? dt : 0};
   return {start_, turning_, dt, inverse_mass_, planes_};
+}
+
+// J, that the trial step takes from what presses: the energy that contact gives up less the work of its forces
+// at the end of the step. A convex energy falls by at least that work, so that this is not negative but for
+// what the geometry bends within a step; the latter stays an error of the ledger.
+double Contacts::taken() const {
+  double work = trial_.work;
+  for (std::size_t i = 0; i < x_.size(); ++i) work += force_[i].dot(x_[i] - start_[i]);
+  for (std::size_t i = nodes_; i < x_.size(); ++i) work += torque_[i].dot(turning_[i]);
+  // What friction takes has its own account; the damping of approach belongs to this one.
+  const double given = committed_.contact + committed_.guard - trial_.contact - trial_.guard;
+  return std::max(0.0, opening_work_ + given - work);
+}
+
+double Contacts::work_on_cloth() const {
+  double work = 0;
+  for (std::size_t i = 0; i < nodes_; ++i)
+    if (inverse_mass_[i] > 0) work += force_[i].dot(x_[i] - start_[i]);
+  return work;
 }
 
 Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& forces) {
@@ -523,6 +565,7 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
     return passed;
   }
   bodies_.load(std::span(force_).subspan(nodes_), std::span(torque_).subspan(nodes_));
+  if (implicit_) trial_impact_ = taken();
   if (trial_.touching == 0) return {};
 #pragma omp parallel for schedule(static) if (nodes_ >= kShare)
   for (std::size_t n = 0; n < nodes_; ++n) at(forces.on_x, static_cast<Index>(n)) -= force_[n];
@@ -535,6 +578,7 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
   out.push_back({"guard", Account::stored, totals.guard});
   out.push_back({"stick", Account::stored, totals.stick});
   out.push_back({"friction", Account::dissipated, lost_ + lost()});
+  out.push_back({"impact", Account::dissipated, impact_ + (!evaluated_ ? 0 : implicit_ ? trial_impact_ : trial_.impact)});
   out.push_back({"rigid", Account::moving, bodies_.kinetic()});
 }
 
@@ -568,7 +612,7 @@ void Contacts::prepare_tangent(const Trial& trial) {
           known = known && std::binary_search(pairs_.begin(), pairs_.end(), pair);
         });
       },
-      way(0));
+      way(aimed_ - configuration_.time()));
   if (known) return;
   const double skin = edge_ / 3;
   for (const auto& candidate : contact::find_pairs(scene_, x_, skin))
@@ -617,7 +661,7 @@ bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
     const contact::Vector12 f = part.force * moved;
     for (int a = 0; a < 4; ++a)
       if (const std::int32_t p = block.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes_))
-        at(on_x, p) += f.segment<3>(3 * a);
+        at(on_x, p) += weight_ * f.segment<3>(3 * a);
   }
   return any;
 }
@@ -676,7 +720,7 @@ void Contacts::add_tangent(const Trial&, TangentSink& sink) const {
       for (int b = 0; b < 4; ++b) {
         const std::int32_t q = block.point[b];
         if (q < 0) continue;
-        const Mat3 k = block.k.block<3, 3>(3 * a, 3 * b);
+        const Mat3 k = weight_ * block.k.block<3, 3>(3 * a, 3 * b);
         if (q < static_cast<std::int32_t>(nodes_))
           sink.on_positions(p, q, k);
         else if (moves_)
@@ -720,6 +764,7 @@ double Contacts::safe_share(const Trial& trial) {
 void Contacts::commit() {
   if (evaluated_) {
     lost_ += lost();
+    impact_ += implicit_ ? trial_impact_ : trial_.impact;
     committed_ = trial_;
     contact_->commit();
   }
@@ -739,7 +784,8 @@ void Contacts::rollback() {
 
 void Contacts::keep(Archive& archive) {
   bodies_.keep(archive);
-  archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, pairs_);
+  archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, impact_,
+          pairs_);
   contact_->keep(archive);
   if (!archive.reading()) return;
   committed_pairs_ = pairs_;

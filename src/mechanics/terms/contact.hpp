@@ -55,9 +55,17 @@ class Contacts final : public Term {
   // motion.
   double near_share(const Trial& trial);
 
+  // --- implicit steps take the forces of contact at their end, while the cloth keeps its own rule
+  // [kane1999]: then contact cannot make energy, and what it takes is the energy "impact". The scheme's
+  // balance has these forces `weight` times, and so has the tangent.
+  void go_implicit(double weight);
+  double weight() const { return weight_; }
+  std::span<const Vec3> push() const { return std::span(force_).first(nodes_); }  // N, on the nodes
+  // J, of these forces on the nodes that move freely, in the step.
+  double work_on_cloth() const;
+
   // --- implicit steps of free bodies: six unknowns each beside those of the cloth, the force on it at the
   // step's end. All of the last tangent.
-  void go_implicit();
   std::size_t body_unknowns() const { return bodies_.unknowns(); }
   // What a change of unknown j does to the internal forces on the nodes, N, 3 per node. False: nothing.
   bool body_push(std::size_t j, std::span<double> on_x) const;
@@ -96,6 +104,7 @@ class Contacts final : public Term {
   double gap(Index node) const;       // m, above the floor; at most the range of contact
   double pressure(Index node) const;  // Pa, without friction, of both faces added
   std::size_t touching() const { return read().totals.touching; }
+  std::size_t touching_now() const { return (evaluated_ ? trial_ : committed_).touching; }
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
   std::vector<std::string> describe() const;
@@ -141,6 +150,7 @@ class Contacts final : public Term {
   Sheet sheet(const std::vector<Index>& elements) const;
   void find_masses(const Freedoms& freedoms);
   Meeting meeting_of(const model::Meeting& meeting) const;
+  double moving_mass(const model::Meeting& m) const;
   std::string name_of(int side) const;
   std::string stiffness_words(const Meeting& m, const contact::Law& law) const;
   void soften(bool measured);
@@ -158,6 +168,7 @@ class Contacts final : public Term {
   void find_motion();
   contact::Way way(double dt);
   // J, lost by friction in the trial step: its work less what the springs of what sticks take up.
+  double taken() const;
   double lost() const { return evaluated_ ? trial_.work - (trial_.stick - committed_.stick) : 0; }
   void add_on_body(const contact::FrictionTangent* friction);
   void prepare_tangent(const Trial& trial);
@@ -189,7 +200,10 @@ class Contacts final : public Term {
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step
   contact::Totals trial_, committed_;
-  double lost_ = 0;  // J, lost by friction up to the committed state
+  double lost_ = 0;                         // J, lost by friction up to the committed state
+  double impact_ = 0, trial_impact_ = 0;    // J, taken by implicit steps; in the trial step
+  double weight_ = 1;                       // of the forces at the end of an implicit step
+  bool implicit_ = false, rubs_ = false;  // rubs: friction or the damping of approach acts
   bool evaluated_ = false;
   std::vector<Block> blocks_;
   std::vector<OnBody> on_bodies_;
