@@ -57,7 +57,9 @@ local function grid(lists)
   return cases
 end
 
-local function cases_of(parameters)
+local function cases_of(t)
+  if (t.parameters == nil) == (t.sample == nil) then fail "study: expected either 'parameters' or 'sample'" end
+  local parameters = t.parameters or t.sample
   if next(parameters) == nil then fail "study: field 'parameters': expected lists of values by name, or a list of cases, got an empty table" end
   local cases = #parameters > 0 and listed(parameters) or grid(parameters)
   local seen = {}
@@ -81,7 +83,19 @@ local function whole_number(name, default, low)
   return n
 end
 
-local function share()
+-- The case of --case, of the deck's only study.
+local asked_before = false
+local function asked(count)
+  local k = fabric.asked_case()
+  if k == nil then return nil end
+  if asked_before then fail "study: --cases and --case are for decks with one study; this is the second one" end
+  asked_before = true
+  if k ~= "list" and k > count then fail(("study: --case %d: the study has %d cases"):format(k, count)) end
+  return k
+end
+
+local function share(only)
+  if only then return function(i) return i == only end end
   local id = whole_number("SLURM_ARRAY_TASK_ID", nil, 0)
   if not id then return function() return true end end
   local count, first, step = whole_number("SLURM_ARRAY_TASK_COUNT", 1, 1), whole_number("SLURM_ARRAY_TASK_MIN", 0, 0), whole_number("SLURM_ARRAY_TASK_STEP", 1, 1)
@@ -92,7 +106,8 @@ local function share()
   return function(i) return (i - 1) % count == place end
 end
 
--- A folder belongs to one version of a deck, so that different results are not mixed.
+-- A folder belongs to one version of a deck, so that different results are not mixed. What stands behind the end of run() in the deck cannot
+-- change its results.
 local function claim(folder, deck)
   local path = folder .. "/study.txt"
   local f = io.open(path)
@@ -107,10 +122,19 @@ local function claim(folder, deck)
   fabric.write(path, deck)
 end
 
-local function identity()
+local function identity(run)
   local f = arg and arg[0] and io.open(arg[0], "rb")
   local text = f and f:read "a" or ""
   if f then f:close() end
+  local info = debug and debug.getinfo(run, "S")
+  if info and arg and info.source == "@" .. tostring(arg[0]) then
+    local lines, place = 0, 1
+    while lines < info.lastlinedefined and place do
+      lines, place = lines + 1, text:find("\n", place, true)
+      place = place and place + 1
+    end
+    text = place and text:sub(1, place - 1) or text
+  end
   return "fabricsh study 1\ndeck " .. case_file.hash(text) .. "\n"
 end
 
@@ -173,7 +197,7 @@ end
 
 -- Computes the missing cases of this share; returns the errors of processes that left no file, by case.
 local function compute(t, cases)
-  local mine, missing, troubles = share(), {}, {}
+  local mine, missing, troubles = share(t.only), {}, {}
   for i, case in ipairs(cases) do
     local known = mine(i) and case_file.load(t.folder, case)
     if mine(i) and (not known or (t.again and known.trouble)) then missing[#missing + 1] = i end
@@ -240,13 +264,18 @@ local function csv(study)
 end
 
 local function run(t)
-  local cases = cases_of(t.parameters)
+  local cases = cases_of(t)
   t.taken = taken_names(cases)
-  if fabric.checking() then
-    t.run(cases[1])
+  t.only = asked(#cases)
+  if fabric.checking() or t.only == "list" then
+    if t.only == "list" then
+      for i, case in ipairs(cases) do print(("%d\t%s"):format(i, case_file.words(case))) end
+    else
+      t.run(cases[1])
+    end
     return { folder = t.folder, missing = #cases, failed = 0, complete = false, parameters = {}, results = {} }
   end
-  claim(t.folder, identity())
+  claim(t.folder, identity(t.run))
   local study = collect(t, cases, compute(t, cases))
   if study.complete then fabric.write(study.file, csv(study)) end
   return study
@@ -255,14 +284,15 @@ end
 define {
   name = "fabric.study",
   arguments = {
-    { name = "parameters", kind = "table", sentence = "{ name={values}, ... }: every combination; or { {name=value, ...}, ... }: these cases" },
+    { name = "parameters", kind = "table", optional = true, sentence = "{ name={values}, ... }: every combination; or { {name=value, ...}, ... }: these cases" },
+    { name = "sample", kind = "table", optional = true, sentence = "instead: the cases of fabric.sobol or fabric.latin_hypercube" },
     { name = "run", kind = "function", sentence = "run(p), p.name being the values of a case, returns a table of named numbers, strings, true or false" },
     { name = "folder", kind = "text", default = "out/study", sentence = "where each finished case is kept, and study.csv when all are" },
     { name = "workers", kind = "integer", low = 1, high = 4096, optional = true,
       sentence = "cases side by side, each in a process with one thread; default: the threads that the program may use" },
     { name = "again", kind = "boolean", default = false, sentence = "runs cases again that failed before" },
   },
-  sentence = "Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share. Returns the cases in order, each "
+  sentence = "Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share; fabricsh --cases deck.lua lists the cases, --case K runs one of them. Returns the cases in order, each "
     .. "{parameters, values, warnings, trouble} (warnings as analysis.warnings has them, of all runs of the case), with complete, missing, failed, file (the table as CSV), parameters and results (names).",
   example = "local folder = os.tmpname()\nos.remove(folder)\n"
     .. "local s = require 'fabric'.study{ parameters={ a={1, 2}, b={10, 20} }, folder=folder, run=function(p) return { sum=p.a + p.b } end }\n"

@@ -33,7 +33,7 @@ local function make(along, around, step)
     function(a) return a:node(A).uy, -a:node(B).ux, -a:node(C).ux end
 end
 
-local sizes = problem.sizes { 2 }
+local sizes = problem.sizes { 1, 2 }
 local finest = sizes[#sizes]
 local a, read = make(8 * finest, 12 * finest, 0.05)
 print(("Pull-out of a cylinder: A, -B and -C, %d x %d elements in the eighth"):format(8 * finest, 12 * finest))

@@ -262,6 +262,27 @@ function card:with(changes) end
 ---@param path string of the Lua file
 function card:write(path) end
 
+---The number after --case, 'list' under --cases; else nothing. fabric.study follows it.
+---@return any
+function fabric.asked_case() end
+
+---@class fabric_budget_fields
+---@field run function run(p) returns numbers by name; p.card, p.mesh, p.step, p.specimen (a seed) and p.assumed.NAME are those of this run
+---@field card? card its measured bands and what it assumes are varied
+---@field mesh? table for p.mesh, rising, e.g. {4, 8, 16} elements along a side
+---@field steps? table for p.step, falling
+---@field assumed? table { name={low, high} }: other ranges of what the card assumes, and more numbers, for p.assumed.name
+---@field samples? integer draws of all inputs; the runs are this times the inputs and 2 (default 64)
+---@field seed? integer of the draws (default 1)
+---@field processes? integer runs side by side; default: the threads that the program may use
+---@field print? boolean the table (default true)
+---@field figure? string a file for a picture of the shares
+
+---The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, not_varied.
+---@param fields fabric_budget_fields
+---@return any
+function fabric.budget(fields) end
+
 ---@class fabric_card_fields.options
 ---@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured; thickness: integration through the thickness, without a warning
 
@@ -1030,6 +1051,11 @@ function fabric.lab.mesh_error(fields) end
 ---@return table[]
 function fabric.lab.monotone(fields) end
 
+---The quantile of the normal distribution with mean 0 and deviation 1.
+---@param probability number of values below it
+---@return table<string, any>
+function fabric.lab.normal(probability) end
+
 ---@class fabric_lab_parallel_fields
 ---@field count integer of items
 ---@field work function work(i) returns a list of numbers
@@ -1211,6 +1237,13 @@ function fabric.lab.shear(fields) end
 ---@param fields fabric_lab_shear_from_bias_fields
 ---@return table<string, any>
 function fabric.lab.shear_from_bias(fields) end
+
+---Points of Sobol's sequence, which fill a cube evenly [joe2008]: a list of numbers between 0 and 1, point after point. fabric.sobol makes cases of a study of them.
+---@param count integer of points
+---@param dimensions integer of each
+---@param seed? integer of a shift of all points; 0: none (default 1)
+---@return table<string, any>
+function fabric.lab.sobol_points(count, dimensions, seed) end
 
 ---@class fabric_lab_speckles_fields
 ---@field file string ends in .png
@@ -1410,6 +1443,11 @@ function fabric.lab.unloading(fields) end
 ---@param fields fabric_lab_viscous_fields
 ---@return table<string, any>
 function fabric.lab.viscous(fields) end
+
+---Cases for fabric.study{ sample= } by Latin hypercube sampling [mckay1979]: each input has one value in each of n equally probable parts of its range.
+---@param inputs table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }: uniform or normal inputs by name
+---@return any
+function fabric.latin_hypercube(inputs) end
 
 ---@class fabric_linear_fields.bending.friction_warp
 ---@field moment number N: friction moment per width
@@ -1706,6 +1744,11 @@ function fabric.rigid.surface(fields) end
 ---@return any
 function fabric.show(rows, options) end
 
+---Cases for fabric.study{ sample= } at the points of Sobol's sequence [joe2008]: a list of { name=value }. Means over n such cases are closer than over n random ones; best with n a power of 2.
+---@param inputs table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }: uniform or normal inputs by name; seed 0: the sequence as it is, others shift it
+---@return any
+function fabric.sobol(inputs) end
+
 ---@class fabric_static_fields
 ---@field model model what is computed
 ---@field duration number s: time to run to
@@ -1728,13 +1771,14 @@ function fabric.show(rows, options) end
 function fabric.static(fields) end
 
 ---@class fabric_study_fields
----@field parameters table { name={values}, ... }: every combination; or { {name=value, ...}, ... }: these cases
+---@field parameters? table { name={values}, ... }: every combination; or { {name=value, ...}, ... }: these cases
+---@field sample? table instead: the cases of fabric.sobol or fabric.latin_hypercube
 ---@field run function run(p), p.name being the values of a case, returns a table of named numbers, strings, true or false
 ---@field folder? string where each finished case is kept, and study.csv when all are (default "out/study")
 ---@field workers? integer cases side by side, each in a process with one thread; default: the threads that the program may use
 ---@field again? boolean runs cases again that failed before (default false)
 
----Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share. Returns the cases in order, each {parameters, values, warnings, trouble} (warnings as analysis.warnings has them, of all runs of the case), with complete, missing, failed, file (the table as CSV), parameters and results (names).
+---Runs a function for many sets of parameters in parallel processes. Finished cases are kept and not run again when the deck is run again; a case that fails leaves its message and does not stop the others. As a task of a Slurm array job it runs its share; fabricsh --cases deck.lua lists the cases, --case K runs one of them. Returns the cases in order, each {parameters, values, warnings, trouble} (warnings as analysis.warnings has them, of all runs of the case), with complete, missing, failed, file (the table as CSV), parameters and results (names).
 ---@param fields fabric_study_fields
 ---@return table
 function fabric.study(fields) end

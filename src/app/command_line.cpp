@@ -29,6 +29,9 @@ const char* const usage =
     "  --limit-seconds S        with --safe: computing time of all threads (86400)\n"
     "  --limit-instructions N   with --safe: instructions of Lua (1e10)\n"
     "  --restart F   runs the deck; the analysis that wrote the checkpoint F begins where it was\n"
+    "  --cases       lists the cases of the deck's fabric.study and computes none of them\n"
+    "  --case K      computes case K of the deck's fabric.study, for a queue that starts each case by "
+    "itself\n"
     "  --quiet       no progress on standard error\n"
     "  --version     versions of the program and of what it stands on\n"
     "  --help        this text\n"
@@ -112,6 +115,16 @@ class Reader {
     return false;
   }
 
+  bool study_case(const std::string& word) {
+    std::string text;
+    if (!long_value(word, "--case", text)) return false;
+    const auto end = text.data() + text.size();
+    const auto [stop, wrong] = std::from_chars(text.data(), end, c_.study.only);
+    if (wrong != std::errc() || stop != end || c_.study.only < 1)
+      c_.trouble = "--case: expected the number of a case, from 1 on, got '" + text + "'";
+    return true;
+  }
+
   template <class Number>
   bool limit(const std::string& word, const std::string& name, double most, Number& out) {
     std::string text;
@@ -135,6 +148,7 @@ class Reader {
 
   bool long_option(const std::string& word) {
     if (word == "--check") return c_.check = true;
+    if (word == "--cases") return c_.study.list = true;
     if (word == "--quiet") return c_.quiet = true;
     if (word == "--strict") return c_.strict = true;
     if (word == "--version" || word == "-v") return c_.version = true;
@@ -150,7 +164,7 @@ class Reader {
       closed_ = true;
     } else if (long_option(word)) {
       ++at_;
-    } else if (safe_option(word)) {
+    } else if (safe_option(word) || study_case(word)) {
     } else if (word == "-i") {
       c_.interactive = true;
       ++at_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "script/sandbox/limits.hpp"
+#include "script/session.hpp"
 
 namespace fabricsh::app {
 
@@ -12,6 +13,7 @@ struct CommandLine {
   std::vector<std::pair<char, std::string>> before;  // ('e', chunk) and ('l', module), in order
   bool interactive = false;                          // -i
   bool check = false, quiet = false, strict = false, version = false, help = false;
+  script::StudyOptions study;  // --cases, --case
   int threads = 0;
   bool safe = false;           // --safe, and its further options
   std::string output;          // --output; empty: out

@@ -72,6 +72,7 @@ script::Options session_options(const app::CommandLine& command, Speaker& speake
   options.check = command.check;
   options.quiet = command.quiet;
   options.strict = command.strict;
+  options.study = command.study;
   options.threads = command.threads;
   options.command_line = command.line;
   options.deck = command.deck;

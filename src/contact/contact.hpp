@@ -20,7 +20,7 @@ namespace fabricsh::contact {
 struct Way {
   std::span<const Vec3> start;      // m, positions at its start; empty: friction is left out
   std::span<const Vec3> turn = {};  // rad, of the body that a rigid vertex is of; empty: none turns
-  double dt = 0;  // s, of a step in time; 0: a static step
+  double dt = 0;                    // s, of a step in time; 0: a static step
   // Explicit steps: the points' inverse masses, 1/kg, 0: held or driven.
   std::span<const double> inverse_mass = {};
   // The planes of symmetry that a node lies in, one bit each, if masses are those of the whole model; else

@@ -73,11 +73,9 @@ Slid slide(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip
 double resistance(const Touch& touch, const Slip& slip) {
   if (slip.step == 0) return 0;
   double lightness = 0;  // 1/kg
-  for (std::size_t i = 0; i < 4; ++i)
-    lightness += touch.weight[i] * touch.weight[i] * slip.inverse_mass[i];
+  for (std::size_t i = 0; i < 4; ++i) lightness += touch.weight[i] * touch.weight[i] * slip.inverse_mass[i];
   return lightness > 0 ? 0.2 / (lightness * slip.step * slip.step) : 0;
 }
-
 
 // The slip of a pair is that of its nearest place, which comes first; that of an edge on a rod the mean.
 class Friction {
@@ -235,8 +233,8 @@ FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners
     press = at.count * s.damping_slope * opened;
     if (modulated) press += share * s.damping * m.gradient;
     if (s.damping != 0)
-      out.jacobian += distance_gradient(touch) * press.transpose() +
-                      at.count * s.damping * distance_hessian(x, touch);
+      out.jacobian +=
+          distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
     if (slip.friction == 0) return;
     press -= at.count * at.answer.stiffness * distance_gradient(touch);
     if (modulated) press += share * at.answer.pressure * m.gradient;

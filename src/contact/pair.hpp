@@ -35,12 +35,12 @@ struct Pair {
 // force, it is shortened to that, and the rest of the sliding is lost. What sticks therefore stays, whatever
 // the number and the length of the steps.
 //
-// While a pair approaches, a pressure of loss * sqrt(stiffness of the law) times the speed of approach is added:
-// a share zeta of the critical damping, whatever the depth. A sheet that meets something flat then leaves with
-// exp(-zeta acos(zeta) / sqrt(1 - zeta^2)) of its speed.
+// While a pair approaches, a pressure of loss * sqrt(stiffness of the law) times the speed of approach is
+// added: a share zeta of the critical damping, whatever the depth. A sheet that meets something flat then
+// leaves with exp(-zeta acos(zeta) / sqrt(1 - zeta^2)) of its speed.
 struct Slip {
-  double friction = 0;   // mu
-  double stiffness = 0;  // Pa/m, of the spring, per area
+  double friction = 0;                                                       // mu
+  double stiffness = 0;                                                      // Pa/m, of the spring, per area
   Corners moved = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // m, the corners in the step
   // rad, rotation of the rigid side in the step. Its surface is taken at the place of the cloth, so that the
   // two forces of friction act at one place and angular momentum is conserved.
@@ -53,7 +53,7 @@ struct Slip {
   // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
   // effective mass m of the pair at the place, damps the vibration of what sticks. It cannot reverse the
   // sliding.
-  double step = 0;                        // s; 0: an implicit or static step
+  double step = 0;                       // s; 0: an implicit or static step
   std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
 };
 
@@ -68,8 +68,8 @@ struct Force {
   // J, work that the sliding of the step does against friction: in explicit steps by the forces at both ends,
   // else by those at the end; and against the damping of approach.
   double work = 0, impact = 0;
-  double gap = 0;              // m, the smallest distance above the floor
-  bool active = false;         // at least one place is within the law's range
+  double gap = 0;       // m, the smallest distance above the floor
+  bool active = false;  // at least one place is within the law's range
 };
 
 // Forces on the corners.
@@ -84,8 +84,8 @@ Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x)
 // The nearest matrix (in the Frobenius norm) without negative eigenvalues.
 Matrix12 positive_part(const Matrix12& hessian);
 
-// Derivatives of friction and damping of an implicit or static step: of the forces on the corners by the corners (N/m,
-// not symmetric) and by the turn of the rigid side, and of the torque likewise.
+// Derivatives of friction and damping of an implicit or static step: of the forces on the corners by the
+// corners (N/m, not symmetric) and by the turn of the rigid side, and of the torque likewise.
 struct FrictionTangent {
   Matrix12 jacobian = Matrix12::Zero();
   Eigen::Matrix<double, 12, 3> by_turn = Eigen::Matrix<double, 12, 3>::Zero();

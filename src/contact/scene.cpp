@@ -303,8 +303,7 @@ void Scene::meet(int first, int second, const Law& law, double friction, double 
     refuse("at least one of the two surfaces must be cloth");
   if (!(friction >= 0) || !std::isfinite(friction))
     refuse("friction: expected a number from 0 on, got " + number(friction));
-  if (!(loss >= 0) || !std::isfinite(loss))
-    refuse("loss: expected a number from 0 on, got " + number(loss));
+  if (!(loss >= 0) || !std::isfinite(loss)) refuse("loss: expected a number from 0 on, got " + number(loss));
   if (between(first, second) != nullptr) refuse("the two surfaces are in contact already");
   Interaction it{first, second, law, friction, loss};
   if (surfaces_[std::size_t(first)].shape != Shape::cloth) std::swap(it.first, it.second);  // cloth first

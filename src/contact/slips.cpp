@@ -1,8 +1,8 @@
 // The elastic slips of friction, from step to step.
 //
-// A slip belongs to a pair as long as it touches. A point that passes from one facet to the next takes its slip
-// along: all facets that have common corners hold it with the slip at the nearest of them. So the weights of
-// facets, edges and corners cancel for friction as they do for pressure.
+// A slip belongs to a pair as long as it touches. A point that passes from one facet to the next takes its
+// slip along: all facets that have common corners hold it with the slip at the nearest of them. So the
+// weights of facets, edges and corners cancel for friction as they do for pressure.
 #include <algorithm>
 #include <cmath>
 
@@ -75,8 +75,8 @@ const Contact::Held* Contact::held_by(std::size_t slot) {
   if (known == none) return nullptr;
   if (known != unknown) return &held_[std::size_t(known)];
   const Candidate& c = inner_[slot];
-  const auto first =
-      std::partition_point(held_.begin(), held_.end(), [&](const Held& h) { return h.point[0] < c.point[0]; });
+  const auto first = std::partition_point(held_.begin(), held_.end(),
+                                          [&](const Held& h) { return h.point[0] < c.point[0]; });
   const Held sought{c.point, c.interaction, c.pair.kind, 0, 0};
   const bool passes = passes_on(c);
   auto found = held_.end();
@@ -143,8 +143,7 @@ void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
       const Force& force = slots_[slot];
       const Vec3 slip =
           turned(c, force.slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
-      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull,
-                      force.damped});
+      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull, force.damped});
       passes = passes && (c.pair.kind != Kind::facet || passes_on(c));
     }
     if (passes) join(std::span(held).subspan(first));

@@ -120,6 +120,13 @@ void absolute_sums(const Matrix& A, std::vector<double>& sums) {
       sums[static_cast<std::size_t>(c)] += a;
       if (pattern.upper && r < c) sums[static_cast<std::size_t>(r)] += a;
     }
+  const double largest = sums.empty() ? 0 : *std::max_element(sums.begin(), sums.end());
+  for (double& s : sums) s = std::max(s, 1e-12 * largest);
+}
+
+void add_diagonal(const Matrix& K, double m, std::span<const double> D, Matrix& A) {
+  A = K;
+  for (Index c = 0; m > 0 && c < K.size(); ++c) A.add(c, c, m * D[c]);
 }
 
 void mirror(const Matrix& A, std::uint64_t& of, Matrix& K) {

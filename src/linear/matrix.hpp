@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,8 +58,11 @@ struct Matrix {
 };
 
 // For each column the sum of its entries' absolute values, those below the diagonal included also where A
-// keeps its upper triangle.
+// keeps its upper triangle; none smaller than 1e-12 times the largest.
 void absolute_sums(const Matrix& A, std::vector<double>& sums);
+
+// A = K + m D with the diagonal matrix of the numbers D; takes over K's pattern.
+void add_diagonal(const Matrix& K, double m, std::span<const double> D, Matrix& A);
 
 // The symmetric matrix whose upper triangle A keeps, with both triangles; K follows its pattern, which is
 // made anew if `of`, the version of the pattern of which it was made, is another one.

@@ -103,7 +103,7 @@ class Problem final : public solver::PathProblem {
   double small_time_, aimed_ = 0;
   std::vector<double> product_, ahead_, later_external_, push_, kept_, balance_, on_x_, on_d_;
   std::vector<double> lead_, targets_, external_;
-  std::vector<double> lumped_;  // mass of each unknown, kg and kg m^2, once it is needed
+  std::vector<double> lumped_;           // mass of each unknown, kg and kg m^2, once it is needed
   struct Memory {                        // the data of earlier steps that the next one needs
     std::vector<double> driven, lead;    // at the last commit; change in the last step
     std::vector<double> external, push;  // dead loads likewise

@@ -47,7 +47,10 @@ StepControl control_of(const StaticOptions& o, const mechanics::Assembly& assemb
   return control;
 }
 
-constexpr double kLedger = 0.05;  // share of the external work: a larger error of the ledger is reported
+constexpr double kLedger =
+    0.05;  // share of the external work taken by relaxation above which a warning says so
+
+constexpr double kDissipated = 0.01;  // such a share of what the cloth has dissipated
 
 // Relaxation is tried, if it is permitted, where a cut would make the step smaller than this part of the
 // largest. Cuts of earlier steps count: in front of a load that jumps every step needs some, and none many.
@@ -81,6 +84,7 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
     : Run(std::move(model), options.duration, std::move(notices), "static"),
       options_(options),
       given_(options),
+      has_energy_(assembly_->cloth().symmetric()),
       now_{control_of(options, *assembly_)} {
   check_options(options_);
   check_bodies();
@@ -96,12 +100,9 @@ Static::Static(std::shared_ptr<model::Model> model, const StaticOptions& options
         "with a card whose stress changes in time");
   if (options_.control == Control::arc)
     arc_ = std::make_unique<solver::ArcLength>(std::move(linear));
-  else
+  else if (has_energy_)
     stable_ = std::make_unique<solver::TrustRegion>(std::move(linear), assembly_->symmetric());
-  if (!arc_) polish_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
-  // The forces of a law whose tangent is not symmetric have no energy that steps could lower.
-  if (!arc_ && !assembly_->cloth().symmetric())
-    newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
+  if (!arc_) newton_ = std::make_unique<solver::Newton>(make_solver(options_.solver, !takes_unsymmetric()));
   if (options_.method != Method::newton) {
     relaxation_ = std::make_unique<solver::Relaxation>();
     if (bends_by_itself(*model_))
@@ -251,7 +252,7 @@ bool Static::cut(double size) {
 
 bool Static::attempt(double size, StepReport& report) {
   solver::NewtonOptions options{options_.tolerance, options_.max_iterations, options_.line_search};
-  if (newton_ && options.max_iterations == StaticOptions{}.max_iterations)
+  if (!has_energy_ && options.max_iterations == StaticOptions{}.max_iterations)
     options.max_iterations = kNewtonIterations;
   if (report.cuts >= kSeparating) options.most_unstable = problem_->size();
   if (arc_) {
@@ -262,10 +263,10 @@ bool Static::attempt(double size, StepReport& report) {
   }
   problem_->aim(size);
   const auto solve = [&] {
-    if (newton_) return newton_->solve(*problem_, options);
+    if (!has_energy_) return newton_->solve(*problem_, options);
     auto result = stable_->solve(*problem_, options);
     if (result.status != solver::NewtonStatus::too_many_iterations || report.cuts < kOtherWay) return result;
-    const auto other = polish_->solve(*problem_, {options_.tolerance, kNewtonIterations});
+    const auto other = newton_->solve(*problem_, {options_.tolerance, kNewtonIterations});
     return other.status == solver::NewtonStatus::converged ? complete(other, options) : result;
   };
   return finish(options_.method == Method::relaxation ? relax(options) : solve(), size, report);
@@ -316,8 +317,9 @@ bool Static::rescue(double size, StepReport& report) {
                 size, report);
 }
 
-// Relaxation gets near at low accuracy, then the search for the least energy solves accurately and checks
-// that the shape is stable; if that fails, relaxation continues from where it was.
+// Dynamic relaxation gets near at low accuracy, then Newton's method solves accurately; if that fails,
+// relaxation continues from where it was. The overdamped motion is completed by the search for the least
+// energy, which checks that the shape is stable.
 solver::NewtonResult Static::relax(solver::NewtonOptions options) {
   solver::RelaxationOptions coarse{options_.tolerance, many_descents};
   solver::NewtonResult result;
@@ -331,7 +333,7 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
   result = relaxation_->solve(*problem_, coarse);
   while (result.status == solver::NewtonStatus::converged && coarse.tolerance > options_.tolerance) {
     problem_->mark();
-    auto polished = polish_->correct(*problem_, options);
+    auto polished = newton_->correct(*problem_, options);
     polished.iterations += result.iterations;
     if (polished.status == solver::NewtonStatus::converged) return polished;
     problem_->return_to_mark();
@@ -344,7 +346,7 @@ solver::NewtonResult Static::relax(solver::NewtonOptions options) {
 
 solver::NewtonResult Static::complete(const solver::NewtonResult& relaxed,
                                       const solver::NewtonOptions& options) {
-  auto result = newton_ ? newton_->correct(*problem_, options) : stable_->correct(*problem_, options);
+  auto result = has_energy_ ? stable_->correct(*problem_, options) : newton_->correct(*problem_, options);
   result.iterations += relaxed.iterations;
   return result;
 }
@@ -405,7 +407,7 @@ void Static::grow(const StepReport& report) {
   const bool many = last_.iterations > options_.max_iterations;
   if (relaxation_ && many && !descent_) return;
   // Nor do those of a search for the least energy.
-  now_.step.grow(newton_ && !now_.settled ? last_.iterations : 1, report.cuts > 0);
+  now_.step.grow(!has_energy_ && !now_.settled ? last_.iterations : 1, report.cuts > 0);
 }
 
 void Static::grow_arc(const StepReport& report) {
@@ -466,8 +468,9 @@ void Static::check_balance() {
   fail(NumericalFailure("static: " + text, time()), text);
 }
 
-// Says at the end how much of the work relaxation has taken away. A load that is there from the beginning
-// does more work than the cloth stores, which says nothing about the steps.
+// Says at the end how much of the work relaxation has taken away, if the cloth has dissipated something: else
+// the shape is a function of the loads, whatever the way. A load that is there from the beginning does more
+// work than the cloth stores, which says nothing about the steps.
 void Static::check() {
   watch_shape();
   check_balance();
@@ -475,6 +478,7 @@ void Static::check() {
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
   const double lost = now_.relaxed - now_.jumped, scale = std::max(work_.largest(), energy_of_rest());
   if (!end || now_.told_error || !(scale > 0) || lost <= kLedger * scale) return;
+  if (energy().dissipated <= kDissipated * scale) return;
   now_.told_error = true;
   warn("relaxed",
        "static: relaxation has taken " + number(100 * lost / scale) + " % of the external work by time " +
@@ -503,7 +507,6 @@ void Static::memory(Archive& archive) {
   archive(now_);
   problem_->keep(archive);
   if (stable_) stable_->keep(archive);
-  if (polish_) polish_->keep(archive);
   if (newton_) newton_->keep(archive);
   if (descent_) descent_->keep(archive);
   if (arc_) arc_->keep(archive);

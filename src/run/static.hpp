@@ -96,11 +96,13 @@ class Static final : public Run {
 
   StaticOptions options_;
   const StaticOptions given_;
+  const bool has_energy_;  // whether the law's forces have one, which a search for equilibrium can lower
   std::unique_ptr<Problem> problem_;
   mechanics::Stabilisation* stabilisation_ = nullptr;  // a term of the assembly; null: none
-  std::unique_ptr<solver::Newton> newton_;             // instead of the next, for laws without an energy
-  std::unique_ptr<solver::Newton> polish_;             // completes dynamic relaxation, and helps out
   std::unique_ptr<solver::TrustRegion> stable_;        // each is created if it is used
+  // For laws without an energy; for others it completes dynamic relaxation, and tries steps that have been
+  // cut.
+  std::unique_ptr<solver::Newton> newton_;
   std::unique_ptr<solver::ArcLength> arc_;
   std::unique_ptr<solver::Relaxation> relaxation_;
   std::unique_ptr<solver::Descent> descent_;  // in its place, where cloth has bending of its own

@@ -35,12 +35,19 @@ struct Progress {
   std::function<double()> ledger_error;  // costs a pass over the elements
 };
 
+// What fabric.study does with its cases.
+struct StudyOptions {
+  bool list = false;      // lists them
+  std::int64_t only = 0;  // computes this one, from 1 on; 0: all
+};
+
 struct Options {
   std::optional<SafeOptions> safe;  // --safe, with its limits
   bool check = false;               // validate everything, but run and write nothing
   bool quiet = false;               // no progress
   bool strict = false;              // serious warnings of runs are errors
-  int threads = 0;                  // 0: OMP_NUM_THREADS, else all cores
+  StudyOptions study = {};
+  int threads = 0;  // 0: OMP_NUM_THREADS, else all cores
   std::vector<std::string> command_line;
   std::vector<std::string> arguments = {};         // of the deck
   std::string deck;                                // path of the deck; empty: none

@@ -15,19 +15,10 @@ constexpr double kShortest = 0.02;  // share of a step along which the energy fa
 constexpr double kGone = 1e3;  // growth of what rounding makes, with the coordinates, of a part that has gone
 }  // namespace
 
-// The sums of the columns' absolute values: in the units of each unknown, and never zero.
-void Descent::viscosity() {
-  linear::absolute_sums(K_, D_);
-  double largest = 0;
-  for (const double d : D_) largest = std::max(largest, d);
-  for (double& d : D_) d = std::max(d, 1e-12 * largest);
-}
-
 // delta_ = (K + m D)^-1 r_, if that matrix is positive and r_ is reduced along it. What is at rest while a
 // rigid body is on its way has nothing to reduce.
 bool Descent::direction(Problem& problem, double m) {
-  A_ = K_;
-  for (Index c = 0; c < K_.size(); ++c) A_.add(c, c, m * D_[c]);
+  linear::add_diagonal(K_, m, D_, A_);
   if (!linear_->factorise(A_) || linear_->report().negative_pivots > 0) return false;
   const auto solve = [this](std::span<const double> b, std::span<double> x) {
     return linear_->solve(A_, b, x) && all_finite(x);
@@ -79,7 +70,7 @@ NewtonResult Descent::solve(Problem& problem, const RelaxationOptions& options) 
   double m = kFirst, at_first = 0;
   while (result.iterations < options.max_iterations) {
     if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return stop(status_of(answer));
-    viscosity();
+    linear::absolute_sums(K_, D_);
     const auto [size, where] = problem.largest(r_);
     const double relative = compared(size, problem.force_scale());
     result.residuals.push_back(relative);

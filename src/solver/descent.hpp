@@ -19,7 +19,6 @@ class Descent {
   void keep(Archive& archive) { keep_doubt(archive, *linear_); }
 
  private:
-  void viscosity();
   bool direction(Problem& problem, double m);
   Answer lower(Problem& problem);
   std::unique_ptr<LinearSolver> linear_;

@@ -19,14 +19,9 @@ void Relaxation::resize(Index size) {
 // max_i sum_j |K_ij| / m_i. A margin of a tenth allows for stiffening between two renewals.
 Answer Relaxation::masses(Problem& problem) {
   if (const Answer answer = problem.tangent(K_); answer != Answer::ok) return answer;
-  double largest = 0;
   linear::absolute_sums(K_, mass_);
-  for (double& m : mass_) {
-    m = 1.1 * m / 4;
-    largest = std::max(largest, m);
-  }
-  for (double& m : mass_) m = std::max(m, 1e-12 * largest);
-  return largest > 0 ? Answer::ok : Answer::cut;
+  for (double& m : mass_) m = 1.1 * m / 4;
+  return !mass_.empty() && mass_.front() > 0 ? Answer::ok : Answer::cut;
 }
 
 NewtonResult Relaxation::solve(Problem& problem, const RelaxationOptions& options) {

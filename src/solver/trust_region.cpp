@@ -59,7 +59,6 @@ class Walk {
   }
   bool factorise(double m);
   bool factorise_definite();
-  void set_scale();
   bool is_free();
   bool find_direction(Step& step);
   double next_factor(const Step& step);
@@ -99,19 +98,11 @@ class Walk {
   double first_floor_ = 0;  // N
 };
 
-// The sums of the columns' absolute values: in the units of each unknown, and never zero.
-void Walk::set_scale() {
-  linear::absolute_sums(K_, D_);
-  const double largest = D_.empty() ? 0 : *std::max_element(D_.begin(), D_.end());
-  for (double& d : D_) d = std::max(d, 1e-12 * largest);
-}
-
 // K + m D. False: it is singular, or symmetric and not positive definite.
 bool Walk::factorise(double m) {
   ++result_.iterations;
   if (K_.size() == 0) return true;
-  A_ = K_;
-  for (Index c = 0; m > 0 && c < K_.size(); ++c) A_.add(c, c, m * D_[c]);
+  linear::add_diagonal(K_, m, D_, A_);
   const bool done = linear_.factorise(A_);
   result_.negative_pivots = linear_.report().negative_pivots;
   return done && !(symmetric_ && result_.negative_pivots > 0);
@@ -228,7 +219,7 @@ void Walk::adapt(const Step& step) {
 Answer Walk::move_on() {
   const Answer answer = problem_.extrapolated_tangent(K_);
   problem_.accept();
-  set_scale();
+  linear::absolute_sums(K_, D_);
   if (trials_ == 0) problem_.mark();
   return answer;
 }
@@ -239,7 +230,7 @@ Answer Walk::renew_tangent() {
   problem_.retract(delta_, 0);
   Answer answer = checked(problem_.residual(r_), r_);
   if (answer == Answer::ok) answer = problem_.tangent(K_);
-  set_scale();
+  linear::absolute_sums(K_, D_);
   return answer;
 }
 
@@ -291,7 +282,7 @@ Answer Walk::follow_supports() {
   linear::Vector lead(r_.size());
   Answer answer = checked(problem_.predict(K_, r_, lead), r_);
   if (answer != Answer::ok) return answer;
-  set_scale();
+  linear::absolute_sums(K_, D_);
   const bool driven = std::any_of(lead.begin(), lead.end(), [](double f) { return f != 0; });
   if (driven && !(factorise_definite() && solve(lead, delta_))) return Answer::cut;
   const double share = driven ? problem_.limit(delta_) : 0;
@@ -319,7 +310,7 @@ bool Walk::balanced() {
 bool Walk::stable() {
   if (definite_ || !symmetric_ || K_.size() == 0) return true;
   if (problem_.tangent(K_) != Answer::ok) return true;
-  set_scale();
+  linear::absolute_sums(K_, D_);
   return factorise(0) || result_.negative_pivots == 0;
 }
 

@@ -6,8 +6,8 @@
 // Thin sheets are far stiffer in their plane than in bending: a straight step that turns an element by an
 // angle a stretches it by a^2/2, and the stress of that stretch, which equilibrium does not have, would spoil
 // the next tangent. Tangents are therefore evaluated with the stresses that the last step predicted linearly,
-// as if stresses were unknowns of their own [magisano2017]. With them a step may turn the sheet by a radian
-// where the plain tangent allows a hundredth.
+// as if stresses were unknowns of their own [magisano2017]. With them steps may turn the sheet by ten times
+// as much as with the plain tangent.
 //
 // A step that does not lower the energy is taken on trial at first, since the next one often undoes the
 // stretch; if the energy has not fallen below that of the best configuration so far after a few such steps,

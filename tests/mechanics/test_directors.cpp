@@ -148,6 +148,45 @@ TEST_CASE("guard of the directors: forces and tangent are the derivatives of its
     }
 }
 
+// A motion of the half model and its mirror image. Nodes on the plane of symmetry are in elements whose
+// normals leave the plane, to opposite sides.
+TEST_CASE("guard of the directors: a half model has half of the energy of the whole") {
+  const auto flat = [](int nx, double shift) {
+    auto mesh = std::make_shared<mesh::Mesh>(mesh::rectangle(0.01 * nx, 0.03, nx, 3));
+    mesh->map([shift](const Vec3& X) { return Vec3(X.x() + shift, X.y(), 0); });
+    model::Options options;
+    options.warp = [](const Vec3&) { return model::Direction(0.0); };
+    return std::make_shared<model::Model>(mesh, easily_splayed(), options);
+  };
+  auto half_model = flat(4, 0);
+  symmetric_left(*half_model);
+  Guarded half(half_model), whole(flat(8, -0.04));
+  double energy = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    const Eigen::VectorXd by = half.random(4e-3, 1.2, seed);
+    Eigen::VectorXd mirrored = Eigen::VectorXd::Zero(5 * static_cast<Index>(whole.nodes()));
+    half.assembly.rollback();
+    whole.assembly.rollback();
+    const auto &from = half.assembly.state(), &to = whole.assembly.state();
+    for (Index n = 0; n < static_cast<Index>(half.nodes()); ++n)
+      for (Index m = 0; m < static_cast<Index>(whole.nodes()); ++m) {
+        const Vec3 &X = half_model->mesh().nodes[n], &Y = whole.model->mesh().nodes[m];
+        const double side = Y.x() < -1e-9 ? -1 : 1;
+        if ((Vec3(side * Y.x(), Y.y(), 0) - X).norm() > 1e-9) continue;
+        const Vec3 mirror(side, 1, 1), d = at(from.d(), n), b = at(from.b1(), n);
+        const Vec3 turn = mirror.cwiseProduct(by[5 * n + 3] * b + by[5 * n + 4] * d.cross(b));
+        mirrored.segment<3>(5 * m) = mirror.cwiseProduct(by.segment<3>(5 * n));
+        mirrored[5 * m + 3] = turn.dot(at(to.b1(), m));
+        mirrored[5 * m + 4] = turn.dot(at(to.d(), m).cross(at(to.b1(), m)));
+      }
+    half.move(by, 1);
+    whole.move(mirrored, 1);
+    CHECK(whole.energy() == Approx(2 * half.energy()).epsilon(1e-12));
+    energy += half.energy();
+  }
+  CHECK(energy > 0);
+}
+
 TEST_CASE("guard of the directors: nothing at all below its limits, whatever else the sheet does") {
   for (const bool triangles : {false, true}) {
     Guarded sheet(make_sheet(triangles));

@@ -107,4 +107,37 @@ EOF
 "$program" --quiet warns.lua >said 2>&1 || fail "a study with warnings"
 [ "$(grep -c 'the same in all cases' said)" -eq 1 ] || fail "the warning of all cases: $(cat said)"
 [ "$(grep -c 'of case' said)" -eq 6 ] && [ "$(grep -c 'of the deck' said)" -eq 1 ] || fail "warnings that differ: $(cat said)"
+# Cases one by one, in any order; listing computes nothing; what stands behind run() may change.
+cat >cases.lua <<'EOF'
+local s = require "fabric".study { sample = require "fabric".sobol { x = { 0, 1 }, n = 3 }, folder = "cases", run = function(p)
+  return { double = 2 * p.x }
+end }
+print(s.complete)
+EOF
+"$program" --quiet --cases cases.lua >said 2>&1 || fail "--cases: $(cat said)"
+[ "$(grep -c '^[123].x = 0[.]' said)" -eq 3 ] && [ ! -e cases ] || fail "--cases says $(cat said)"
+for k in 3 1 2; do "$program" --quiet --case $k cases.lua >said 2>&1 || fail "--case $k: $(cat said)"; done
+grep -q true said && [ -e cases/study.csv ] || fail "three cases one by one: $(cat said)"
+"$program" --quiet --case 4 cases.lua >said 2>&1 && fail "--case 4 of 3"
+grep -q -- '--case 4: the study has 3 cases' said || fail "--case 4 says $(cat said)"
+"$program" --quiet --case 0 cases.lua >said 2>&1 && fail "--case 0"
+grep -q -- '--case: expected the number of a case, from 1 on' said || fail "--case 0 says $(cat said)"
+echo 'print "a plot"' >>cases.lua
+"$program" --quiet cases.lua >said 2>&1 && grep -q 'a plot' said || fail "a line behind run(): $(cat said)"
+sed -i 's/2 \* p.x/3 * p.x/' cases.lua
+"$program" --quiet cases.lua >said 2>&1 && fail "another run()"
+grep -q 'before it was changed' said || fail "another run() says $(cat said)"
+
+# Through joblib, where it is installed.
+if python3 -c 'import joblib' 2>/dev/null; then
+  rm -r cases
+  PROGRAM=$program python3 -c '
+import os, subprocess
+from joblib import Parallel, delayed
+case = lambda k: subprocess.run([os.environ["PROGRAM"], "--quiet", "--threads", "1", "--case", str(k), "cases.lua"], check=True)
+Parallel(n_jobs=2)(delayed(case)(k) for k in range(1, 4))' >said 2>&1 || fail "joblib: $(cat said)"
+  "$program" --quiet cases.lua >said 2>&1 && grep -q true said || fail "joined: $(cat said)"
+else
+  echo "joblib is not installed: its example is not run"
+fi
 echo "all kept"

@@ -318,9 +318,9 @@ contact::FreeBody Bodies::kicked(const Free& body) const {
   contact::FreeBody at = body.predicted;
   // The rest of the impulse: of the mean of both forces, or in implicit steps of the force at the end.
   const contact::Wrench first = first_half(body), &other = implicit_ ? body.trial : body.wrench;
-  const contact::Wrench rest = body.left(
-      {other.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
-       other.torque + body.trial.torque - first.torque});
+  const contact::Wrench rest =
+      body.left({other.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
+                 other.torque + body.trial.torque - first.torque});
   at.kick(rest.force, rest.torque, (to_ - from_) / 2);
   return at;
 }

@@ -200,9 +200,9 @@ class Contacts final : public Term {
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step
   contact::Totals trial_, committed_;
-  double lost_ = 0;                         // J, lost by friction up to the committed state
-  double impact_ = 0, trial_impact_ = 0;    // J, taken by implicit steps; in the trial step
-  double weight_ = 1;                       // of the forces at the end of an implicit step
+  double lost_ = 0;                       // J, lost by friction up to the committed state
+  double impact_ = 0, trial_impact_ = 0;  // J, taken by implicit steps; in the trial step
+  double weight_ = 1;                     // of the forces at the end of an implicit step
   bool implicit_ = false, rubs_ = false;  // rubs: friction or the damping of approach acts
   bool evaluated_ = false;
   std::vector<Block> blocks_;

@@ -102,7 +102,7 @@ void Directors::find_planes(const Dofs& dofs) {
     if (nodes[n].held_axes.empty()) continue;
     const Vec3& D = dofs.reference_directors()[n];
     const Vec3 way = allowed_direction(nodes[n].held_axes, D);
-    if (!way.isZero()) plane_[static_cast<Index>(n)] = way;
+    if (!way.isZero()) plane_[static_cast<Index>(n)] = D.cross(way);
   }
 }
 

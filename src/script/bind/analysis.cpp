@@ -491,7 +491,8 @@ std::vector<Entry> reading() {
        Style::property,
        {},
        "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of "
-       "stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction "
+       "stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of "
+       "friction "
        "that holds), directors (what keeps the directors by the normal where the elements' shear does not). "
        "Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of "
        "surfaces that meet). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is "

@@ -160,6 +160,14 @@ int checking(Call& call) {
   return 1;
 }
 
+int asked_case(Call& call) {
+  const StudyOptions& study = call.session().options().study;
+  if (study.list) return lua_pushliteral(call.L(), "list"), 1;
+  if (study.only == 0) return 0;
+  lua_pushinteger(call.L(), study.only);
+  return 1;
+}
+
 int warn(Call& call) {
   call.session().warn("deck", position(call.L()) + call.text("text"));
   return 0;
@@ -186,6 +194,12 @@ std::vector<Entry> rows() {
        "True under --check, where analyses run nothing and no file is written.",
        "assert(require 'fabric'.checking() == false)",
        checking},
+      {"fabric.asked_case",
+       Style::positional,
+       {},
+       "The number after --case, 'list' under --cases; else nothing. fabric.study follows it.",
+       "assert(require 'fabric'.asked_case() == nil)",
+       asked_case},
       {"fabric.warn",
        Style::positional,
        {value_("text", text, "what to say")},

@@ -5,6 +5,7 @@
 #include "lab/backbone.hpp"
 #include "lab/markers.hpp"
 #include "lab/pull.hpp"
+#include "lab/sequence.hpp"
 #include "lab/statistics.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
@@ -231,6 +232,18 @@ int student(Call& call) {
   return 1;
 }
 
+int sobol_points(Call& call) {
+  push_numbers(call.L(), lab::sobol_points(static_cast<std::size_t>(call.integer("count")),
+                                           static_cast<std::size_t>(call.integer("dimensions")),
+                                           static_cast<std::uint64_t>(call.integer("seed"))));
+  return 1;
+}
+
+int normal(Call& call) {
+  lua_pushnumber(call.L(), lab::normal_quantile(call.number("probability")));
+  return 1;
+}
+
 // Rows common to the marker functions. A lost marker is nan, which Kind::numbers would refuse.
 std::vector<Argument> track_rows() {
   return {integer_("rows", Range{2}, "of markers, following each other along the pull"),
@@ -384,6 +397,21 @@ std::vector<Entry> fit_entries() {
        "The quantile of Student's t distribution.",
        "assert(math.abs(require 'fabric'.lab.student(0.975, 4) - 2.7764) < 1e-4)",
        student},
+      {"fabric.lab.normal",
+       Style::positional,
+       {number_("probability", "", Range{0, 1, true, true}, "of values below it")},
+       "The quantile of the normal distribution with mean 0 and deviation 1.",
+       "assert(math.abs(require 'fabric'.lab.normal(0.975) - 1.96) < 1e-4)",
+       normal},
+      {"fabric.lab.sobol_points",
+       Style::positional,
+       {integer_("count", Range{1, 1e7}, "of points"),
+        integer_("dimensions", Range{1, static_cast<double>(lab::most_dimensions)}, "of each"),
+        integer_("seed", not_negative, "of a shift of all points; 0: none").or_else(1.0)},
+       "Points of Sobol's sequence, which fill a cube evenly [joe2008]: a list of numbers between 0 and 1, "
+       "point after point. fabric.sobol makes cases of a study of them.",
+       "assert(#require 'fabric'.lab.sobol_points(8, 3) == 24)",
+       sobol_points},
       {"fabric.lab.band",
        Style::fields,
        {value_("specimens", table, "one list of parameters per specimen"),

@@ -1,0 +1,395 @@
+-- fabric.budget: the uncertainty of any number that a deck computes, from its mesh, its steps, its card and its specimen [gum2008].
+--
+-- run(p) is called at the middle of everything on each mesh and with each step, and on the coarsest mesh with the longest step for cards that
+-- are drawn. The variance over those is shared out by indices of first and of total order [saltelli2010]: with draws A and B of all inputs, and
+-- A with input i from B, the same specimens and numbers being in each pair, so that differences are not lost in scatter.
+local fabric = require "fabric"
+local define = require "fabric.define"
+local fail = define.fail
+local assumed = require "fabric.assumed"
+local random = require "fabric.lab.random"
+
+local level, boots = 0.95, 400
+
+local function mean(list)
+  local sum = 0
+  for _, v in ipairs(list) do sum = sum + v end
+  return sum / #list
+end
+
+local function sorted_names(t)
+  local names = {}
+  for name in pairs(t) do names[#names + 1] = name end
+  table.sort(names)
+  return names
+end
+
+local function quantile(list, part)
+  local sorted = table.move(list, 1, #list, 1, {})
+  table.sort(sorted)
+  local place = 1 + part * (#sorted - 1)
+  local low = math.floor(place)
+  local next_one = sorted[math.min(low + 1, #sorted)]
+  return sorted[low] + (place - low) * (next_one - sorted[low])
+end
+
+-- --- inputs: { name, put(p, i, set) }, which puts the value of draw i of set 1 or 2 into p
+
+-- A part of the card from its confidence band.
+local function band_inputs(t, card, list)
+  local draws
+  for _, part in ipairs { "warp", "weft", "shear" } do
+    if card.bands and card.bands[part] then
+      draws = draws or card:sample(2 * t.samples, t.seed)
+      list[#list + 1] = { name = "card." .. part, range = "its band", put = function(p, i, set)
+        local from = draws[(set - 1) * t.samples + i][part]
+        p.changes[#p.changes + 1] = function(c) return c:with { [part] = from } end
+      end }
+    end
+  end
+end
+
+-- What is assumed of the card, and what the deck adds. A range of factors is uniform in its logarithm.
+local function assumed_inputs(t, card, list)
+  local others = {}
+  local function add(input, points)
+    points.n = points.n + 1
+    local place = points.n
+    local by_factor = input.apply and input.value == 1 and input[1] > 0
+    list[#list + 1] = { name = "assumed." .. input.name, range = ("%.3g to %.3g"):format(input[1], input[2]) .. (by_factor and " times" or ""), why = input.why,
+      put = function(p, i, set)
+        local u = points.at(i, set, place)
+        local value = by_factor and input[1] * (input[2] / input[1]) ^ u or input[1] + (input[2] - input[1]) * u
+        p.assumed[input.name] = value
+        if input.apply then p.changes[#p.changes + 1] = function(c) return input.apply(c, value) end end
+      end }
+  end
+  local all, left = {}, {}
+  if card then all, left = assumed.of(card) end
+  for _, name in ipairs(left) do others[#others + 1] = name end
+  local by_name = {}
+  for _, input in ipairs(all) do by_name[input.name] = input end
+  for name, range in pairs(t.assumed or {}) do
+    if type(name) ~= "string" or type(range) ~= "table" or type(range[1]) ~= "number" or type(range[2]) ~= "number" or not (range[1] <= range[2]) then
+      fail(("budget: field 'assumed.%s': expected {low, high} with low <= high"):format(tostring(name)))
+    end
+    if by_name[name] then
+      by_name[name][1], by_name[name][2], by_name[name].why = range[1], range[2], "the deck"
+    else
+      all[#all + 1] = { range[1], range[2], name = name, why = "the deck" }
+    end
+  end
+  table.sort(all, function(a, b) return a.name < b.name end)
+  local points = { n = 0 }
+  local numbers = #all > 0 and fabric.lab.sobol_points(t.samples, 2 * #all, t.seed)
+  function points.at(i, set, place) return numbers[(i - 1) * 2 * #all + (set - 1) * #all + place] end
+  for _, input in ipairs(all) do add(input, points) end
+  return others
+end
+
+-- --- runs
+
+-- The table that run(p) gets; `used` receives the names that it reads.
+local function question(card, values, used)
+  return setmetatable({}, { __index = function(_, name)
+    if used then used[name] = true end
+    if name == "card" then return card end
+    return values[name]
+  end })
+end
+
+local function middle(t) return { mesh = t.mesh and t.mesh[1], step = t.steps and t.steps[1], specimen = 1, changes = {}, assumed = {} } end
+
+local function set_middle_of_added(t, values, list)
+  for name, range in pairs(t.assumed or {}) do
+    if not list[name] then values.assumed[name] = (range[1] + range[2]) / 2 end
+  end
+  return values
+end
+
+local function answer(t, values, used)
+  local card = t.card
+  for _, change in ipairs(values.changes) do card = change(card) end
+  local result = t.run(question(card, values, used))
+  if type(result) ~= "table" or next(result) == nil then error("budget: expected run(p) to return numbers by name, got " .. (type(result) == "table" and "none" or "a " .. type(result)), 0) end
+  for name, value in pairs(result) do
+    if type(name) ~= "string" or type(value) ~= "number" or value ~= value then
+      error(("budget: expected run(p) to return numbers by name, got %s = %s"):format(tostring(name), tostring(value)), 0)
+    end
+  end
+  return result
+end
+
+-- All runs: at the middle on each mesh and with each step, then A, B and A with input i of B for each sample.
+local function plan(t, inputs, set_middle)
+  local jobs = {}
+  local function add(values) jobs[#jobs + 1] = set_middle(values) end
+  for i = 2, t.mesh and #t.mesh or 1 do
+    local values = middle(t)
+    values.mesh = t.mesh[i]
+    add(values)
+  end
+  for i = 2, t.steps and #t.steps or 1 do
+    local values = middle(t)
+    values.step = t.steps[i]
+    add(values)
+  end
+  local numerical = #jobs
+  if #inputs > 0 then
+    for i = 1, t.samples do
+      for of_b = -1, #inputs do -- -1: A; 0: B; k: A with input k of B
+        local values = set_middle(middle(t))
+        for k, input in ipairs(inputs) do input.put(values, i, (of_b == 0 or of_b == k) and 2 or 1) end
+        jobs[#jobs + 1] = values
+      end
+    end
+  end
+  return jobs, numerical
+end
+
+local function compute(t, jobs, names)
+  local answers = fabric.lab.parallel { count = #jobs, processes = t.processes, progress = "budget", work = function(i)
+    local result, row = answer(t, jobs[i]), {}
+    for k, name in ipairs(names) do
+      if result[name] == nil then error(("budget: run(p) returned no '%s' this time"):format(name), 0) end
+      row[k] = result[name]
+    end
+    return row
+  end }
+  return answers
+end
+
+-- --- evaluation
+
+-- The error of the last of some values on finer and finer meshes (or with shorter steps), as a standard uncertainty: half of the grid
+-- convergence index [roache1998], with the order found from three values, or an order of 1 and three times the index for two. Values that do
+-- not converge: their spread as that of a uniform distribution.
+local function numerical_uncertainty(sizes, values)
+  local n = #values
+  if n < 2 then return nil end
+  local last, before = values[n], values[n - 1]
+  local function ratio(i) return math.max(sizes[i] / sizes[i - 1], sizes[i - 1] / sizes[i]) end
+  if n == 2 then return 3 * math.abs(last - before) / math.max(ratio(2) - 1, 1e-9) / 2, 1 end
+  local first = values[n - 2]
+  local spread = math.max(first, before, last) - math.min(first, before, last)
+  if spread <= 1e-12 * math.abs(last) then return 0 end
+  local quotient = (first - before) / (before - last)
+  local order = quotient > 0 and math.log(quotient) / math.log(ratio(n)) or 0
+  if order < 0.5 then return spread / math.sqrt(3) end
+  order = math.min(order, 4)
+  return 1.25 * math.abs(before - last) / (ratio(n) ^ order - 1) / 2, order
+end
+
+-- Indices of first and total order of one input from rows {A, B, AB_1, AB_2, ...}: [saltelli2010], (b) and (f) of table 2, of which both are
+-- zero for an input without effect. With few samples a first order above the total is scatter.
+local function indices(rows, k)
+  local all = {}
+  for _, row in ipairs(rows) do all[#all + 1], all[#all + 2] = row[1], row[2] end
+  local m, variance, first, total = mean(all), 0, 0, 0
+  for _, v in ipairs(all) do variance = variance + (v - m) ^ 2 / (#all - 1) end
+  for _, row in ipairs(rows) do
+    first = first + (row[2] - m) * (row[2 + k] - row[1]) / #rows
+    total = total + (row[1] - row[2 + k]) ^ 2 / (2 * #rows)
+  end
+  if variance == 0 then return 0, 0, 0 end
+  return math.min(first, total) / variance, total / variance, variance
+end
+
+-- The same with 95 % bands by the bootstrap over rows.
+local function indices_with_bands(rows, inputs, seed)
+  local draw, out = random(seed), {}
+  local resampled = {}
+  for b = 1, boots do
+    local list = {}
+    for i = 1, #rows do list[i] = rows[math.min(#rows, 1 + math.floor(#rows * draw.uniform()))] end
+    resampled[b] = list
+  end
+  for k = 1, #inputs do
+    local first, total = {}, {}
+    for b = 1, boots do first[b], total[b] = indices(resampled[b], k) end
+    local s, st, variance = indices(rows, k)
+    out[k] = { first = s, total = st, variance = variance,
+      first_band = { quantile(first, 0.025), quantile(first, 0.975) }, total_band = { quantile(total, 0.025), quantile(total, 0.975) } }
+  end
+  return out
+end
+
+-- The budget of one number. rows: of the samples, without those that failed.
+local function budget_of(t, inputs, base, numerical, rows)
+  local out = { contributions = {} }
+  local function add(source, deviation, more)
+    local c = more or {}
+    c.source, c.deviation = source, deviation
+    out.contributions[#out.contributions + 1] = c
+    return c
+  end
+  local value, place, shift = base, 0, 0
+  for _, kind in ipairs { "mesh", "steps" } do
+    local sizes = t[kind]
+    if sizes and #sizes > 1 then
+      local values = { base }
+      for i = 2, #sizes do values[i] = numerical[place + i - 1] end
+      place = place + #sizes - 1
+      shift = shift + values[#values] - base
+      local u, order = numerical_uncertainty(sizes, values)
+      add(kind == "steps" and "step" or kind, u, { order = order, values = values })
+    end
+  end
+  value = value + shift
+  local from_numbers, variance, own = 0, 0, 0
+  for _, c in ipairs(out.contributions) do from_numbers = from_numbers + c.deviation ^ 2 end
+  local below, above = 0, 0
+  if #rows > 0 then
+    local all = {}
+    for _, row in ipairs(rows) do all[#all + 1], all[#all + 2] = row[1], row[2] end
+    below, above = base - quantile(all, (1 - level) / 2), quantile(all, (1 + level) / 2) - base
+    for k, index in ipairs(indices_with_bands(rows, inputs, t.seed)) do
+      variance = index.variance
+      own = own + math.max(index.first, 0)
+      index.range, index.why = inputs[k].range, inputs[k].why
+      add(inputs[k].name, math.sqrt(math.max(index.first, 0) * variance), index)
+    end
+    if own > 1 then -- indices of first order have errors of their own: they share the variance
+      for _, c in ipairs(out.contributions) do if c.first then c.deviation = c.deviation / math.sqrt(own) end end
+    elseif #inputs > 1 and variance > 0 then
+      add("together", math.sqrt((1 - own) * variance), { range = "interactions" })
+    end
+  end
+  local whole = from_numbers + variance
+  for _, c in ipairs(out.contributions) do c.share = whole > 0 and c.deviation ^ 2 / whole or 0 end
+  table.sort(out.contributions, function(a, b) return a.deviation > b.deviation or a.deviation == b.deviation and a.source < b.source end)
+  local expanded = 1.96 * math.sqrt(from_numbers)
+  local function half(side) return math.sqrt(math.max(side, 0) ^ 2 + expanded ^ 2) end
+  out.value, out.deviation = value, math.sqrt(whole)
+  out.band = { low = value - half(below), high = value + half(above) }
+  return out
+end
+
+-- --- words and picture
+
+local function text_of(t, result, names)
+  local lines = {}
+  local function say(...) lines[#lines + 1] = (...):format(select(2, ...)) end
+  for _, name in ipairs(names) do
+    local b = result.of[name]
+    say("%s = %.5g, 95 %% between %.5g and %.5g (standard uncertainty %.2g)", name, b.value, b.band.low, b.band.high, b.deviation)
+    say("  %-24s %11s %8s  %-22s %-22s %s", "source", "deviation", "share/%", "first order (95 %)", "total (95 %)", "range")
+    for _, c in ipairs(b.contributions) do
+      local function index(kind) return c[kind] and ("%5.2f (%5.2f to %.2f)"):format(c[kind], c[kind .. "_band"][1], c[kind .. "_band"][2]) or "" end
+      local range = c.range or c.order and ("order %.1f"):format(c.order) or c.values and "no order" or ""
+      say("  %-24s %11.3g %8.1f  %-22s %-22s %s", c.source, c.deviation, 100 * c.share, index "first", index "total", c.why and range .. ": " .. c.why or range)
+    end
+  end
+  local function at(kind) return t[kind] and ("%s %s"):format(kind == "steps" and "step" or kind, tostring(t[kind][1])) or nil end
+  local where = table.concat({ at "mesh" or at "steps", at "mesh" and at "steps" or nil }, ", ")
+  if result.runs > 0 then
+    say("%d runs%s, %d samples%s", result.runs, where ~= "" and ", samples with " .. where or "", t.samples,
+      result.failed > 0 and (", %d of them left out because a run of theirs failed: %s"):format(result.failed, result.trouble) or "")
+  end
+  local codes, seen = {}, {}
+  for _, w in ipairs(result.warnings) do
+    if not seen[w.code] then codes[#codes + 1], seen[w.code] = w.code, true end
+  end
+  if #codes > 0 then say("warnings of these runs: %s", table.concat(codes, " ")) end
+  for _, name in ipairs(result.not_varied) do say("not varied: %s, which the card assumes", name) end
+  return table.concat(lines, "\n")
+end
+
+-- Contributions of less than a thousandth are left out.
+local function draw(result, names, file)
+  local panels = {}
+  for _, name in ipairs(names) do
+    local curves = {}
+    for i, c in ipairs(result.of[name].contributions) do
+      if c.share >= 1e-3 or i == 1 then curves[i] = { x = { 0, 100 * c.share }, y = { i, i }, label = c.source, style = "line_points" } end
+    end
+    panels[#panels + 1] = { curves = curves, title = name, xlabel = "share of the variance, %", ylabel = "rank", key = "below", yrange = { 0.5, #curves + 0.5 } }
+  end
+  return fabric.plot { panels = panels, file = file, letters = #panels > 1, layout = { #panels, 1 } }
+end
+
+-- --- the call
+
+local function check(t)
+  for _, kind in ipairs { "mesh", "steps" } do
+    for i, size in ipairs(t[kind] or {}) do
+      if type(size) ~= "number" or not (size > 0) or i > 1 and (size <= t[kind][i - 1]) == (kind == "mesh") then
+        fail(("budget: field '%s': expected positive numbers, %s"):format(kind, kind == "mesh" and "rising: elements along a side" or "falling: times or parts of a time"))
+      end
+    end
+  end
+end
+
+local function run(t)
+  check(t)
+  local used, inputs = {}, {}
+  if t.card then band_inputs(t, t.card, inputs) end
+  local not_varied = assumed_inputs(t, t.card, inputs)
+  local known = {}
+  for _, input in ipairs(inputs) do if input.why ~= "the deck" then known[input.name:match "^assumed%.(.*)$" or input.name] = true end end
+  local function set_middle(values) return set_middle_of_added(t, values, known) end
+  local base = answer(t, set_middle(middle(t)), used)
+  local names = sorted_names(base)
+  for _, kind in ipairs { "mesh", "steps" } do
+    local name = kind == "steps" and "step" or kind
+    if t[kind] and not used[name] then fail(("budget: field '%s': run(p) does not use p.%s"):format(kind, name)) end
+  end
+  if used.specimen then
+    inputs[#inputs + 1] = { name = "specimen", range = "by its seed", put = function(p, i, set) p.specimen = 1 + i + (set - 1) * t.samples end }
+  end
+  local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {} }
+  if fabric.checking() then return result end
+  local jobs, numerical = plan(t, inputs, set_middle)
+  local before = define.log_end()
+  local answers = #jobs > 0 and compute(t, jobs, names) or {}
+  result.runs, result.warnings = #jobs + 1, define.warnings(before)
+  for i = 1, numerical do
+    if answers[i].trouble then fail("budget: " .. answers[i].trouble) end
+  end
+  local width, whole = 2 + #inputs, {}
+  for i = 1, #inputs > 0 and t.samples or 0 do
+    local trouble
+    for k = 1, width do trouble = trouble or answers[numerical + (i - 1) * width + k].trouble end
+    if trouble then result.failed, result.trouble = result.failed + 1, result.trouble or trouble else whole[#whole + 1] = i end
+  end
+  if #inputs > 0 and #whole < 0.9 * t.samples then
+    fail(("budget: %d of %d samples failed: %s"):format(result.failed, t.samples, result.trouble))
+  end
+  for place, name in ipairs(names) do
+    local rows, values = {}, {}
+    for r, i in ipairs(whole) do
+      rows[r] = {}
+      for k = 1, width do rows[r][k] = answers[numerical + (i - 1) * width + k][place] end
+    end
+    for i = 1, numerical do values[i] = answers[i][place] end
+    local b = budget_of(t, inputs, base[name], values, rows)
+    result.of[name], result.value[name], result.band[name], result.contributions[name] = b, b.value, b.band, b.contributions
+  end
+  result.text = text_of(t, result, names)
+  if t.print then print(result.text) end
+  if t.figure then result.drawn = draw(result, names, t.figure) end
+  return result
+end
+
+define {
+  name = "fabric.budget",
+  arguments = {
+    { name = "run", kind = "function", sentence = "run(p) returns numbers by name; p.card, p.mesh, p.step, p.specimen (a seed) and p.assumed.NAME are those of this run" },
+    { name = "card", of = "card", optional = true, sentence = "its measured bands and what it assumes are varied" },
+    { name = "mesh", kind = "table", optional = true, sentence = "for p.mesh, rising, e.g. {4, 8, 16} elements along a side" },
+    { name = "steps", kind = "table", optional = true, sentence = "for p.step, falling" },
+    { name = "assumed", kind = "table", optional = true, sentence = "{ name={low, high} }: other ranges of what the card assumes, and more numbers, for p.assumed.name" },
+    { name = "samples", kind = "integer", low = 8, high = 100000, default = 64, sentence = "draws of all inputs; the runs are this times the inputs and 2" },
+    { name = "seed", kind = "integer", low = 1, default = 1, sentence = "of the draws" },
+    { name = "processes", kind = "integer", low = 1, high = 4096, optional = true, sentence = "runs side by side; default: the threads that the program may use" },
+    { name = "print", kind = "boolean", default = true, sentence = "the table" },
+    { name = "figure", kind = "text", optional = true, sentence = "a file for a picture of the shares" },
+  },
+  sentence = "The uncertainty of what a deck computes, after the GUM: the errors of the mesh (Richardson's extrapolation) and of the steps, the card's measured bands, what it assumes, and the specimen. Returns by the name of each number value, band {low, high} (95 %) "
+    .. "and contributions { {source, deviation, share, first, total, first_band, total_band, range, why}, ... }, the largest first; text, runs, failed, warnings, not_varied.",
+  example = "local b = require 'fabric'.budget{ assumed={ a={0, 2}, b={0, 1} }, samples=256, print=false,\n"
+    .. "  run=function(p) return { sum=p.assumed.a + p.assumed.b } end }\n"
+    .. "assert(math.abs(b.value.sum - 1.5) < 1e-12 and b.contributions.sum[1].source == 'assumed.a')\n"
+    .. "assert(math.abs(b.contributions.sum[1].share - 0.8) < 0.05)",
+  run = run,
+}

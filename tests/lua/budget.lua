@@ -1,0 +1,121 @@
+-- fabric.budget, fabric.sobol and fabric.latin_hypercube against closed forms.
+local fabric = require "fabric"
+local function near(got, want, allowed, what)
+  if not (math.abs(got - want) <= allowed) then error(("%s: got %.6g, expected %.6g within %.2g"):format(what, got, want, allowed), 2) end
+end
+local function refused(words, call, ...)
+  local good, message = pcall(call, ...)
+  assert(not good, "accepted")
+  assert(tostring(message):find(words, 1, true), tostring(message) .. "\nis without: " .. words)
+end
+local function by_source(list)
+  local out = {}
+  for _, c in ipairs(list) do out[c.source] = c end
+  return out
+end
+local function budget(t)
+  t.print = false
+  return fabric.budget(t)
+end
+
+-- --- shares of inputs: a uniform on 0 to 2, b on 0 to 1. Variance of a + b: 1/3 + 1/12. Of a b: 4/9 - 1/4, of which each alone has 1/12.
+local b = budget { assumed = { a = { 0, 2 }, b = { 0, 1 } }, samples = 512, run = function(p) return { sum = p.assumed.a + p.assumed.b, product = p.assumed.a * p.assumed.b } end }
+local sum, product = by_source(b.contributions.sum), by_source(b.contributions.product)
+near(b.value.sum, 1.5, 1e-12, "sum")
+near(sum["assumed.a"].share, 0.8, 0.02, "share of a in the sum")
+near(sum["assumed.b"].share, 0.2, 0.02, "share of b in the sum")
+near(b.of.sum.deviation, math.sqrt(5 / 12), 0.01, "deviation of the sum")
+local whole = 4 / 9 - 1 / 4
+for _, name in ipairs { "assumed.a", "assumed.b" } do
+  near(product[name].first, 1 / 12 / whole, 0.03, "first order of " .. name)
+  near(product[name].total, (whole - 1 / 12) / whole, 0.03, "total of " .. name)
+  local band = product[name].first_band
+  assert(band[1] < 1 / 12 / whole and 1 / 12 / whole < band[2], "first order outside of its band")
+end
+near(product.together.share, 1 - 2 / 12 / whole, 0.05, "interactions")
+-- 95 % of the sum lie between the points where a corner of the rectangle of area 0.025 * 2 is cut off: x^2 / 2 = 0.05.
+near(b.band.sum.low, math.sqrt(0.1), 0.04, "low end")
+near(b.band.sum.high, 3 - math.sqrt(0.1), 0.04, "high end")
+
+-- --- mesh and steps: 1 + 1/n^2 + 3 dt; the errors at n = 16 and dt = 0.01 lie within the band.
+b = budget { mesh = { 4, 8, 16 }, steps = { 0.04, 0.02, 0.01 }, run = function(p) return { f = 1 + 1 / p.mesh ^ 2 + 3 * p.step } end }
+local f = by_source(b.contributions.f)
+near(f.mesh.order, 2, 1e-9, "order of the mesh")
+near(f.step.order, 1, 1e-9, "order of the step")
+near(f.mesh.deviation, 1.25 / 256 / 2, 1e-12, "error of the mesh")
+near(f.step.deviation, 1.25 * 0.03 / 2, 1e-12, "error of the step")
+near(b.value.f, 1 + 1 / 256 + 0.03, 1e-12, "value on the finest mesh with the shortest step")
+assert(b.band.f.low < 1 and b.band.f.high > b.value.f and b.runs == 5)
+-- Two meshes: the order is taken as one, the error three times as large.
+b = budget { mesh = { 4, 8 }, run = function(p) return { f = 1 / p.mesh } end }
+near(by_source(b.contributions.f).mesh.deviation, 3 / 8 / 2, 1e-12, "error from two meshes")
+-- No convergence: the spread.
+b = budget { mesh = { 4, 8, 16 }, run = function(p) return { f = p.mesh == 8 and 2 or 1 } end }
+near(by_source(b.contributions.f).mesh.deviation, 1 / math.sqrt(3), 1e-12, "spread")
+
+-- --- the card: a band of the warp's parameters, of which nu is read; its deviation is half the band over 1.96.
+local card = fabric.card("blend"):with { bands = { warp = { low = { 7e6, 800e6, 850e6, 0.2 }, high = { 9e6, 852e6, 878e6, 0.3 },
+  covariance = { 2.6e11, 0, 0, 0, 0, 1.8e14, 0, 0, 0, 0, 5.1e13, 0, 0, 0, 0, 6.5e-4 } } } }
+b = budget { card = card, samples = 256, run = function(p) return { nu = p.card.warp.poisson, same = p.card.shear.unloading } end }
+near(b.of.nu.deviation, 0.05 / 1.96, 0.003, "deviation by the band")
+near(by_source(b.contributions.nu)["card.warp"].share, 1, 1e-9, "share of the band")
+assert(b.of.same.deviation == 0 and b.value.same == 12e6)
+
+-- --- what a card assumes: wool's Poisson ratios and unloading are, its curves are not; thickness is, and is not varied.
+local wool = fabric.card "wool"
+b = budget { card = wool, samples = 32, assumed = { ["warp.poisson"] = { 0.3, 0.5 } }, run = function(p)
+  return { nu = p.card.warp.poisson, weft = p.card.weft.poisson, unloading = p.card.warp.unloading / wool.warp.unloading, loading = #p.card.warp.loading,
+    twist = p.card.bending.twist / p.card.bending.warp }
+end }
+assert(b.band.nu.low > 0.3 and b.band.nu.high < 0.5 and b.value.nu == 0.4)
+assert(b.band.weft.low > 0.1 and b.band.weft.low < 0.16 and b.band.unloading.high > 2.2)
+assert(b.of.loading.deviation == 0)
+near(by_source(b.contributions.twist)["assumed.bending.twist"].share, 1, 1e-6, "twist over bending")
+assert(#b.not_varied == 1 and b.not_varied[1] == "thickness")
+assert(b.text:find("not varied: thickness", 1, true))
+
+-- --- the specimen: a seed that run() reads; and the same numbers for any number of processes.
+local function drawn(processes)
+  return budget { samples = 128, processes = processes, assumed = { a = { -1, 1 } }, run = function(p)
+    return { v = p.assumed.a + require "fabric.lab.random"(p.specimen).normal() }
+  end }
+end
+b = drawn(1)
+local again = drawn(2)
+assert(again.text == b.text and again.band.v.low == b.band.v.low)
+near(by_source(b.contributions.v).specimen.share, 0.75, 0.12, "share of the specimen")
+
+-- --- words
+refused("'mesh': run(p) does not use p.mesh", budget, { mesh = { 2, 4 }, run = function() return { v = 1 } end })
+refused("expected run(p) to return numbers by name, got none", budget, { run = function() return {} end })
+refused("'steps': expected positive numbers, falling", budget, { steps = { 0.1, 0.2 }, run = function(p) return { v = p.step } end })
+refused("'assumed.a': expected {low, high}", budget, { assumed = { a = { 2, 1 } }, run = function(p) return { v = p.assumed.a } end })
+refused("of 64 samples failed: no card", budget, { assumed = { a = { 0, 1 } }, run = function(p)
+  if p.assumed.a > 0.6 then error("no card", 0) end
+  return { v = p.assumed.a }
+end })
+b = budget { assumed = { a = { 0, 1 } }, run = function(p)
+  if p.assumed.a > 0.985 then error("no card", 0) end
+  return { v = p.assumed.a }
+end }
+assert(b.failed > 0 and b.failed < 7 and b.text:find("left out because a run of theirs failed: no card", 1, true))
+
+-- --- cases
+local cases = fabric.sobol { x = { 1, 3 }, y = { mean = 5, deviation = 2 }, n = 256 }
+local mean, square = 0, 0
+for _, c in ipairs(cases) do
+  assert(c.x > 1 and c.x < 3)
+  mean, square = mean + c.y / #cases, square + (c.y - 5) ^ 2 / #cases
+end
+near(mean, 5, 0.04, "mean of a normal input") -- a third of what random cases give
+near(math.sqrt(square), 2, 0.05, "its deviation")
+assert(fabric.sobol { x = { 0, 1 }, n = 2, seed = 7 }[1].x ~= fabric.sobol { x = { 0, 1 }, n = 2, seed = 8 }[1].x)
+local hypercube = fabric.latin_hypercube { x = { 0, 1 }, y = { 0, 1 }, n = 50 }
+for _, name in ipairs { "x", "y" } do
+  local seen = {}
+  for _, c in ipairs(hypercube) do seen[math.floor(50 * c[name])] = true end
+  for i = 0, 49 do assert(seen[i], "an empty part") end
+end
+refused("sobol: field 'x': expected {low, high}", fabric.sobol, { x = { 3, 1 }, n = 4 })
+refused("sobol: field 'n': expected a whole number", fabric.sobol, { x = { 1, 3 } })
+refused("latin_hypercube: expected at least one input", fabric.latin_hypercube, { n = 4 })
