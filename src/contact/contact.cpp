@@ -11,6 +11,7 @@ namespace fabricsh::contact {
 namespace {
 
 constexpr double rounding = 1e-9;        // share of a skin: rounding never decides what is looked at
+constexpr double of_apart = 0.9;         // the gap of lips, as a share of how far they have been apart
 constexpr double nearly = 1 - rounding;  // of the motion that a list allows for
 
 double mean_edge(const Scene& scene) {
@@ -68,7 +69,7 @@ Contact::Contact(const Scene& scene, Skins skins) : scene_(&scene), skins_(skins
   for (const Interaction& it : scene.interactions())
     widest_ = std::max(widest_, it.law.gap() - it.law.floor());
   opened_.assign(scene.interactions().size(), 1);
-  narrowest_ = narrowest(scene, widest_);
+  narrowest_ = narrowest_at_first_ = narrowest(scene, widest_);
 }
 
 namespace {
@@ -109,6 +110,15 @@ void Contact::mark_checked(std::span<const Vec3> x, double change) {
 void Contact::scale(Candidate& c) const {
   const double share = opened_[std::size_t(c.interaction)];
   c.pair.scale = share >= 1 ? c.whole : c.whole * (c.start + (1 - c.start) * share);
+  if (c.lips) c.pair.scale = std::min(c.pair.scale, of_apart * least_apart(c) / law(c).gap());
+}
+
+// m, of the lips among the points of a pair of them.
+double Contact::least_apart(const Candidate& c) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::int32_t p : c.point)
+    if (p >= 0 && scene_->apart(p) >= 0) least = std::min(least, scene_->apart(p));
+  return least;
 }
 
 std::vector<Candidate> Contact::find(std::span<const Vec3> x, double skin) const {
@@ -120,8 +130,50 @@ std::vector<Candidate> Contact::find(std::span<const Vec3> x, double skin) const
 void Contact::open_to(std::span<const double> share) {
   if (std::equal(share.begin(), share.end(), opened_.begin(), opened_.end())) return;
   opened_.assign(share.begin(), share.end());
+  scale_all();
+}
+
+void Contact::scale_all() {
   for (auto* list : {&outer_, &inner_})
     for (Candidate& c : *list) scale(c);
+}
+
+// Only pairs that would be within reach at their whole lengths are looked at: every list has them.
+bool Contact::widen(std::span<const Vec3> x, std::vector<double>& apart) {
+  prepare(x);
+  std::vector<double> nearest(apart.size(), std::numeric_limits<double>::infinity());
+  for (const Candidate& c : inner_) {
+    const double gap = c.lips ? gap_of(c, corners_of(c, x)) : 0;
+    if (!c.lips || gap >= law(c).gap() * c.whole) continue;
+    for (const std::int32_t p : c.point)
+      if (p >= 0) nearest[std::size_t(p)] = std::min(nearest[std::size_t(p)], gap);
+  }
+  bool more = false;
+  for (std::size_t p = 0; p < apart.size(); ++p) {
+    if (!(apart[p] >= 0) || nearest[p] <= apart[p]) continue;
+    apart[p] = nearest[p];
+    more = true;
+  }
+  return more;
+}
+
+void Contact::scene_changed() {
+  patches_ = Patches(*scene_);
+  narrowest_at_first_ = narrowest(*scene_, widest_);
+  at_search_.clear();  // the lists are found anew
+  outer_.clear();
+  inner_.clear();
+  tried_.reset();
+  apart_changed();
+}
+
+void Contact::apart_changed() {
+  narrowest_ = narrowest_at_first_;
+  for (const double apart : scene_->apart())
+    for (const Interaction& it : scene_->interactions())
+      if (apart > 0)
+        narrowest_ = std::min(narrowest_, of_apart * apart / it.law.gap() * (it.law.gap() - it.law.floor()));
+  scale_all();
 }
 
 Vec3 Contact::of_body(const Candidate& c, std::span<const Vec3> by_point) const {
@@ -342,6 +394,7 @@ double Contact::share_of(const std::vector<Candidate>& pairs, std::span<const Ve
   double share = 1;
 #pragma omp parallel for schedule(static) reduction(min : share) if (pairs.size() > 64)
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].pair.scale == 0) continue;  // lips that were never apart
     const Corners start = corners_of(pairs[i], x), step = corners_of(pairs[i], by);
     Corners end;
     for (std::size_t k = 0; k < 4; ++k) end[k] = start[k] + step[k];

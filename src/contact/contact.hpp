@@ -78,6 +78,12 @@ class Contact {
   // with the share s of the law's lengths then has s + (1 - s) * share of them.
   void open_to(std::span<const double> share);
 
+  // Sets for each lip how far it has been apart at least: the distance of the nearest pair of lips that it is
+  // in; infinite, where none is within reach. Returns whether any is more than before.
+  bool widen(std::span<const Vec3> x, std::vector<double>& apart);
+  void apart_changed();  // Scene::apart has: the pairs of lips have other lengths
+  void scene_changed();  // other nodes at the corners of its triangles, see Scene::with_corners
+
   // The largest share, 0 to 1, of the displacement `by` (m) during which no pair reaches its floor; with
   // `among` no pair all of whose points are marked there.
   double safe_share(std::span<const Vec3> x, std::span<const Vec3> by,
@@ -116,6 +122,8 @@ class Contact {
   void prepare(std::span<const Vec3> x);
   std::vector<Candidate> find(std::span<const Vec3> x, double skin) const;
   void scale(Candidate& c) const;
+  void scale_all();
+  double least_apart(const Candidate& c) const;
   bool rigid(std::int32_t point) const { return point >= std::int32_t(scene_->nodes()); }
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
@@ -140,6 +148,7 @@ class Contact {
   Skins skins_;
   std::vector<double> opened_;         // by interaction
   double widest_ = 0, narrowest_ = 0;  // m: largest and smallest distance from gap to floor of any pair
+  double narrowest_at_first_ = 0;      // of all pairs but lips
   std::vector<Candidate> outer_, inner_;
   std::vector<Vec3> at_search_, at_refine_, at_check_;
   mutable Patches patches_;  // its boxes are worked out anew each time

@@ -279,6 +279,52 @@ void Scene::find_sheets(const Surface& surface) {
   }
 }
 
+Scene Scene::with_corners(const std::function<Triangle(const TriangleRow&)>& corners) const {
+  Scene out(std::vector<Vec3>(reference_.begin(), reference_.begin() + std::ptrdiff_t(nodes_)));
+  for (const Surface& from : surfaces_) {
+    Surface surface;
+    surface.shape = from.shape;
+    surface.radius = from.radius;
+    const auto vertices =
+        std::span(reference_).subspan(std::size_t(from.first_vertex), std::size_t(from.vertices));
+    if (from.shape != Shape::cloth && from.shape != Shape::solid) {
+      out.add_rigid(std::move(surface), vertices);
+      Surface& added = out.surfaces_.back();
+      added.edges = from.edges;
+      for (std::int32_t e = from.first_edge; e < from.first_edge + from.edges; ++e) {
+        out.edges_.push_back(edges_[std::size_t(e)]);
+        out.at_edge_.emplace_back();
+      }
+      continue;
+    }
+    surface.first_vertex = from.first_vertex;
+    surface.vertices = from.vertices;
+    out.reference_.insert(out.reference_.end(), vertices.begin(), vertices.end());
+    out.area_.resize(out.reference_.size());
+    out.at_point_.resize(out.reference_.size());
+    std::vector<Triangle> triangles;
+    std::vector<std::int32_t> element;
+    for (std::int32_t t = from.first_triangle; t < from.first_triangle + from.triangles; ++t) {
+      const TriangleRow& row = triangles_[std::size_t(t)];
+      triangles.push_back(from.shape == Shape::cloth ? corners(row) : row.nodes);
+      element.push_back(row.element);
+    }
+    out.add_triangles(std::move(surface), triangles, element);
+    // What was a sheet counts as one: its parts are not nearer to each other than before.
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        out.sheet_[std::size_t(triangles[i][k])] =
+            sheet_[std::size_t(triangles_[std::size_t(from.first_triangle) + i].nodes[k])];
+  }
+  out.interactions_ = interactions_;
+  return out;
+}
+
+void Scene::set_apart(std::vector<double> apart) {
+  const bool any = std::any_of(apart.begin(), apart.end(), [](double a) { return a >= 0; });
+  apart_ = any ? std::move(apart) : std::vector<double>();
+}
+
 int Scene::interaction_number(std::int32_t first, std::int32_t second) const {
   for (std::size_t i = 0; i < interactions_.size(); ++i) {
     const Interaction& it = interactions_[i];

@@ -8,6 +8,7 @@
 //
 // The weights of facets, edges and corners are explained in share/doc/contact.md.
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -96,6 +97,17 @@ class Scene {
   }
   std::int32_t sheet(std::int32_t point) const { return sheet_[std::size_t(point)]; }  // its first point
 
+  // The same scene with other nodes at the corners of the triangles of cloth, which lie at the same places.
+  Scene with_corners(const std::function<Triangle(const TriangleRow&)>& corners) const;
+  // Lips: points that were one with others of their place until a joint opened. For each point how far it has
+  // been from all that it was near to, m; -1: it is no lip. Between lips the law's lengths are at most 0.9 of
+  // the least of these, so that nothing is pressed when they part, and nothing gets through later. Empty:
+  // there are no lips.
+  void set_apart(std::vector<double> apart);
+  const std::vector<double>& apart() const { return apart_; }
+  bool parts() const { return !apart_.empty(); }  // whether there are lips
+  double apart(std::int32_t point) const { return apart_.empty() ? -1 : apart_[std::size_t(point)]; }
+
   const std::vector<Vec3>& reference() const { return reference_; }
   std::size_t nodes() const { return nodes_; }  // of the cloth; the rigid vertices follow them
   const std::vector<Surface>& surfaces() const { return surfaces_; }
@@ -123,6 +135,7 @@ class Scene {
   std::size_t nodes_ = 0;
   std::vector<Vec3> reference_;
   std::vector<double> area_;
+  std::vector<double> apart_;
   std::vector<std::int32_t> sheet_;  // of each point: the first point of its sheet
   std::vector<Surface> surfaces_;
   std::vector<EdgeRow> edges_;

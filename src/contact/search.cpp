@@ -9,6 +9,8 @@ namespace {
 
 constexpr double neighbour_share = 0.9;  // of their reference distance, as the gap of neighbours
 constexpr double crossing_share = 0.5;   // share of the area of two crossing edges, see contact.md
+constexpr double lips_reach = 3;         // mean edges: in the reference, how far lips are apart at most
+constexpr double same_place = 1e-9;      // mean edges
 constexpr double shared = 0.5;  // weight where both surfaces have facets: two cloths press from both sides
 
 using Rows = std::vector<Candidate>;
@@ -154,11 +156,23 @@ class Search {
   double scale(double reference_distance, const Law& law) const {
     return std::min(1.0, neighbour_share * reference_distance / law.gap());
   }
-  double facet_scale(std::int32_t p, const Triangle& t, const Law& law) const {
+  // Whether a pair at this distance in the reference is one of lips.
+  bool lips(std::span<const std::int32_t> one, std::span<const std::int32_t> other, double distance) const {
+    const auto is_lip = [&](std::int32_t p) { return scene_.apart(p) >= 0; };
+    return scene_.parts() && distance < lips_reach * cell_ && std::any_of(one.begin(), one.end(), is_lip) &&
+           std::any_of(other.begin(), other.end(), is_lip);
+  }
+  // The same for lips, which may lie at the same place and are no neighbours then.
+  double scale(double reference_distance, const Law& law, bool lips) const {
+    return lips && reference_distance < same_place * cell_ ? 1 : scale(reference_distance, law);
+  }
+  double facet_scale(std::int32_t p, const Triangle& t, const Law& law, bool& are_lips) const {
+    are_lips = false;
     if (p == t[0] || p == t[1] || p == t[2]) return 0;
-    return scale(
-        std::sqrt(squared_point_triangle(reference(p), reference(t[0]), reference(t[1]), reference(t[2]))),
-        law);
+    const double distance =
+        std::sqrt(squared_point_triangle(reference(p), reference(t[0]), reference(t[1]), reference(t[2])));
+    are_lips = lips(std::span(&p, 1), t, distance);
+    return scale(distance, law, are_lips);
   }
   // What a pair begins with where overlaps are opened: its point's share, or the smallest of its edges' ends.
   static double start(const Candidate& row, const std::vector<double>& opening) {
@@ -197,7 +211,7 @@ class Search {
     const bool neighbours = owner == row.surface && same_sheet(which, p, row.nodes[0]);
     if (neighbours) {
       if (far(out, law)) return;
-      out.pair.scale = facet_scale(p, row.nodes, law);
+      out.pair.scale = facet_scale(p, row.nodes, law, out.lips);
       if (out.pair.scale == 0) return;
     }
     if (!cloth(row.surface))
@@ -216,7 +230,9 @@ class Search {
     const auto neighbour = [&](std::span<const std::int32_t> triangles) {
       for (const std::int32_t t : triangles) {
         const TriangleRow& other = scene_.triangles()[std::size_t(t)];
-        if (other.surface == row.surface && facet_scale(out.point[0], other.nodes, law) < 1) return true;
+        bool lips = false;
+        if (other.surface == row.surface && facet_scale(out.point[0], other.nodes, law, lips) < 1)
+          return true;
       }
       return false;
     };
@@ -241,9 +257,10 @@ class Search {
     out.pair.offset = surface(a.surface).radius + surface(b.surface).radius;
     if (a.surface == b.surface && same_sheet(which, a.a, b.a)) {
       if (far(out, law)) return;
-      out.pair.scale = scale(
-          std::sqrt(squared_segment_segment(reference(a.a), reference(a.b), reference(b.a), reference(b.b))),
-          law);
+      const double apart =
+          std::sqrt(squared_segment_segment(reference(a.a), reference(a.b), reference(b.a), reference(b.b)));
+      out.lips = lips(std::array{a.a, a.b}, std::array{b.a, b.b}, apart);
+      out.pair.scale = scale(apart, law, out.lips);
       if (out.pair.scale == 0) return;
     }
     const double width = std::min(a.area / a.length, b.area / b.length);

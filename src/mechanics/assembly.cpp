@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
@@ -25,7 +26,7 @@ Assembly::Assembly(const model::Model& model)
   if (!model.moments().empty()) moments_ = make<Moments>(model)->moments();
   if (!model.springs().empty()) make<Springs>(model);
   if (model.interactions().any())
-    contact_ = make<Contacts>(model, std::as_const(configuration_), *cloth_, freedoms());
+    contact_ = make<Contacts>(model, std::as_const(configuration_), *cloth_, dofs_);
   force_x_.assign(3 * configuration_.nodes(), 0);
   force_d_.assign(3 * configuration_.nodes(), 0);
 }
@@ -297,6 +298,7 @@ double Assembly::step_work() const {
 std::vector<Energy> Assembly::energies() const {
   std::vector<Energy> all;
   for (const auto& term : terms_) term->add_energies(trial(), all);
+  if (joints().any()) all.push_back({"joints", Account::dissipated, lost_});
   return all;
 }
 
@@ -337,7 +339,39 @@ double Assembly::stable_step(bool scaled) const {
   return shortest;
 }
 
+// Where nodes of a joint that closes were apart, the forces at their mean are computed, in a step of no time.
+std::optional<Transfer> Assembly::open(std::vector<Joints::Edge> edges, double within) {
+  const std::uint64_t before = configuration_.version();
+  auto transfer = dofs_.open(std::move(edges), cloth_->mass(), cloth_->rotary_inertia(false), within);
+  if (!transfer) return {};
+  renumbered();
+  if (configuration_.version() == before) return transfer;
+  const double now = configuration_.time();
+  aim(now);
+  if (!forces({now, 0})) throw Error("join: the law failed where the nodes of a joint meet");
+  commit(now);
+  return transfer;
+}
+
+void Assembly::renumbered() {
+  ++numbering_;
+  stiffness_.reset();
+  Forces sums = this->sums();
+  for (auto& term : terms_) term->renumbered(sums);
+}
+
+void Assembly::keep_joints(Archive& archive) {
+  std::vector<Index> ends;
+  for (const auto& [a, b] : joints().opened()) ends.insert(ends.end(), {a, b});
+  archive.section("joints", [&] { archive(ends, lost_); });
+  if (!archive.reading()) return;
+  std::vector<Joints::Edge> edges;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) edges.emplace_back(ends[i], ends[i + 1]);
+  if (dofs_.reopen(std::move(edges))) renumbered();
+}
+
 void Assembly::keep(Archive& archive) {
+  if (joints().any()) keep_joints(archive);
   archive.section("configuration", [&] { configuration_.keep(archive); });
   for (auto& term : terms_) archive.section(term->name(), [&] { term->keep(archive); });
   archive.section("forces", [&] {

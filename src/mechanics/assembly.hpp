@@ -6,6 +6,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -192,6 +193,14 @@ class Assembly {
   Index node_of_unknown(Index unknown) const { return dofs_.node_of(unknown); }
   Index element_of_unknown(Index unknown) const { return cloth_->element_at(dofs_.node_of(unknown)); }
 
+  // --- joints (see Dofs). To be called at the committed state. Empty: nothing changes.
+  const Joints& joints() const { return dofs_.joints(); }
+  std::optional<Transfer> open(std::vector<Joints::Edge> edges, double within);
+  // J, kinetic energy lost as joints closed.
+  void lose(double energy) { lost_ += energy; }
+  // Changes whenever the unknowns are numbered anew.
+  std::uint64_t numbering() const { return numbering_; }
+
   // The committed state and its internal forces. Error when reading: the state of another model.
   void keep(Archive& archive);
 
@@ -203,6 +212,8 @@ class Assembly {
   Outcome with_rest(Outcome cloth, const law::Step& step, Forces& forces);
   void couple();
   void couple(std::vector<NodePair> pairs);
+  void renumbered();
+  void keep_joints(Archive& archive);
 
   Configuration configuration_;
   Dofs dofs_;
@@ -215,7 +226,9 @@ class Assembly {
   std::unique_ptr<Stiffness> stiffness_;
   std::vector<NodePair> coupled_, committed_coupled_;  // pairs in the pattern, ascending; at the last commit
   std::vector<double> force_x_, force_d_;              // internal, 3 per node
-  double aimed_ = 0;                                   // s
+  std::uint64_t numbering_ = 0;
+  double lost_ = 0;   // J, in joints
+  double aimed_ = 0;  // s
   const Motion* motion_ = nullptr;
   Outcome outcome_;
 };

@@ -17,10 +17,11 @@ constexpr Index kShare = 2048;  // number of nodes from which loops use several 
 
 Dofs::Dofs(const model::Model& model, Configuration& configuration)
     : configuration_(configuration),
+      joints_(model.mesh()),
       X_(model.mesh().nodes),
       directors_(mechanics::reference_directors(model.mesh())) {
   lay_into_planes(model, directors_);
-  freedoms_ = number_freedoms(model, directors_);
+  freedoms_ = number_freedoms(model, directors_, joints_);
   meet_directors();
   find_plain_nodes();
   first_axes_.reserve(X_.size());
@@ -37,7 +38,8 @@ Dofs::Dofs(const model::Model& model, Configuration& configuration)
   for (const auto& motion : freedoms_.motions) driven_nodes_.push_back(motion.node);
   std::sort(driven_nodes_.begin(), driven_nodes_.end());
   driven_nodes_.erase(std::unique(driven_nodes_.begin(), driven_nodes_.end()), driven_nodes_.end());
-  measure_unknowns(model);
+  measure(model);
+  list_unknowns();
 }
 
 void Dofs::find_plain_nodes() {
@@ -47,18 +49,16 @@ void Dofs::find_plain_nodes() {
   };
   for (std::size_t n = 0; n < X_.size(); ++n) {
     const NodeFreedoms& node = freedoms_.nodes[n];
-    plain_[n].is_plain = !node.oblique && !node.turn_axis && node.held_axes.empty() &&
+    plain_[n].is_plain = joints_.leads(static_cast<Index>(n)) && !node.oblique && !node.turn_axis &&
+                         node.held_axes.empty() &&
                          std::all_of(node.equation.begin(), node.equation.end(), small);
     if (!plain_[n].is_plain) continue;
     for (std::size_t c = 0; c < 5; ++c) plain_[n].equation[c] = static_cast<std::int32_t>(node.equation[c]);
   }
 }
 
-// Finds for each unknown its node, whether it is a rotation, and the length by which its moments are divided.
-void Dofs::measure_unknowns(const model::Model& model) {
-  const Index n = freedoms_.unknowns;
-  unknown_node_.assign(n, -1);
-  turns_.assign(n, false);
+// The lengths by which moments are divided, and what follows a node.
+void Dofs::measure(const model::Model& model) {
   double edges = 0, count = 0;
   for (const auto& e : model.mesh().elements) {
     const int sides = e[3] < 0 ? 3 : 4;
@@ -66,12 +66,6 @@ void Dofs::measure_unknowns(const model::Model& model) {
     count += sides;
   }
   length_ = edges / count;
-  for (std::size_t i = 0; i < freedoms_.nodes.size(); ++i)
-    for (int c = 0; c < 5; ++c)
-      if (const Index eq = freedoms_.nodes[i].equation[c]; eq >= 0) {
-        unknown_node_[eq] = static_cast<std::int32_t>(i);
-        turns_[eq] = c >= 3;
-      }
   if (!has_ties()) return;
   led_.resize(X_.size());
   for (std::size_t f = 0; f < freedoms_.followers.size(); ++f)
@@ -81,12 +75,25 @@ void Dofs::measure_unknowns(const model::Model& model) {
     const auto x = std::as_const(configuration_).x();
     double radius = 0;
     for (const Index i : body.nodes) radius = std::max(radius, (at(x, i) - centroid(body, x)).norm());
+    radius_.push_back(radius);
+  }
+}
+
+// Finds for each unknown its node and whether it is a rotation.
+void Dofs::list_unknowns() {
+  unknown_node_.assign(freedoms_.unknowns, -1);
+  turns_.assign(freedoms_.unknowns, false);
+  for (std::size_t i = 0; i < freedoms_.nodes.size(); ++i)
+    for (int c = 0; c < 5; ++c)
+      if (const Index eq = freedoms_.nodes[i].equation[c]; eq >= 0 && joints_.leads(static_cast<Index>(i))) {
+        unknown_node_[eq] = static_cast<std::int32_t>(i);
+        turns_[eq] = c >= 3;
+      }
+  for (const Body& body : freedoms_.bodies)
     for (Index i = 0; i < 6; ++i) {
       unknown_node_[body.equation + i] = static_cast<std::int32_t>(body.nodes.front());
       turns_[body.equation + i] = i >= 3;
     }
-    radius_.push_back(radius);
-  }
 }
 
 // The unknowns of bodies follow those of the nodes, six for each.
@@ -203,6 +210,7 @@ void Dofs::residual(std::span<const double> external, std::span<const double> in
   const auto count = static_cast<Index>(X_.size());
 #pragma omp parallel for schedule(static) if (count >= kShare)
   for (Index i = 0; i < count; ++i) {
+    if (!joints_.leads(i)) continue;
     const Vec3 out = at(external, i) - at(internal_x, i);
     const auto put = [&](const auto& equation, const Vec3& f) {
       for (int c = 0; c < 3; ++c)
@@ -219,7 +227,24 @@ void Dofs::residual(std::span<const double> external, std::span<const double> in
     const NodeFreedoms& node = freedoms_.nodes[i];
     put(node.equation, node.oblique ? Vec3(node.frame * out) : out);
   }
+  if (joints_.any()) add_joined_residual(external, internal_x, internal_d, on_d, r);
   if (has_ties()) add_tied_residual(external, internal_x, internal_d, on_d, moments, r);
+}
+
+// The forces on the nodes that do not lead their joints.
+void Dofs::add_joined_residual(std::span<const double> external, std::span<const double> internal_x,
+                               std::span<const double> internal_d, std::span<const double> on_d,
+                               std::span<double> r) const {
+  const Configuration& s = configuration_;
+  for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {
+    if (joints_.leads(i)) continue;
+    const NodeFreedoms& node = freedoms_.nodes[i];
+    const Vec3 out = node.frame * (at(external, i) - at(internal_x, i));
+    const Vec3 turning = on_director(on_d, internal_d, i), b1 = at(s.b1(), i), b2 = at(s.d(), i).cross(b1);
+    const double f[5] = {out[0], out[1], out[2], b1.dot(turning), b2.dot(turning)};
+    for (std::size_t c = 0; c < 5; ++c)
+      if (node.equation[c] >= 0) r[node.equation[c]] += f[c];
+  }
 }
 
 Vec3 Dofs::support_force(Index n, std::span<const double> internal_x,
@@ -371,6 +396,16 @@ std::pair<double, Index> Dofs::largest_residual(std::span<const double> r) const
 }
 
 double Dofs::largest_force(std::span<const double> on_x, std::span<const double> on_d) const {
+  if (joints_.any()) {
+    std::vector<double> x(on_x.begin(), on_x.end()), d(on_d.begin(), on_d.end());
+    gather(x);
+    gather(d);
+    return largest_nodal_force(x, d);
+  }
+  return largest_nodal_force(on_x, on_d);
+}
+
+double Dofs::largest_nodal_force(std::span<const double> on_x, std::span<const double> on_d) const {
   double largest = 0, moment = 0;
   for (const double f : on_x) largest = std::max(largest, std::abs(f));
   for (Index i = 0; i < static_cast<Index>(X_.size()); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "linear/matrix.hpp"
 #include "mechanics/configuration.hpp"
 #include "mechanics/freedoms.hpp"
+#include "mechanics/joints.hpp"
 #include "mechanics/motion.hpp"
 #include "model/model.hpp"
 
@@ -21,13 +23,23 @@ class Dofs {
   // unknowns and sets the configuration to the reference.
   Dofs(const model::Model& model, Configuration& configuration);
 
+  // Keeps a reference to the mesh of the model.
   Index unknowns() const { return freedoms_.unknowns; }
+  const Joints& joints() const { return joints_; }
+  // Sets the open edges and numbers the unknowns anew; empty: the joints stay as they are. Joints that close
+  // take the mean of their nodes' positions and directors, weighted by the masses (kg, kg m^2 per node), in
+  // the trial configuration. Error: nodes of one of these are farther apart than `within`, m; nothing is
+  // changed.
+  std::optional<Transfer> open(std::vector<Joints::Edge> edges, std::span<const double> mass,
+                               std::span<const double> rotary, double within);
+  // The same when a state is restored: the configuration has it already.
+  bool reopen(std::vector<Joints::Edge> edges);
   const Freedoms& freedoms() const { return freedoms_; }
   const std::vector<Vec3>& reference() const { return X_; }
   const std::vector<Vec3>& reference_directors() const { return directors_; }
   bool has_ties() const { return !freedoms_.followers.empty() || !freedoms_.bodies.empty(); }
-  // The equations of a plain node: its frame is the global one, it is not tied, and its director is neither
-  // driven nor restricted to some axes. Null for all other nodes.
+  // The equations of a plain node: its frame is the global one, it is not tied and leads its joint, and its
+  // director is neither driven nor restricted to some axes. Null for all other nodes.
   const std::int32_t* plain_equations(Index node) const {
     return plain_[node].is_plain ? plain_[node].equation.data() : nullptr;
   }
@@ -84,16 +96,32 @@ class Dofs {
  private:
   void meet_directors();
   void find_plain_nodes();
-  void measure_unknowns(const model::Model& model);
+  void number();
+  void list_unknowns();
+  void measure(const model::Model& model);
+  struct Axes {
+    Vec3 q1, q2;  // of a node's rotations
+  };
+  std::vector<Axes> axes() const;
+  void meet(double within, std::span<const double> mass, std::span<const double> rotary);
+  Transfer transfer(const std::vector<std::array<Index, 5>>& before, Index bodies_before,
+                    const std::vector<Axes>& axes_before, std::span<const double> mass,
+                    std::span<const double> rotary) const;
   double lever(Index unknown) const;  // m, by which its moments are divided; 1 for a displacement
   void realign(Index node);
   void retract_ties(std::span<const double> delta, double scale);
   void add_tied_residual(std::span<const double> external, std::span<const double> internal_x,
                          std::span<const double> internal_d, std::span<const double> on_d,
                          const std::vector<Vec3>* moments, std::span<double> r) const;
+  void add_joined_residual(std::span<const double> external, std::span<const double> internal_x,
+                           std::span<const double> internal_d, std::span<const double> on_d,
+                           std::span<double> r) const;
+  void gather(std::span<double> on_nodes) const;
+  double largest_nodal_force(std::span<const double> on_x, std::span<const double> on_d) const;
   Vec3 tied_force(Index lead, std::span<const double> internal_x, std::span<const double> external) const;
 
   Configuration& configuration_;
+  Joints joints_;
   const std::vector<Vec3> X_;
   std::vector<Vec3> directors_;   // reference
   std::vector<Vec3> first_axes_;  // of the reference directors, for driven directors

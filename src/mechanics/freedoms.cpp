@@ -127,7 +127,22 @@ void lay_into_planes(const model::Model& model, std::vector<Vec3>& directors) {
   }
 }
 
-Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors) {
+void Freedoms::number(const Joints& joints) {
+  unknowns = 0;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const Index leader = joints.leader(static_cast<Index>(n));
+    for (std::size_t c = 0; c < 5; ++c)
+      if (Index& equation = nodes[n].equation[c]; equation >= 0)
+        equation = leader == static_cast<Index>(n) ? unknowns++ : nodes[leader].equation[c];
+  }
+  for (Body& body : bodies) {
+    body.equation = unknowns;
+    unknowns += 6;
+  }
+}
+
+Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors,
+                         const Joints& joints) {
   const auto& mesh = model.mesh();
   Freedoms f;
   f.nodes.resize(mesh.nodes.size());
@@ -172,19 +187,14 @@ Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& dir
     auto& node = f.nodes[n];
     for (int i = 0; i < 3; ++i)
       if (node.equation[i] != tied)
-        node.equation[i] = motion[n][i] >= 0         ? driven(motion[n][i])
-                           : holds[n].translation[i] ? held
-                                                     : f.unknowns++;
+        node.equation[i] = motion[n][i] >= 0 ? driven(motion[n][i]) : holds[n].translation[i] ? held : 0;
     if (node.turn_axis || node.equation[3] == tied) continue;
     const int lost = holds[n].rotation ? 2 : held_rotations(holds[n].axes, directors[n]);
     if (lost == 1) node.held_axes = holds[n].axes;
-    node.equation[3] = lost == 2 ? held : f.unknowns++;
-    node.equation[4] = lost >= 1 ? held : f.unknowns++;
+    node.equation[3] = lost == 2 ? held : 0;
+    node.equation[4] = lost >= 1 ? held : 0;
   }
-  for (Body& body : f.bodies) {
-    body.equation = f.unknowns;
-    f.unknowns += 6;
-  }
+  f.number(joints);
   return f;
 }
 

@@ -6,11 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "mechanics/joints.hpp"
 #include "model/model.hpp"
 
 namespace fabricsh::mechanics {
-
-using Index = std::int64_t;
 
 // Equation numbers of one node in the order u1 u2 u3 (in the node's frame) q1 q2: >= 0 unknown, held = -1,
 // driven <= -2, tied: follows other nodes (see Tied).
@@ -65,10 +64,12 @@ struct Freedoms {
     return eq[0] == tied || eq[1] == tied || eq[2] == tied || eq[3] == tied;
   }
   Index body(Index node) const { return body_of.empty() ? -1 : body_of[node]; }
+  // Numbers the unknowns node by node; the nodes of a joint share those of its leader.
+  void number(const Joints& joints);
 };
 
-// Numbers the unknowns node by node. The model must be validated.
-Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors);
+// The model must be validated.
+Freedoms number_freedoms(const model::Model& model, const std::vector<Vec3>& directors, const Joints& joints);
 
 // Projects the directors of nodes with symmetry supports (one displacement held, and the two rotations that
 // lead out of the plane) into the symmetry planes. Where such a plane cuts a mesh, the normals lean by half

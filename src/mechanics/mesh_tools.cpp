@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "base/error.hpp"
 #include "mesh/normals.hpp"
@@ -18,7 +19,8 @@ std::vector<Vec3> reference_directors(const mesh::Mesh& mesh) {
   return normals;
 }
 
-std::vector<int> colour(const mesh::Mesh& mesh) {
+std::vector<int> colour(const mesh::Mesh& given) {
+  const mesh::Mesh& mesh = given.uncut();                  // nodes at one place can have unknowns in common
   std::vector<std::uint64_t> taken(mesh.nodes.size(), 0);  // bit c: an element of colour c has this node
   std::vector<int> colours;
   for (const auto& e : mesh.elements) {
@@ -49,12 +51,41 @@ double size(const std::array<Index, 4>& e, const std::vector<Vec3>& X) {
   return (n == 3 ? 2 : 1) * area(e, X) / longest;
 }
 
+namespace {
+
+// How many nodes a place has, and how many edges two places have between them: in tearable zones several.
+class Alike {
+ public:
+  explicit Alike(const mesh::Mesh& mesh) : mesh_(mesh) {
+    if (!mesh.whole) return;
+    for (const auto place : mesh.place) ++nodes_[place];
+    std::set<std::pair<mesh::Index, mesh::Index>> seen;
+    for (const auto& e : mesh.elements)
+      for (int a = 0, n = corners(e); a < n; ++a)
+        if (seen.insert(std::minmax({e[a], e[(a + 1) % n]})).second)
+          ++edges_[of_places(e[a], e[(a + 1) % n])];
+  }
+  double nodes(mesh::Index n) const { return mesh_.whole ? nodes_.at(mesh_.place_of(n)) : 1; }
+  double edges(mesh::Index i, mesh::Index j) const { return mesh_.whole ? edges_.at(of_places(i, j)) : 1; }
+
+ private:
+  std::pair<mesh::Index, mesh::Index> of_places(mesh::Index i, mesh::Index j) const {
+    return std::minmax({mesh_.place_of(i), mesh_.place_of(j)});
+  }
+  const mesh::Mesh& mesh_;
+  std::map<mesh::Index, int> nodes_;
+  std::map<std::pair<mesh::Index, mesh::Index>, int> edges_;
+};
+
+}  // namespace
+
 Tributary tributary(const mesh::Mesh& mesh, const mesh::NodeSet& nodes) {
   std::map<mesh::Index, std::size_t> where;
   for (std::size_t i = 0; i < nodes.size(); ++i) where[nodes[i]] = i;
   std::vector<double> by_area(nodes.size(), 0.0), by_length(nodes.size(), 0.0);
   bool has_area = false, has_edges = false;
   std::map<std::pair<mesh::Index, mesh::Index>, bool> seen;
+  const Alike alike(mesh);
   for (const auto& e : mesh.elements) {
     const int n = e[3] < 0 ? 3 : 4;
     if (std::all_of(e.begin(), e.begin() + n, [&](mesh::Index i) { return where.contains(i); })) {
@@ -68,7 +99,7 @@ Tributary tributary(const mesh::Mesh& mesh, const mesh::NodeSet& nodes) {
       const auto [i, j] = std::minmax(e[a], e[(a + 1) % n]);
       if (!where.contains(i) || !where.contains(j) || seen[{i, j}]) continue;
       seen[{i, j}] = has_edges = true;
-      const double length = (mesh.nodes[i] - mesh.nodes[j]).norm();
+      const double length = (mesh.nodes[i] - mesh.nodes[j]).norm() / alike.edges(i, j);
       by_length[where[i]] += length;
       by_length[where[j]] += length;
     }
@@ -80,7 +111,7 @@ Tributary tributary(const mesh::Mesh& mesh, const mesh::NodeSet& nodes) {
     t.measure = std::move(by_length);
     for (double& length : t.measure) length /= 2;
   } else {
-    t.measure.assign(nodes.size(), 1.0);
+    for (const auto n : nodes) t.measure.push_back(1.0 / alike.nodes(n));
   }
   t.total = std::accumulate(t.measure.begin(), t.measure.end(), 0.0);
   t.kind = has_area ? Tributary::Kind::area : has_edges ? Tributary::Kind::length : Tributary::Kind::count;

@@ -162,6 +162,11 @@ class Term {
   virtual void move(double /*scale*/) {}
   virtual bool arrived() const { return true; }  // where the step ends
 
+  // --- joints. Called after joints have opened or closed, or a state with other joints is about to be read:
+  // the unknowns are numbered anew, and what a term has of single unknowns is to be made again. The forces
+  // are those of the committed state; those of a term that acts on the leaders of joints go to the new ones.
+  virtual void renumbered(Forces&) {}
+
   // --- fields. The functions are called as long as the term exists.
   virtual std::vector<Shown> shows() const { return {}; }
 

@@ -35,6 +35,7 @@ std::size_t corners(const std::array<Index, 4>& element) { return element[3] < 0
 }  // namespace
 
 const NodeSet& Mesh::set(std::string_view name) const {
+  if (whole) return set_of_whole(name);
   if (const auto found = sets.find(name); found != sets.end()) return found->second;
   if (const NodeSet* of_part = set_of_part(name)) return *of_part;
   unknown_set(*this, name);
@@ -47,17 +48,31 @@ const NodeSet* Mesh::set_of_part(std::string_view name) const {
       continue;
     const auto found = part.mesh->sets.find(name.substr(part.name.size() + 1));
     if (found == part.mesh->sets.end()) continue;
-    FromPart& known = of_parts_[std::string(name)];
-    if (known.joined.empty() || known.own != found->second) {
-      known.own = known.joined = found->second;
-      for (Index& id : known.joined) id += part.first_node;
+    Borrowed& known = borrowed_[std::string(name)];
+    if (known.here.empty() || known.own != found->second) {
+      known.own = known.here = found->second;
+      for (Index& id : known.here) id += part.first_node;
     }
-    return &known.joined;
+    return &known.here;
   }
   return nullptr;
 }
 
+// The nodes of the set, and the further ones at their places.
+const NodeSet& Mesh::set_of_whole(std::string_view name) const {
+  const NodeSet& own = whole->set(name);
+  Borrowed& known = borrowed_[std::string(name)];
+  if (!known.here.empty() && known.own == own) return known.here;
+  known.own = known.here = own;
+  std::vector<char> member(whole->nodes.size(), 0);
+  for (const Index id : own) member[static_cast<std::size_t>(id)] = 1;
+  for (std::size_t n = whole->nodes.size(); n < nodes.size(); ++n)
+    if (member[static_cast<std::size_t>(place[n])] != 0) known.here.push_back(static_cast<Index>(n));
+  return known.here;
+}
+
 std::vector<std::string> Mesh::set_names() const {
+  if (whole) return whole->set_names();
   std::vector<std::string> names;
   for (const auto& [name, ids] : sets) names.push_back(name);
   for (const Part& part : parts)

@@ -34,6 +34,13 @@ struct Mesh {
   };
   std::vector<Part> parts;
 
+  // For a mesh made by split_corners() (corners.hpp): the mesh without its further nodes, whose sets it has;
+  // and for each node the one of that mesh at the same place.
+  std::shared_ptr<const Mesh> whole;
+  std::vector<Index> place;
+  const Mesh& uncut() const { return whole ? *whole : *this; }
+  Index place_of(Index node) const { return place.empty() ? node : place[static_cast<std::size_t>(node)]; }
+
   // The named set. Error: unknown name; the message has the nearest name and the list of names.
   const NodeSet& set(std::string_view name) const;
   std::vector<std::string> set_names() const;  // ascending, including those of the parts
@@ -48,11 +55,13 @@ struct Mesh {
   void map(const std::function<Vec3(const Vec3&)>& f);
 
  private:
-  struct FromPart {  // a part's set when last looked up, and the same set in the ids of the joined mesh
-    NodeSet own, joined;
+  // A set of a part, or of the whole mesh, when last looked up, and the same set in the ids of this mesh.
+  struct Borrowed {
+    NodeSet own, here;
   };
   const NodeSet* set_of_part(std::string_view name) const;
-  mutable std::map<std::string, FromPart, std::less<>> of_parts_;
+  const NodeSet& set_of_whole(std::string_view name) const;
+  mutable std::map<std::string, Borrowed, std::less<>> borrowed_;
 };
 
 // Joins several meshes into one, part after part. The named sets of a part are available as "part.set"; there

@@ -5,6 +5,12 @@
 namespace fabricsh::mesh {
 
 std::vector<Vec3> node_normals(const Mesh& mesh) {
+  if (mesh.whole) {  // all nodes at a place have the normal of the sheet there
+    const std::vector<Vec3> of_places = node_normals(*mesh.whole);
+    std::vector<Vec3> normals;
+    for (const Index place : mesh.place) normals.push_back(of_places[static_cast<std::size_t>(place)]);
+    return normals;
+  }
   std::vector<Vec3> normals(mesh.nodes.size(), Vec3::Zero());
   for (const auto& e : mesh.elements) {
     const int n = e[3] < 0 ? 3 : 4;

@@ -190,7 +190,7 @@ void add_interactions(const Model& model, const Add& add) {
     if (const auto* v = all.velocity_of(body))
       add("velocity of " + name, "", [&](Part& part) { part.add_vector(v->linear).add_vector(v->spin); });
   }
-  const Surfaces surfaces = work_out_surfaces(all, model.mesh());
+  const Surfaces surfaces = work_out_surfaces(all, model.mesh().uncut());
   for (std::size_t c = 0; c < all.contacts().size(); ++c) {
     const ContactGiven& contact = all.contacts()[c];
     add(contact_name(all, contact), contact_text(contact),
@@ -229,6 +229,10 @@ Fingerprint fingerprint(const Model& model, double duration) {
     for (const auto& t : model.ties())
       part.add(static_cast<int>(t.kind)).add_set(t.set).add_set(t.partner).add_freedoms(t.freedoms);
   });
+  if (!model.zones().empty())
+    add("tearable zones", "", [&](Part& part) {
+      for (const auto& zone : model.zones()) part.add_set(zone);
+    });
   add("velocities", "", [&](Part& part) {
     for (const auto& v : model.velocities()) {
       part.add_set(v.set).add_vector(v.linear).add_vector(v.spin).add_vector(v.centre);

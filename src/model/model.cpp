@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "mesh/corners.hpp"
 
 namespace fabricsh::model {
 
@@ -269,6 +270,45 @@ void Model::tie(Tie tie) {
   ties_.push_back(std::move(tie));
 }
 
+void Model::tearable(const std::string& set) {
+  check_open("tearable");
+  if (mesh_->elements_in(mesh_->set(set)).empty())
+    throw Error("tearable: set " + quoted(set) + " holds no whole element");
+  zones_.push_back(set);
+}
+
+std::vector<Index> Model::elements_of_zones() const {
+  std::vector<Index> all;
+  for (const auto& zone : zones_) {
+    const auto inside = mesh_->elements_in(mesh_->set(zone));
+    all.insert(all.end(), inside.begin(), inside.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+void Model::divide_zones() {
+  if (!zones_.empty() && !mesh_->whole) mesh_ = mesh::split_corners(mesh_, elements_of_zones());
+}
+
+// The nodes of a periodic tie pair by their places, of which each has only one node.
+void Model::check_zones() const {
+  if (zones_.empty()) return;
+  std::vector<char> in_zone(mesh_->nodes.size(), 0);
+  for (const Index e : elements_of_zones())
+    for (const Index n : mesh_->elements[e])
+      if (n >= 0) in_zone[n] = 1;
+  for (const auto& tie : ties_)
+    for (const std::string& set : {tie.set, tie.partner})
+      if (tie.kind == TieKind::periodic)
+        for (const Index n : mesh_->set(set))
+          if (in_zone[n] != 0)
+            throw Error("tearable: node " + std::to_string(n + 1) +
+                        " of a zone is in the periodic tie of set " + quoted(set) +
+                        ": expected zones without such nodes");
+}
+
 void Model::remove(Told kind, std::size_t i) {
   check_open("remove");
   const auto take = [i](auto& all) {
@@ -286,6 +326,8 @@ void Model::remove(Told kind, std::size_t i) {
       return take(springs_);
     case Told::tie:
       return take(ties_);
+    case Told::tearable:
+      return take(zones_);
     case Told::force:
       return take(forces_);
     case Told::moment:
@@ -434,7 +476,10 @@ void Model::validate() const {
   for (const auto& m : motions_)
     for (const auto& h : m.displacement)
       if (h) h->value(0);
-  work_out_ties(*this);
+  if (!mesh_->whole) {
+    check_zones();
+    work_out_ties(*this);
+  }
   check_symmetry(*this);
   interactions_.validate(*mesh_);
   std::vector<bool> used(mesh_->nodes.size(), false);
@@ -491,8 +536,8 @@ std::string loads_of(const Model& m) {
 
 std::string Model::describe() const {
   std::ostringstream text;
-  text << "model: " << mesh_->origin << ", " << mesh_->nodes.size() << " nodes, " << mesh_->elements.size()
-       << " elements; ";
+  text << "model: " << mesh_->origin << ", " << mesh_->uncut().nodes.size() << " nodes, "
+       << mesh_->elements.size() << " elements; ";
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto& section = sections_[r];
     const auto& options = regions_[r].options;
@@ -504,6 +549,9 @@ std::string Model::describe() const {
   }
   text << counted(supports_.size(), "support") << ", " << counted(motions_.size(), "motion") << ", "
        << loads_of(*this);
+  if (!zones_.empty())
+    text << ", " << counted(zones_.size(), "tearable zone") << " of "
+         << counted(elements_of_zones().size(), "element");
   if (interactions_.any()) {
     text << ", " << counted(interactions_.contacts().size(), "contact");
     for (const auto& body : interactions_.bodies())

@@ -184,6 +184,12 @@ class Model {
   // periodic tie without a partner.
   void tie(Tie tie);
 
+  // The joints between the elements of the set may open and close during a run: each corner of these elements
+  // gets a node of its own. Errors: the set has no whole element; later, in validate(): the zone has nodes of
+  // a periodic tie.
+  void tearable(const std::string& set);
+  const std::vector<std::string>& zones() const { return zones_; }
+
   // Removes the i-th declaration (from 0) of a kind; for gravity i is ignored. Error: it does not
   // exist.
   enum class Told {
@@ -200,7 +206,8 @@ class Model {
     velocity,
     contact,
     body_move,
-    body_velocity
+    body_velocity,
+    tearable
   };
   void remove(Told kind, std::size_t i);
   // Contacts and rigid bodies: see Interactions.
@@ -211,6 +218,9 @@ class Model {
   // Error: a degree of freedom that is both fixed and moved, or moved twice (naming node and calls); a node
   // held in two frames; the errors of work_out_ties.
   void validate() const;
+  // Called by the analysis that compiles the model, after validate(): from here on mesh() has the nodes of
+  // the tearable zones.
+  void divide_zones();
   // Called by the analysis that compiles the model: later changes of the model or its mesh are Errors.
   void seal();
 
@@ -259,6 +269,8 @@ class Model {
   void check_open(const char* call) const;
   void add_body(Index body);
   void assign(Index region, Index body, const std::string& set);
+  std::vector<Index> elements_of_zones() const;  // ascending
+  void check_zones() const;
   std::vector<BodyGiven> bodies_;
   std::shared_ptr<mesh::Mesh> mesh_;  // that of the only body, or all bodies joined
   std::vector<Region> regions_;
@@ -273,6 +285,7 @@ class Model {
   std::vector<Spring> springs_;
   std::vector<Turn> turns_;
   std::vector<Tie> ties_;
+  std::vector<std::string> zones_;
   Components gravity_;
   std::vector<InitialVelocity> velocities_;
   Interactions interactions_;

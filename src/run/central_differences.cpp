@@ -23,6 +23,11 @@ void CentralDifferences::start(std::vector<double> velocities) {
   trial_ = committed_;
 }
 
+void CentralDifferences::resize(std::vector<double> mass) {
+  mass_ = std::move(mass);
+  start(std::vector<double>(mass_.size(), 0));
+}
+
 bool CentralDifferences::predict(std::span<const unsigned char> turns,
                                  const std::array<double, 2>& farthest) {
   const double dt = this->dt(), early = (1 - gamma_) * dt, least = std::min(farthest[0], farthest[1]);

@@ -40,6 +40,7 @@ class CentralDifferences final : public mechanics::Motion {
   // Completes the trial motion from its residual. mass_damping: 1/s.
   void accelerate(double mass_damping);
   void start(std::vector<double> velocities);  // sets the committed and the trial motion
+  void resize(std::vector<double> mass);       // of other unknowns, at rest
   void begin() { committed_ = trial_; }        // to be called with the initial accelerations
   void commit() { std::swap(committed_, trial_); }
   // Whether velocities are those of a complete trial step, to be read before the commit.

@@ -42,10 +42,37 @@ Explicit::Explicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
   choose_step();
   tell_bound();
   farthest_ = {smallest_, std::numbers::pi / 2};
+  list_unknowns();
+  set_motion(initial_rates());  // to be read before the first step
+}
+
+void Explicit::list_unknowns() {
+  turns_.clear();
   turns_.reserve(motion_.residual().size());
   for (mechanics::Index i = 0; i < assembly_->unknowns(); ++i) turns_.push_back(assembly_->turns(i) ? 1 : 0);
   added_inertia_ = added_inertia();
-  set_motion(initial_rates());  // to be read before the first step
+}
+
+void Explicit::resize() {
+  weight_of_acceleration_ = motion_.weight_of_acceleration();
+  motion_.resize(assembly_->lumped_mass(scaled_));
+  list_unknowns();
+  rates_version_ = 0;
+}
+
+// As a run begins: with velocities and accelerations of the same time. What central differences conserve has
+// the accelerations in it, which jump.
+void Explicit::take(const mechanics::Transfer&, const std::vector<double>& rates) {
+  if (!started()) return set_motion(initial_rates());
+  const double weight = weight_of_acceleration_, dt = conserved_.dt;
+  motion_.start(rates);
+  problem_.aim(committed_time());
+  if (problem_.begin_step() != Answer::ok)
+    throw NumericalFailure("dynamic: the fabric law failed where joints changed", committed_time());
+  problem_.weigh(motion_.residual());
+  motion_.accelerate(assembly_->on_mass().velocity);
+  motion_.begin();
+  conserved_.moved += dt * dt / 8 * (motion_.weight_of_acceleration() - weight);
 }
 
 // Mass damping does not reduce the stable step. Stiffness damping, whose velocity is half a step old,

@@ -33,6 +33,10 @@ class Explicit final : public Dynamic {
   double hidden_energy() const override;
   std::string against_long_step() const override;
   void memory(Archive& archive) override;
+  std::vector<double> unknown_rates() const override { return motion_.velocities(); }
+  void resize() override;
+  void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
+  void list_unknowns();
 
   void check_stable_step(double undamped) const;  // s, without stiffness damping
   // s: 0.7 of the nominal step and at most 0.9 of the bound, or less with contact.
@@ -81,6 +85,7 @@ class Explicit final : public Dynamic {
     double moved = 0, dt = 0;
     void keep(Archive& archive) { archive(moved, dt); }
   } conserved_;
+  double weight_of_acceleration_ = 0;  // J/s^2, see CentralDifferences: before the joints changed
   // Per unknown whether it is a rotation; and the limits, m and rad, beyond which an increment means that the
   // run diverges.
   std::vector<unsigned char> turns_;

@@ -42,11 +42,26 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
     assembly_->contact()->go_implicit(1 / (newmark_.scheme().gamma * (1 + newmark_.scheme().hht)));
   tell_contacts();
   now_.step = control_.current();
-  // So that velocities and kinetic energy can be read before the first step.
+  begin_free();
+}
+
+// So that velocities and kinetic energy can be read before the first step.
+void Implicit::begin_free() {
   mechanics::NodalRates free;
   assembly_->spread_rates(assembly_->collect_rates(initial_rates()),
                           std::vector<double>(assembly_->freedoms().motions.size(), 0), free);
   newmark_.start(free);
+}
+
+// The nodes keep their velocities but where joints close; accelerations jump with the forces.
+void Implicit::take(const mechanics::Transfer& change, const std::vector<double>& rates) {
+  if (!started()) return begin_free();
+  mechanics::NodalRates velocities = newmark_.velocities();
+  if (change.closes()) assembly_->spread_rates(rates, driven_rates(), velocities);
+  problem_.aim(committed_time());
+  if (problem_.begin_step() != Answer::ok)
+    throw NumericalFailure("dynamic: the fabric law failed where joints changed", committed_time());
+  problem_.start(velocities);
 }
 
 void Implicit::take_options(const DynamicOptions& options) {

@@ -29,6 +29,12 @@ class Implicit final : public Dynamic {
   [[noreturn]] void give_up(const StepReport& report) override;
   const mechanics::Motion& motion() const override { return newmark_; }
   void memory(Archive& archive) override;
+  std::vector<double> unknown_rates() const override {
+    return assembly_->collect_rates(newmark_.velocities());
+  }
+  void resize() override { problem_.resize(); }
+  void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
+  void begin_free();
 
   Newmark newmark_;
   Problem problem_;

@@ -19,8 +19,15 @@ Problem::Problem(mechanics::Assembly& assembly, mechanics::Motion* motion, Newma
       small_time_(small_time),
       lead_(assembly.targets(0).size()) {
   assembly_.set_motion(&motion_);
+  resize();
+}
+
+void Problem::resize() {
   if (iterates())
-    for (auto* v : {&product_, &ahead_, &balance_}) v->resize(static_cast<std::size_t>(assembly.unknowns()));
+    for (auto* v : {&product_, &ahead_, &balance_})
+      v->assign(static_cast<std::size_t>(assembly_.unknowns()), 0);
+  memory_.balance.clear();
+  lumped_.clear();
 }
 
 Problem::Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll)

@@ -40,6 +40,10 @@ class Problem final : public solver::PathProblem {
   void commit(double time);  // the trial state; the terms then account for it in finish_step()
   // Makes the whole step, in which the unknowns move by `reach` times `along`.
   void carry(std::span<const double> along, double reach) { assembly_.carry(along, reach, targets_); }
+  // The numbers of unknowns have changed. Forces of earlier steps are forgotten.
+  void resize();
+  // The residual of the forces as they are.
+  void weigh(std::span<double> r);
   // J, work of the forces without inertia and contact in the step, by the trapezoidal rule.
   double work_of_balance();
   void keep(Archive& archive);
@@ -85,7 +89,6 @@ class Problem final : public solver::PathProblem {
   const mechanics::Contacts* contact() const { return std::as_const(assembly_).contact(); }
   mechanics::NodalRates accelerations(std::span<const double> r);
   void forget_contact();
-  void weigh(std::span<double> r);
   void move_bodies(std::span<double> r);
   void close(linear::Matrix& K);
   void remember();

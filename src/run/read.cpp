@@ -1,6 +1,7 @@
 // Reading a run: nodes, elements, reactions, energies, snapshots.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -168,6 +169,22 @@ std::vector<mesh::Index> all_of(const Run& run, const FieldPart& part, const std
   return all;
 }
 
+// Each place counts once, however many nodes it has.
+double mean_of_places(const Run& run, const FieldPart& part, const std::vector<mesh::Index>& nodes) {
+  const mesh::Mesh& mesh = run.model().mesh();
+  std::map<mesh::Index, std::pair<double, int>> at_place;
+  double values[5];
+  for (const auto n : nodes) {
+    part.field->values(run, n, part.ply, values);
+    auto& [sum, count] = at_place[mesh.place_of(n)];
+    sum += values[part.component];
+    ++count;
+  }
+  double sum = 0;
+  for (const auto& [place, of] : at_place) sum += of.first / of.second;
+  return sum / static_cast<double>(at_place.size());
+}
+
 }  // namespace
 
 void check_mean(const Run& run, const std::string& name, const std::string& set) {
@@ -177,6 +194,8 @@ void check_mean(const Run& run, const std::string& name, const std::string& set)
 double Run::mean(const std::string& name, const std::string& set) const {
   const FieldPart part = number_of(*this, name);
   const auto all = all_of(*this, part, set);
+  const mesh::Mesh& mesh = model_->mesh();
+  if (mesh.whole && part.field->place == Place::node) return mean_of_places(*this, part, all);
   double sum = 0, values[5];
   for (const auto i : all) {
     part.field->values(*this, i, part.ply, values);
@@ -204,6 +223,7 @@ Energy Run::energy() const {
     if (energy.name == "stick") sum.stick += energy.value;
     if (energy.name == "directors") sum.directors += energy.value;
     if (energy.account != mechanics::Account::dissipated) continue;
+    if (energy.name == "joints") sum.joints += energy.value;
     if (energy.name == "friction") sum.friction += energy.value;
     if (energy.name == "impact") sum.impact += energy.value;
     if (energy.name == "warp") sum.dissipated_warp += energy.value;

@@ -71,6 +71,19 @@ struct Table {
     rows.push_back({name, std::move(unit), Shape::scalar, Place::node, std::move(sentence), {name}, values});
     rows.back().touching = true;
   }
+  void joined() {
+    const auto values = [](const Run& run, mesh::Index i, const std::string&, double* out) {
+      *out = run.assembly().joints().is_open(i) ? 1 : 0;
+    };
+    rows.push_back({"joint_open",
+                    "",
+                    Shape::scalar,
+                    Place::node,
+                    "1 where a joint of a tearable zone is open, 0 elsewhere",
+                    {"joint_open"},
+                    values});
+    rows.back().usual = false;
+  }
   void average(std::string name, std::string unit, Shape shape, std::string sentence, Names components,
                const Members& what, Names labels) {
     members.insert(members.end(), what.begin(), what.end());
@@ -161,6 +174,7 @@ Table make_table() {
       "contact_pressure", "Pa",
       "normal pressure of contact, without friction; that on the front and that on the back of a sheet added",
       &mechanics::Contacts::pressure);
+  t.joined();
   t.average("E", "", Shape::tensor, "Green-Lagrange strain, tensor components",
             {"E11", "E22", "E23", "E13", "E12"}, {&V::E11, &V::E22, &V::E23, &V::E13, &V::E12},
             {"E11", "E22", "E23", "E13", "E12"});

@@ -55,10 +55,24 @@ class Run {
   void event(std::function<double(Run&)> value, double tolerance, Hook hook);
   // Called after each step when everything else is done, so that the state can be saved. May throw.
   void when_settled(Hook hook) { settled_.push_back(std::move(hook)); }
-  void monitor(Hook hook) { monitor_ = std::move(hook); }  // called after the former
   // Called while a step is solved. If it throws, the step ends and the run stays at the committed state.
   void poll(std::function<void()> look) { poll_ = std::move(look); }
   void on_restore(Hook hook) { restored_.push_back(std::move(hook)); }
+
+  // Where joints of tearable zones open or close: along the edges between nodes of a set, or along the edges
+  // that lie on a line of points in the reference, m.
+  struct Along {
+    std::string set;
+    std::vector<Vec3> line;  // not used if a set is given
+  };
+  // Opens them, between two steps: from a hook or event, or before or after a call that drives the run.
+  // Returns how many joints there are more than before. Errors: within a step; the model has no zone; no edge
+  // of a zone is there.
+  std::size_t cut(const Along& along);
+  // Closes them. The nodes of a joint must be no farther apart than `within`, m; by default a millionth of
+  // the elements' mean edge. They take the mean of their places and velocities, weighted by their masses; the
+  // kinetic energy that is lost is dissipated, and what moving them to their mean stores is external work.
+  std::size_t join(const Along& along, std::optional<double> within = {});
 
   // Adds a term to the compiled model, before the run begins. Its state is stored with that of the run, so a
   // run that restores the state must have the same term. Errors: the run has begun; the tangent is not
@@ -151,6 +165,13 @@ class Run {
   // Whether tangents need not be symmetric: no matrix is solved with, or by a solver for unsymmetric ones.
   virtual bool takes_unsymmetric() const = 0;
 
+  // --- joints. The rates of the unknowns in the committed state; empty: there are none.
+  virtual std::vector<double> unknown_rates() const { return {}; }
+  // The numbers of unknowns have changed: makes what has one entry for each of them anew.
+  virtual void resize() {}
+  // Afterwards: continues from the committed state with these rates of the unknowns.
+  virtual void take(const mechanics::Transfer& change, const std::vector<double>& rates) = 0;
+
   // --- to be defined by a kind of run. A step's size is the time at its end; along an arc, its length.
   virtual void begin() = 0;  // the state at time 0, before its hooks; calls work_.start
   // Solves a step towards the limit, cutting it where necessary, and leaves it as the trial state. Returns
@@ -209,6 +230,7 @@ class Run {
   std::string why_;
   ExternalWork work_;
   double trial_time_ = 0, initial_energy_ = 0;
+  bool started() const { return started_; }
   bool hooked_ = false;  // whether a hook or event has seen a state since this was last reset
 
  private:
@@ -262,6 +284,9 @@ class Run {
   double search(Event& event, double size, StepReport& report);
   double land_at_limit(double size, StepReport& report);  // of the tested range, with stop_beyond
   void mark_due();
+  std::vector<mechanics::Joints::Edge> edges_along(const Along& along, const char* call) const;
+  void rejoin(std::vector<mechanics::Joints::Edge> edges, double within);
+  void keep_assembly(Archive& archive);
   void keep(Archive& archive);
   void keep_motion(Archive& archive);
   void keep_hooks(Archive& archive);
@@ -275,10 +300,9 @@ class Run {
   std::vector<TimedState> kept_timed_;  // as last restored, for hooks that are added later
   std::vector<EventState> kept_events_;
   std::vector<Hook> settled_;
-  Hook monitor_;
   std::vector<Hook> restored_;
   std::vector<double> kinks_;
-  bool started_ = false, stopped_ = false, busy_ = false;
+  bool started_ = false, stopped_ = false, busy_ = false, stepping_ = false;
   std::string stop_reason_;
   Beyond beyond_;
   std::shared_ptr<std::vector<Warning>> warnings_ = std::make_shared<std::vector<Warning>>();

@@ -17,8 +17,14 @@ Run::Busy::Busy(Run& run, const char* call) : run_(run) {
   run.busy_ = true;
 }
 
-void Run::keep(Archive& archive) {
+void Run::keep_assembly(Archive& archive) {
+  const auto numbering = assembly_->numbering();
   assembly_->keep(archive);
+  if (assembly_->numbering() != numbering) resize();
+}
+
+void Run::keep(Archive& archive) {
+  keep_assembly(archive);
   if (archive.reading()) {
     trial_time_ = committed_time();
     assembly_->aim(trial_time_);
@@ -31,7 +37,7 @@ void Run::keep(Archive& archive) {
 }
 
 void Run::keep_motion(Archive& archive) {
-  assembly_->keep(archive);
+  keep_assembly(archive);
   std::uint64_t steps = reports_.size();
   archive(dead_, work_, beyond_, steps);
   memory(archive);

@@ -503,6 +503,11 @@ void Static::give_up(const StepReport& report) {
   fail(NumericalFailure(text, now, blame_.element, blame_.yarn), run::report(failure));
 }
 
+void Static::take(const mechanics::Transfer& change, const std::vector<double>&) {
+  if (arc_) arc_->turn([&](linear::Vector& way) { way = change.apply(way); });
+  if (started()) now_.internal = internal();
+}
+
 void Static::memory(Archive& archive) {
   archive(now_);
   problem_->keep(archive);

@@ -74,6 +74,8 @@ class Static final : public Run {
   void commit(StepReport& report) override;
   [[noreturn]] void give_up(const StepReport& report) override;
   void memory(Archive& archive) override;
+  void resize() override { problem_->resize(); }
+  void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
   void check() override;
 
   void check_bodies() const;  // Error: a body that this kind of run cannot move

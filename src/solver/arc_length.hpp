@@ -43,6 +43,11 @@ class ArcLength {
   // solved. After forget() (at a kink of a history) the next step starts forwards in time.
   void committed() { direction_ = increment_; }
   void forget() { direction_.clear(); }
+  // Changes the direction when the problem has got other unknowns.
+  template <class Change>
+  void turn(Change change) {
+    if (!direction_.empty()) change(direction_);
+  }
   void keep(Archive& archive) {
     archive(direction_);
     keep_doubt(archive, *linear_);

@@ -23,12 +23,17 @@ constexpr double kFar = 5;            // mean edges, the farthest that one of Ne
 constexpr std::size_t kShare = 4096;  // number of nodes from which loops use several threads
 constexpr std::size_t kTold = 5;      // number of overlaps named in a message
 
-contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfaces) {
+// Of surfaces whose corners are the leaders of joints.
+contact::Scene scene_of(const model::Model& model, const model::Surfaces& surfaces, const Joints& joints) {
   const auto& mesh = model.mesh();
   contact::Scene scene(mesh.nodes);
   for (const auto& elements : surfaces.elements) {
     std::vector<std::array<mesh::Index, 4>> rows;
-    for (const Index e : elements) rows.push_back(mesh.elements[e]);
+    for (const Index e : elements) {
+      rows.push_back(mesh.elements[e]);
+      for (Index& n : rows.back())
+        if (n >= 0) n = joints.leader(n);
+    }
     scene.add_cloth(rows);
   }
   return scene;
@@ -66,7 +71,7 @@ std::vector<std::size_t> joined(const mesh::Mesh& mesh, const std::vector<Index>
 // A side of several sheets that are not alike becomes as many surfaces as there are kinds of sheets, so that
 // each two have the gap of their own thicknesses. A sheet that is not alike everywhere is of one kind.
 std::vector<std::vector<Index>> kinds(const model::Model& model, const std::vector<Index>& elements) {
-  const std::vector<std::size_t> sheet = joined(model.mesh(), elements);
+  const std::vector<std::size_t> sheet = joined(model.mesh().uncut(), elements);
   std::vector<std::vector<int>> regions(elements.size());  // of each sheet, the first that are alike
   for (std::size_t i = 0; i < elements.size(); ++i) {
     int region = model.region_of(elements[i]);
@@ -149,27 +154,30 @@ double mean_edge(const contact::Scene& scene) {
 }  // namespace
 
 Contacts::Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
-                   const Freedoms& freedoms)
-    : Contacts(model, configuration, cloth, freedoms,
-               split_by_kind(model, model::work_out_surfaces(model.interactions(), model.mesh()))) {}
+                   const Dofs& dofs)
+    : Contacts(model, configuration, cloth, dofs,
+               split_by_kind(model, model::work_out_surfaces(model.interactions(), model.mesh().uncut()))) {}
 
 Contacts::Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
-                   const Freedoms& freedoms, const model::Surfaces& surfaces)
+                   const Dofs& dofs, model::Surfaces surfaces)
     : model_(model),
       configuration_(configuration),
       cloth_(cloth),
-      scene_(scene_of(model, surfaces)),
+      joints_(dofs.joints()),
+      freedoms_(dofs.freedoms()),
+      surfaces_(std::move(surfaces)),
+      scene_(scene_of(model, surfaces_, joints_)),
       bodies_(model, scene_),
       least_areal_(std::numeric_limits<double>::infinity()),
       step_(kOfCloth * cloth.stable_step(true)),
       nodes_(model.mesh().nodes.size()) {
-  for (const auto& elements : surfaces.elements) {
+  for (const auto& elements : surfaces_.elements) {
     sheets_.push_back(sheet(elements));
     sheets_.back().name = bodies_of(model.mesh(), elements);
     least_areal_ = std::min(least_areal_, sheets_.back().areal);
   }
   edge_ = mean_edge(scene_);
-  for (const model::Meeting& m : surfaces.meetings) {
+  for (const model::Meeting& m : surfaces_.meetings) {
     const auto& given = model.interactions().contacts()[m.contact];
     meetings_.push_back(meeting_of(m));
     const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
@@ -183,8 +191,9 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
   x_ = start_ = scene_.reference();
   force_.assign(x_.size(), Vec3::Zero());
   torque_ = turning_ = force_;
-  find_masses(freedoms);
-  find_driven(freedoms);
+  find_masses();
+  find_driven();
+  led_by_ = joints_.leaders();
   refuse_overlaps();
   refuse_inside();
   begin_pressed();
@@ -209,27 +218,6 @@ double Contacts::moving_mass(const model::Meeting& m) const {
   for (const int side : {m.first, m.second})
     if (side < static_cast<int>(sheets_.size())) inverse += 1 / sheets_[side].areal;
   return 1 / inverse;
-}
-
-void Contacts::find_masses(const Freedoms& freedoms) {
-  inverse_mass_.assign(x_.size(), 0);
-  for (std::size_t n = 0; n < nodes_; ++n) {
-    const auto& eq = freedoms.nodes[n].equation;
-    const bool moves = std::any_of(eq.begin(), eq.begin() + 3, [](Index e) { return e >= 0 || e == tied; });
-    if (moves && cloth_.mass()[n] > 0) inverse_mass_[n] = 1 / cloth_.mass()[n];
-  }
-  if (!bodies_.halves().empty()) planes_.assign(nodes_, 0);
-  for (const auto& support : model_.supports())
-    if (support.symmetry >= 0 && !planes_.empty())
-      for (const Index n : model_.mesh().set(support.set)) {
-        const auto plane = static_cast<unsigned char>(1 << support.symmetry);
-        if ((planes_[n] & plane) == 0) inverse_mass_[n] /= 2;
-        planes_[n] |= plane;
-      }
-  for (std::size_t b = 0; b < bodies_.count(); ++b) {
-    const auto [first, last] = bodies_.vertices(b);
-    for (std::size_t v = first; v < last; ++v) inverse_mass_[nodes_ + v] = bodies_.inverse_mass(b);
-  }
 }
 
 std::string Contacts::name_of(int side) const {
@@ -686,6 +674,7 @@ void Contacts::commit() {
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) committed_pairs_ = pairs_;
   bodies_.commit();
+  if (scene_.parts()) follow_lips();
 }
 
 void Contacts::rollback() {
@@ -700,7 +689,10 @@ void Contacts::keep(Archive& archive) {
   bodies_.keep(archive);
   archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, impact_, pairs_);
   contact_->keep(archive);
+  std::vector<double> apart = scene_.apart();
+  if (joints_.any()) archive(apart);
   if (!archive.reading()) return;
+  if (joints_.any()) set_apart(std::move(apart));
   committed_pairs_ = pairs_;
   reading_.version = 0;
 }
@@ -730,8 +722,8 @@ Contacts::Nearest Contacts::nearest() const {
   return {found.gap, found.point};
 }
 
-double Contacts::gap(Index node) const { return read().at_points.gap[node]; }
+double Contacts::gap(Index node) const { return read().at_points.gap[joints_.leader(node)]; }
 
-double Contacts::pressure(Index node) const { return read().at_points.pressure[node]; }
+double Contacts::pressure(Index node) const { return read().at_points.pressure[joints_.leader(node)]; }
 
 }  // namespace fabricsh::mechanics

@@ -11,7 +11,7 @@
 
 #include "contact/advance.hpp"
 #include "contact/contact.hpp"
-#include "mechanics/freedoms.hpp"
+#include "mechanics/dofs.hpp"
 #include "mechanics/term.hpp"
 #include "mechanics/terms/bodies.hpp"
 #include "mechanics/terms/cloth.hpp"
@@ -23,7 +23,7 @@ class Contacts final : public Term {
  public:
   // Errors: sides that share nodes (see model::work_out_surfaces); an overlap at the start, with its pairs.
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
-           const Freedoms& freedoms);
+           const Dofs& dofs);
 
   const char* name() const override { return "contact"; }
   Outcome add_forces(const law::Step& step, const Trial& trial, Forces& forces) override;
@@ -36,6 +36,7 @@ class Contacts final : public Term {
   void aim(double time) override;
   void commit() override;
   void rollback() override;
+  void renumbered(Forces& forces) override;
   void keep(Archive& archive) override;
 
   // --- motion of the bodies in a step: Newton's iterations move them by shares of the remaining way
@@ -146,9 +147,13 @@ class Contacts final : public Term {
     contact::Contact::AtPoints at_points;
   };
   Contacts(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
-           const Freedoms& freedoms, const model::Surfaces& surfaces);
+           const Dofs& dofs, model::Surfaces surfaces);
   Sheet sheet(const std::vector<Index>& elements) const;
-  void find_masses(const Freedoms& freedoms);
+  void find_masses();
+  contact::Triangle corners_of(const contact::TriangleRow& row) const;
+  std::vector<double> lips() const;
+  void set_apart(std::vector<double> apart);
+  void follow_lips();
   Meeting meeting_of(const model::Meeting& meeting) const;
   double moving_mass(const model::Meeting& m) const;
   std::string name_of(int side) const;
@@ -161,7 +166,7 @@ class Contacts final : public Term {
   bool work_of_opening();
   void refuse_overlaps();
   void refuse_inside() const;
-  void find_driven(const Freedoms& freedoms);
+  void find_driven();
   bool driven_meet();
   void begin_pressed();
   void positions(std::span<const double> x, double share, std::vector<Vec3>& out) const;
@@ -178,6 +183,9 @@ class Contacts final : public Term {
   const model::Model& model_;
   const Configuration& configuration_;
   const Cloth& cloth_;
+  const Joints& joints_;
+  const Freedoms& freedoms_;
+  const model::Surfaces surfaces_;
   contact::Scene scene_;
   std::vector<Sheet> sheets_;
   Bodies bodies_;
@@ -194,6 +202,7 @@ class Contacts final : public Term {
   std::size_t nodes_ = 0;
   std::vector<Vec3> x_, start_, marked_, force_, torque_, turning_, by_;
   std::vector<double> inverse_mass_;
+  std::vector<Index> led_by_;  // per node, the leader of its joint; empty: there are no zones
   // With parts of bodies that planes of symmetry cut: the planes that each node lies in, a bit each. Inverse
   // masses are then those of the whole model.
   std::vector<unsigned char> planes_;

@@ -29,11 +29,11 @@ void Contacts::refuse_inside() const {
   }
 }
 
-void Contacts::find_driven(const Freedoms& freedoms) {
+void Contacts::find_driven() {
   driven_.assign(x_.size(), 0);
   bool moves = bodies_.any_driven(), any = false;
   for (std::size_t n = 0; n < nodes_; ++n) {
-    const auto& eq = freedoms.nodes[n].equation;
+    const auto& eq = freedoms_.nodes[n].equation;
     driven_[n] = std::all_of(eq.begin(), eq.begin() + 3, [](Index e) { return e < 0 && e != tied; }) ? 1 : 0;
     any = any || driven_[n] != 0;
     moves = moves ||

@@ -41,7 +41,12 @@ void StiffnessDamping::add_energies(const Trial&, std::vector<Energy>& out) cons
 
 Stabilisation::Stabilisation(const Assembly& assembly, double fraction)
     : assembly_(assembly), fraction_(fraction) {
-  const auto& nodes = assembly.freedoms().nodes;
+  list_freedoms();
+}
+
+void Stabilisation::list_freedoms() {
+  freedoms_.clear();
+  const auto& nodes = assembly_.freedoms().nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n)
     for (int c = 0; c < 3; ++c) {
       const auto eq = nodes[n].equation[c];
@@ -72,7 +77,8 @@ void Stabilisation::add_resistance(const Trial& trial, linear::Matrix& K) {
   if (!(factor_ > 0)) {
     double stiffness = 0, mass = 0;
     for (const auto& f : freedoms_) {
-      stiffness += std::abs(K.value[K.pattern->slot(f.equation, f.equation)]);
+      if (assembly_.joints().leads(f.node))
+        stiffness += std::abs(K.value[K.pattern->slot(f.equation, f.equation)]);
       mass += assembly_.nodal_mass()[f.node];
     }
     if (mass > 0) factor_ = fraction_ * stiffness / mass * dt;

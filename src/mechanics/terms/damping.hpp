@@ -37,6 +37,7 @@ class Stabilisation final : public Term {
  public:
   Stabilisation(const Assembly& assembly, double fraction);
   const char* name() const override { return "stabilisation"; }
+  void renumbered(Forces&) override { list_freedoms(); }
   void resist(const Trial& trial, std::span<double> r) override;
   // In the first call of a run c is set so that the nodes' viscous stiffness is `fraction` of K's.
   void add_resistance(const Trial& trial, linear::Matrix& K) override;
@@ -57,6 +58,7 @@ class Stabilisation final : public Term {
     Index equation, node;
     int component;
   };
+  void list_freedoms();
   double moved(const Freedom& f) const;  // m, in the node's frame, in the step
   const Assembly& assembly_;
   double fraction_, factor_ = 0, lost_ = 0;

@@ -77,30 +77,37 @@ double shear_rigidity(const section::Section& section) {
 }  // namespace
 
 Directors::Directors(const model::Model& model, Cloth& cloth, const Dofs& dofs)
-    : cloth_(cloth), model_(model), X_(model.mesh().nodes) {
-  const auto& all = model.mesh().elements;
-  first_element_.assign(X_.size() + 1, 0);
-  for (const auto& e : all)
-    for (int a = 0; a < corners(e); ++a) ++first_element_[e[a] + 1];
-  for (std::size_t n = 0; n < X_.size(); ++n) first_element_[n + 1] += first_element_[n];
-  node_elements_.resize(first_element_.back());
-  auto next = first_element_;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (int a = 0; a < corners(all[i]); ++a) node_elements_[next[all[i][a]]++] = static_cast<Index>(i);
-  find_planes(dofs);
-  find_weights(dofs);
+    : cloth_(cloth), dofs_(dofs), model_(model), X_(model.mesh().nodes) {
+  find_planes();
+  follow_joints();
   for (const auto& section : model.sections()) rigidity_.push_back(rigidities(section));
   limits_ = bent_limits();
   cloth.watch_directors(kUpright, limits_);
 }
 
+// The elements about each joint are those of its leader; the other nodes have none.
+void Directors::follow_joints() {
+  const auto& all = model_.mesh().elements;
+  const Joints& joints = dofs_.joints();
+  first_element_.assign(X_.size() + 1, 0);
+  for (const auto& e : all)
+    for (int a = 0; a < corners(e); ++a) ++first_element_[joints.leader(e[a]) + 1];
+  for (std::size_t n = 0; n < X_.size(); ++n) first_element_[n + 1] += first_element_[n];
+  node_elements_.resize(first_element_.back());
+  auto next = first_element_;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (int a = 0; a < corners(all[i]); ++a)
+      node_elements_[next[joints.leader(all[i][a])]++] = static_cast<Index>(i);
+  find_weights();
+}
+
 // Directors that only one rotation moves stay in a plane, as in one of symmetry. There the normal of the
 // whole sheet is the part in the plane.
-void Directors::find_planes(const Dofs& dofs) {
-  const auto& nodes = dofs.freedoms().nodes;
+void Directors::find_planes() {
+  const auto& nodes = dofs_.freedoms().nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (nodes[n].held_axes.empty()) continue;
-    const Vec3& D = dofs.reference_directors()[n];
+    const Vec3& D = dofs_.reference_directors()[n];
     const Vec3 way = allowed_direction(nodes[n].held_axes, D);
     if (!way.isZero()) plane_[static_cast<Index>(n)] = D.cross(way);
   }
@@ -108,15 +115,15 @@ void Directors::find_planes(const Dofs& dofs) {
 
 // A director that is held, driven or tied does not choose its way, and the normal at a tie is that of one
 // side.
-void Directors::find_weights(const Dofs& dofs) {
-  const Freedoms& freedoms = dofs.freedoms();
+void Directors::find_weights() {
+  const Freedoms& freedoms = dofs_.freedoms();
   weight_.assign(X_.size(), 0);
   area_.assign(X_.size(), 0);
   const auto& all = model_.mesh().elements;
   for (Index e = 0; e < static_cast<Index>(all.size()); ++e) {
     const double shear = shear_rigidity(model_.sections()[static_cast<std::size_t>(model_.region_of(e))]);
     for (int a = 0; a < corners(all[e]); ++a)
-      weight_[all[e][a]] += kShareOfShear * shear * area(all[e], X_) / corners(all[e]);
+      weight_[dofs_.joints().leader(all[e][a])] += kShareOfShear * shear * area(all[e], X_) / corners(all[e]);
   }
   for (Index n = 0; n < static_cast<Index>(X_.size()); ++n) {
     Vec3 normal = Vec3::Zero();
@@ -128,8 +135,8 @@ void Directors::find_weights(const Dofs& dofs) {
     const auto& equation = freedoms.nodes[n].equation;
     const bool turns = equation[3] >= 0 || equation[4] >= 0;
     const double upright = kWellBefore * area_[n];  // where sheets meet, their mean may be no normal of any
-    if (!turns || !(dofs.reference_directors()[n].dot(normal) > upright) || freedoms.ties(n) ||
-        freedoms.body(n) >= 0)
+    if (!turns || !dofs_.joints().leads(n) || !(dofs_.reference_directors()[n].dot(normal) > upright) ||
+        freedoms.ties(n) || freedoms.body(n) >= 0)
       weight_[n] = 0;
   }
   for (const auto& follower : freedoms.followers)
@@ -334,7 +341,8 @@ std::vector<Index> Directors::leaning_nodes(const Configuration& configuration) 
       const Vec3 normal = area_vector(batch.nodes[l], configuration.x());
       const double least = kUpright * normal.norm();
       for (int a = 0; a < batch.kind->corners; ++a)
-        if (at(configuration.d(), batch.nodes[l][a]).dot(normal) < least) found.push_back(batch.nodes[l][a]);
+        if (at(configuration.d(), batch.nodes[l][a]).dot(normal) < least)
+          found.push_back(dofs_.joints().leader(batch.nodes[l][a]));
     }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -30,6 +30,7 @@ class Directors final : public Term {
   Directors(const model::Model& model, Cloth& cloth, const Dofs& dofs);
 
   const char* name() const override { return "directors"; }
+  void renumbered(Forces&) override { follow_joints(); }
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
   void couple(const Trial& trial, std::vector<NodePair>& pairs) override;
   void add_tangent(const Trial& trial, TangentSink& sink) const override;
@@ -58,8 +59,9 @@ class Directors final : public Term {
   };
 
   bool sound(Index element, const Vec3& mean, const Configuration& configuration) const;
-  void find_weights(const Dofs& dofs);
-  void find_planes(const Dofs& dofs);
+  void follow_joints();
+  void find_weights();
+  void find_planes();
   std::vector<double> bent_limits() const;
   Ridge ridge(const Batch& batch, int lane, int edge) const;
   std::span<const Index> elements_of(Index node) const;
@@ -75,6 +77,7 @@ class Directors final : public Term {
   void add_lean_tangent(const Lean& lean, const Configuration& configuration, TangentSink& sink) const;
 
   Cloth& cloth_;
+  const Dofs& dofs_;
   const model::Model& model_;
   const std::vector<Vec3>& X_;
   std::vector<double> limits_;                   // per batch, of Ridge::bend, the least

@@ -120,6 +120,8 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
       if (s.stiffness[i] != 0) add_word(words, std::string(axes[i]) + " " + brief_number(s.stiffness[i]));
     sprung.add(s.set, words + " N/m" + oblique(s.frame));
   }
+  Rows zones(all, "tearable", Told::tearable);
+  for (const auto& zone : m.zones()) zones.add(zone, "its joints may open");
   constexpr const char* kinds[] = {"equal", "straight", "rigid", "periodic"};
   Rows tied(all, "tie", Told::tie);
   for (const auto& t : m.ties()) {

@@ -1,0 +1,151 @@
+// Tearable zones of a model, and opening and closing their joints during a run.
+#include "base/archive.hpp"
+#include "script/bind/model.hpp"
+#include "script/bind/run.hpp"
+#include "script/runs/replay.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+
+namespace {
+
+int tearable(Call& call) {
+  call.self<Model>()->tearable(call.text("set"));
+  return return_self(call);
+}
+
+std::vector<Vec3> read_line(const Call& call) {
+  lua_State* L = call.L();
+  call.push("line");
+  std::vector<Vec3> line;
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= count; ++i) {
+    const Argument row{std::to_string(i), numbers, "m", everything, ""};
+    lua_rawgeti(L, -1, i);
+    check_value(L, -1, row, "line.", false);
+    line.push_back(read_vector(read_numbers(L, -1), "field 'line." + row.name + "'"));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (line.size() < 2)
+    call.refuse("line", "expected two points {x, y, z} or more, got " + std::to_string(line.size()));
+  return line;
+}
+
+run::Run::Along read_along(const Call& call) {
+  if (call.has("set") == call.has("line"))
+    call.refuse("set", "expected the name of a set, or a line, got " +
+                           std::string(call.has("set") ? "both" : "neither"));
+  run::Run::Along along;
+  if (call.has("set"))
+    along.set = call.text("set");
+  else
+    along.line = read_line(call);
+  return along;
+}
+
+// Between two calls that drive the run, a restarted deck passes over it and returns what it returned. Before
+// the first of them it is made again: the state of the checkpoint replaces what it does.
+template <class Change>
+int change(Call& call, const std::string& name, run::Run::Along along, Change made) {
+  Run& run = *call.self<Run>();
+  const auto make = [&] {
+    lua_pushinteger(call.L(), static_cast<lua_Integer>(made(*run.analysis)));
+    return 1;
+  };
+  if (run.calls.count == 0) return make();
+  repeats_change(run);
+  Archive arguments;
+  arguments(along.set);
+  for (Vec3& point : along.line) arguments(point.x(), point.y(), point.z());
+  return read_between(call.L(), run, name, arguments.bytes(), make);
+}
+
+int cut(Call& call) {
+  const auto along = read_along(call);
+  return change(call, "cut", along, [&](run::Run& run) { return run.cut(along); });
+}
+
+int join(Call& call) {
+  const auto along = read_along(call);
+  std::optional<double> within;
+  if (call.has("within")) within = call.number("within");
+  return change(call, "join", along, [&](run::Run& run) { return run.join(along, within); });
+}
+
+int joints(Call& call) {
+  const auto& joints = call.self<Run>()->analysis->assembly().joints();
+  lua_createtable(call.L(), 0, 2);
+  lua_pushinteger(call.L(), static_cast<lua_Integer>(joints.open()));
+  lua_setfield(call.L(), -2, "open");
+  lua_pushinteger(call.L(), static_cast<lua_Integer>(joints.places()));
+  lua_setfield(call.L(), -2, "places");
+  return 1;
+}
+
+std::vector<Argument> along_rows() {
+  return {value_("set", text, "the edges between nodes of this set").optional(),
+          value_("line", table,
+                 "a list of points {x, y, z}: the edges that lie on the line through them, m in the "
+                 "reference")
+              .optional()};
+}
+
+std::string sample(const std::string& end) {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.05, height=0.1, nx=2, ny=4 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
+         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):tearable 'all'\n" +
+         end;
+}
+
+std::vector<Entry> rows() {
+  const std::string cut_sample =
+      "m:move('top', { y=fabric.ramp(0.01, 1) }):fix('top', 'x')\n"
+      "local a = fabric.static{ model=m, duration=1, step=0.25 }\n"
+      "a:advance(0.5)\nassert(a:cut{ line={ {0, 0.05, 0}, {0.025, 0.05, 0} } } == 1)\n";
+  auto join_rows = along_rows();
+  join_rows.push_back(
+      number_("within", "m", not_negative,
+              "how far apart nodes that become one may be; default a millionth of the mean edge")
+          .optional());
+  return {
+      {"model:tearable",
+       Style::positional,
+       {value_("set", text, "a set whose elements may come apart along their edges during a run")},
+       "Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the "
+       "others "
+       "at its place until a:cut opens the joint. The further nodes are numbered after those of the mesh.",
+       sample(""),
+       tearable},
+      {"analysis:cut", Style::fields, along_rows(),
+       "Opens joints of tearable zones, between two steps: in a hook, an event's action, or between calls. "
+       "Along "
+       "the edges named the elements come apart; the tip of a cut stays whole. Returns how many joints there "
+       "are "
+       "more.",
+       sample(cut_sample), cut},
+      {"analysis:join", Style::fields, join_rows,
+       "Closes joints of tearable zones, between two steps, where their nodes have met again. They take the "
+       "mean "
+       "of their velocities weighted by their masses; the kinetic energy lost is a.energy.joints. Returns "
+       "how many "
+       "joints there are less.",
+       sample(cut_sample + "assert(a:join{ set='all' } == 1 and a.joints.open == 0)"), join},
+      {"analysis.joints",
+       Style::property,
+       {},
+       "Of the tearable zones: open, the number of places whose joint is open; places, of all places with "
+       "several "
+       "nodes.",
+       sample(cut_sample + "assert(a.joints.open == 1 and a.joints.places == 15 - 4)"),
+       joints},
+  };
+}
+
+}  // namespace
+
+void bind_joints(Session& session) { install(session, rows()); }
+
+}  // namespace fabricsh::script
