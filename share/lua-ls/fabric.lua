@@ -47,7 +47,7 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
 ---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
@@ -2109,6 +2109,7 @@ function mesh:write(file) end
 ---@field friction? number friction coefficient (default 0)
 ---@field thickness? number m: of the cloth in contact; default: the cloth's own, or that of its card's compression
 ---@field stiffness? number Pa/m: pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to the floor; in explicit runs no more than the cloth's own stable step carries
+---@field restitution? number speed after over speed before of a sheet that meets something flat; 1: nothing is lost (default 0.5)
 ---@field settle? number s: time from the start in which sheets and bodies that begin too near to each other, but not one through the other, are brought apart; without it they are refused
 
 ---Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.

@@ -195,6 +195,9 @@ class Run {
   virtual double scheme_loss() const { return 0; }     // J, dissipated by the time scheme
   // J: by how much the sum of the energies is below the one that the time scheme conserves; 0: it is that.
   virtual double hidden_energy() const { return 0; }
+  // J, the weight of the cloth over its thickness: an energy below which cloth that meets something is at
+  // rest. 0 without contact or gravity.
+  double energy_of_rest() const;
   // J, of an energy that is made or lost. Where the sum is off by more than a thousandth of `scale`, what
   // only swings between the ends of the steps is left out.
   virtual double imbalance(const Energy& sum, double scale) const;

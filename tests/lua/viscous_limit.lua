@@ -31,7 +31,7 @@ for k, angle in ipairs(v.ratio.angle) do
   local want = angle < 9 and 1.3 or angle > 14 and 0.75
   if want then assert(math.abs(v.ratio.ratio[k] - want) < 0.02 and v.ratio.low[k] < want and want < v.ratio.high[k], v.ratio.ratio[k]) end
 end
-assert(#v.by_limit >= 3 and v.by_limit[1].limit == 10)
+assert(#v.by_limit >= 2 and v.by_limit[1].limit == 10)
 
 -- softer everywhere: the same at every limit, and said; a scatter that nobody measured is told apart from a band
 v = lab.viscous { tests = records(0.75, 0.75) }

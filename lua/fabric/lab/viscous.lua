@@ -18,7 +18,7 @@ local blocks, per_decade, rounds = 150, 12, 4
 local apart, parts = 1.5, 8 -- speeds that differ by this factor are two; parts of a test's time over which its own speed is taken
 local turned = 0.01 -- of the largest strain: a way back by less is noise of the reading
 local usual_scatter, bent = 0.04, 0.5
-local other_limits, least_rows = { 10, 15, 20, 30 }, 12 -- degrees within which the conclusion must be the same; rows of a test that can tell
+local other_limits, least_rows = { 10, 20, 30 }, 12 -- degrees within which the conclusion must be the same; rows of a test that can tell
 
 local function dot(a, b)
   local sum = 0

@@ -217,6 +217,8 @@ int energy(Call& call) {
                                                    {"guard", e.guard},
                                                    {"directors", e.directors},
                                                    {"friction", e.friction},
+                                                   {"stick", e.stick},
+                                                   {"impact", e.impact},
                                                    {"joints", e.joints},
                                                    {"rigid", e.rigid},
                                                    {"created", e.created},
@@ -507,12 +509,16 @@ std::vector<Entry> reading() {
        Style::property,
        {},
        "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of "
-       "stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the "
-       "directors by the normal where the elements' shear does not). Parts of dissipated: "
-       "dissipated_warp, _weft, _shear, _bending, friction (of contact), joints (motion lost as joints "
-       "closed, see analysis:join). Parts of kinetic: rigid (free rigid "
-       "bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external "
-       "work.",
+       "stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of "
+       "friction that holds), directors (what keeps the directors by the normal where the elements' shear "
+       "does "
+       "not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact "
+       "(of "
+       "surfaces that meet), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: "
+       "rigid "
+       "(free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the "
+       "largest "
+       "external work; with contact at least over the cloth's weight times its thickness.",
        run + "a:solve()\nassert(a.energy.error < 1)",
        energy},
       {"analysis.beyond",

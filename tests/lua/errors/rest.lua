@@ -205,6 +205,52 @@ wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, workers=0 }"
 wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, again='yes' }",
   "deck.lua:1: study: field 'again': expected true or false, got 'yes'")
 
+-- fabric.budget, fabric.sobol, fabric.latin_hypercube and what they stand on
+wrong("fabric.budget", "fabric.budget{}",
+  "deck.lua:1: budget: field 'run': expected a function, got nil (missing, or a misspelt variable)")
+wrong("fabric.budget", "fabric.budget{ run='f' }",
+  "deck.lua:1: budget: field 'run': expected a function, got 'f'")
+wrong("fabric.budget", "fabric.budget{ runn=print }",
+  "deck.lua:1: budget: unknown field 'runn', did you mean 'run'?")
+wrong("fabric.budget", "fabric.budget{ run=print, card=7 }",
+  "deck.lua:1: budget: field 'card': expected a card, got 7")
+wrong("fabric.budget", "fabric.budget{ run=print, mesh=4 }",
+  "deck.lua:1: budget: field 'mesh': expected a table, got 4")
+wrong("fabric.budget", "fabric.budget{ run=print, samples=2.5 }",
+  "deck.lua:1: budget: field 'samples': expected an integer from 8 to 100000, got 2.5")
+wrong("fabric.budget", "fabric.budget{ run=print, samples=4 }",
+  "deck.lua:1: budget: field 'samples': expected an integer from 8 to 100000, got 4")
+wrong("fabric.budget", "fabric.budget{ run=print, print='yes' }",
+  "deck.lua:1: budget: field 'print': expected true or false, got 'yes'")
+wrong("fabric.budget", "fabric.budget{ run=print, figure=7 }",
+  "deck.lua:1: budget: field 'figure': expected a string, got 7")
+wrong("fabric.budget", "fabric.budget{ run=print, card=mesh }",
+  "deck.lua:1: budget: field 'card': expected a card, got a mesh")
+wrong("fabric.lab.normal", "fabric.lab.normal()",
+  "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.normal", "fabric.lab.normal('x')",
+  "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got 'x'")
+wrong("fabric.lab.normal", "fabric.lab.normal(1)",
+  "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got 1")
+wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points()",
+  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points(2.5, 1)",
+  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got 2.5")
+wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points(0, 1)",
+  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got 0")
+wrong("fabric.sobol", "fabric.sobol()",
+  "deck.lua:1: sobol: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got nil (missing, or a misspelt variable)")
+wrong("fabric.sobol", "fabric.sobol(7)",
+  "deck.lua:1: sobol: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got 7")
+wrong("fabric.latin_hypercube", "fabric.latin_hypercube()",
+  "deck.lua:1: latin_hypercube: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got nil (missing, or a misspelt variable)")
+wrong("fabric.latin_hypercube", "fabric.latin_hypercube(7)",
+  "deck.lua:1: latin_hypercube: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got 7")
+wrong("fabric.study", "fabric.study{ parameters={ a={1} }, sample={ { a=1 } }, run=print }",
+  "deck.lua:1: study: expected either 'parameters' or 'sample'")
+wrong("fabric.study", "fabric.study{ sample=7, run=print }",
+  "deck.lua:1: study: field 'sample': expected a table, got 7")
+
 -- fabric.write
 wrong("fabric.write", "fabric.write()",
   "deck.lua:1: write: argument 'path': expected a string, got nil (missing, or a misspelt variable)")
