@@ -285,7 +285,7 @@ TEST_CASE("contact: an overlap is refused, and what settle opens is told") {
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{sheet("", 0.04, 2, Vec3::Zero())});
     const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -z), Vec3(0, 0, 1)},
                                                             std::nullopt, "", "plane");
-    m->contact({{{"", plane}, {"all", nullptr}}, 0, {}, {}, settle});
+    m->contact({.between = {{"", plane}, {"all", nullptr}}, .settle = settle});
     auto notices = std::make_shared<Notices>([told](const std::string& line) {
       if (told != nullptr) *told += line + "\n";
     });
