@@ -97,8 +97,15 @@ function Column:map(change)
   return column(out)
 end
 
+-- The names of the columns of a curve in the order of its file; other curves have none.
+local orders = setmetatable({}, { __mode = "k" })
+
 local function names_of(rows)
   local names = {}
+  for _, name in ipairs(orders[rows] or {}) do
+    if type((rows[1] or {})[name]) == "number" then names[#names + 1] = name end
+  end
+  if #names > 0 then return names end
   for name, value in pairs(rows[1] or {}) do
     if type(name) == "string" and type(value) == "number" then names[#names + 1] = name end
   end
@@ -201,9 +208,6 @@ local function rows_of_lists(lists)
   end
   return rows
 end
-
--- The names of the columns of a curve in the order of its file; other curves have none.
-local orders = setmetatable({}, { __mode = "k" })
 
 -- Converts columns as read from a file by fabric.table: {name=, unit=, values=}. A name that occurs again gets its place behind it.
 local function rows_of_columns(columns)

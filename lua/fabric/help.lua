@@ -256,6 +256,23 @@ local function speaking(rows, words)
   return found
 end
 
+-- What is asked for by a word that no entry has in this sense.
+local elsewhere = {
+  [{ "movie", "video", "mp4", "gif", "ffmpeg", "animation" }] = "fabric.render draws a frame, ffmpeg joins frames: share/doc/howto/plot.md; fabric.export.gltf writes a series that moves in a browser",
+  [{ "wind", "blow", "inflate", "air" }] = "model:pressure acts along the normal of the sheet as it moves; the flow of air around cloth is not computed",
+  [{ "sew", "seam", "stitch", "glue" }] = "model:tie makes nodes move together; fabric.mesh.merge makes one mesh of several, joined where their nodes coincide",
+  [{ "cut", "tear", "rip", "slit" }] = "cloth does not tear in a run; fabric.mesh.annulus has a slit, fabric.mesh{ nodes=, elements= } makes any cut sheet",
+}
+
+local function pointed(word)
+  for words, where in pairs(elsewhere) do
+    for _, other in ipairs(words) do
+      if other == word then return { word .. ": " .. wrapped(where, "  "):sub(3) } end
+    end
+  end
+  return {}
+end
+
 local function search(word)
   local rows = registry.rows()
   local row = named(rows, word)
@@ -263,7 +280,7 @@ local function search(word)
   local lines, found = {}, below(rows, word)
   if #found == 0 then found = speaking(rows, word:lower()) end
   local fields, manual = result_fields(word), pages(word:lower())
-  table.move(fields, 1, #fields, 1 + #table.move(units(word), 1, 2, 1, lines), lines)
+  for _, more in ipairs { pointed(word:lower()), units(word), fields } do table.move(more, 1, #more, #lines + 1, lines) end
   if #found == 0 and #lines == 0 and #manual == 0 then return nothing(rows, word) end
   grouped(found, lines)
   table.move(manual, 1, #manual, #lines + 1, lines)

@@ -1,14 +1,17 @@
 # What is installed: the program with its data; the core for C++ users (find_package(fabricsh), component dev);
 # and the Debian packages that `cpack` makes of these two.
 include(CMakePackageConfigHelpers)
+include(${CMAKE_CURRENT_LIST_DIR}/FabricshOwner.cmake)
 
 # The installed data keeps the layout of the source tree, so that one rule finds a file in either.
 foreach(folder lua share/cards share/data share/doc share/lua-ls share/python scripts meshes)
   get_filename_component(parent ${folder} DIRECTORY)
   install(DIRECTORY ${folder} DESTINATION ${FABRICSH_DATA_DIR}/${parent} COMPONENT program OPTIONAL
     PATTERN "scripts/cmake" EXCLUDE PATTERN "scripts/demo" EXCLUDE PATTERN "scripts/test" EXCLUDE PATTERN "scripts/sanitize" EXCLUDE PATTERN "scripts/site" EXCLUDE PATTERN "draw.sh" EXCLUDE
-    PATTERN "scripts/lib.sh" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+    PATTERN "scripts/lib.sh" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "*.egg-info" EXCLUDE PATTERN "share/python/build" EXCLUDE)
 endforeach()
+# Where Debian's Python looks, once the prefix is /usr.
+install(FILES share/python/fabricsh.py DESTINATION lib/python3/dist-packages COMPONENT program)
 install(FILES share/references.bib DESTINATION ${FABRICSH_DATA_DIR}/share COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 install(FILES share/man/fabricsh.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
@@ -45,7 +48,8 @@ install(FILES ${CMAKE_BINARY_DIR}/generated/fabricshConfig.cmake ${CMAKE_BINARY_
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fabricsh)
-set(CPACK_PACKAGE_CONTACT "the fabricsh authors <fabricsh@localhost>")
+set(CPACK_PACKAGE_CONTACT "${FABRICSH_MAINTAINER}")
+set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "${FABRICSH_HOMEPAGE}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "workbench for the mechanics of woven cloth")
 set(CPACK_PACKAGE_DESCRIPTION "Pulls, shears, drapes and unloads fabric as a thin shell in finite deformation, from Lua decks or\n an interactive prompt, with a law that knows warp and weft, nonlinearity and hysteresis; reduces\n measurements to material cards.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -58,7 +62,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fabricsh)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, xvfb")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, xvfb, python3-numpy")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfabricsh-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libsuitesparse-dev, libopenblas-dev, libvtk9-dev, zlib1g-dev, libpng-dev, libjpeg-dev, libtiff-dev")

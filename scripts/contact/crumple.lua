@@ -27,7 +27,7 @@ local function crumple(friction, step, look_at_all)
   local mesh = fabric.mesh.rectangle { width = side, height = side, nx = cells, ny = cells, origin = { -side / 2, -side / 2, 0 } }
   local m = fabric.model { mesh = mesh, card = card }
   -- A surface of loose fibres: contact begins far out, and gives. The stiffness grows as what the cloth's own step carries.
-  m:contact { self = "all", friction = friction, thickness = 1.6e-3, stiffness = 3e8 * (cells / 8) ^ 2 }
+  m:contact { self = "all", friction = friction, restitution = 1, thickness = 1.6e-3, stiffness = 3e8 * (cells / 8) ^ 2 }
   m:velocity("all", function(x, y)
     local u, v = 2 * x / side, 2 * y / side
     return { x = -speed * u, y = -0.2 * speed * v, z = 0.8 * speed * math.cos(2.5 * u + 0.3) * math.cos(0.5 * v) }

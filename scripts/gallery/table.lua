@@ -2,7 +2,6 @@
 --
 --   fabricsh scripts/gallery/table.lua [out] [elements around]      24; the picture in share/doc: 56
 local fabric, out = require "fabric", arg[1] or "out/gallery"
-local mm = fabric.units.mm
 local around = tonumber(arg[2]) or 24
 local card = fabric.card("blend"):with { bending = { warp = 15e-6, weft = 15e-6, twist = 7e-6 } }
 local mesh = fabric.mesh.annulus { inner = 0.09, outer = 0.15, around = around, across = around // 8 }
@@ -18,5 +17,5 @@ for _, i in ipairs(mesh:set "outer") do
   low, high = math.min(low, z), math.max(high, z)
 end
 print(("the rim hangs %.0f to %.0f mm down"):format(-high * 1e3, -low * 1e3))
-fabric.render { file = out .. "/table.png", run = run, field = "uz", view = { 30, 30 }, size = { 85 * mm, 60 * mm }, dpi = 200 }
+fabric.render { file = out .. "/table.png", run = run, field = "uz", view = { 30, 30 }, width = 1600, height = 900, smooth = true, edges = false }
 fabric.expect { { "the rim hangs lower than half the overhang, no lower than all of it (1: yes)", low < -0.03 and low >= -0.06 and 1 or 0, 1, absolute = 0 } }

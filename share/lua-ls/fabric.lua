@@ -29,7 +29,7 @@ local card = {}
 ---@class mesh
 ---@field elements integer[][] Node numbers of each element, counter-clockwise.
 ---@field nodes number[][] Reference positions {x, y, z}, m, by node number.
----@field sets string[] Names of the node sets.
+---@field sets string[] Names of the node sets. In the mesh of a model of several bodies also those of each, as body.left.
 local mesh = {}
 
 ---A mesh of a cloth with its supports and loads. Its methods return it.
@@ -47,7 +47,7 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
 ---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
@@ -250,7 +250,7 @@ function analysis:why() end
 ---@field averaged? boolean fields of elements also on the nodes, under the same names: means of the elements that meet there, by area (default false)
 
 ---Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a frame of a:vtk into a .vtu, else as mesh:write does.
----@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
+---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
 ---@param options? analysis_write_fields.options what; fields go into a .vtu alone
 ---@return any
 function analysis:write(file, options) end
@@ -304,7 +304,7 @@ function fabric.asked_case() end
 function fabric.budget(fields) end
 
 ---@class fabric_card_fields.options
----@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured; thickness: integration through the thickness, without a warning
+---@field bending? "estimated"|"thickness" estimated: the card's own estimate of what was not measured (a card with a rigidity of its own keeps it); thickness: integration through the thickness, without a warning
 
 ---A shipped card by name, or the card that a Lua file returns.
 ---@param name string of a shipped card, or a path (with / or ending in .lua)
@@ -565,14 +565,14 @@ function fabric.lab.bias_extension(fields) end
 function fabric.lab.bias_shear(fields) end
 
 ---@class fabric_lab_bias_sizes_fields
----@field specimens table bias pulls: { {displacement=, force=, width=, length=, name=}, ... }, m and N, of one size or several
+---@field specimens table bias pulls: { {displacement=, force=, width=, length=, name=, laboratory=, direction=}, ... }, m and N, of one size or several; laboratory and direction: names, of all or of none
 ---@field thickness number m: of the cloth
 ---@field limit? number degrees: angle up to which rows count (default 30)
 ---@field knots? integer of the curve, at equal angles, straight between them (default 10)
 ---@field edges? boolean the free edges are accounted for, if the sizes determine them (default true)
----@field scatter? number relative deviation of one specimen, for the bands (default 0.04)
+---@field scatter? number relative deviation of one specimen, known from elsewhere: the least that bands hold; default: only what the records show (0.04 for the deviation of the edge)
 
----One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others), predict(self, {displacement, width, length, edges=false}) -> {force, low, high (95 % of specimens), angle}, text.
+---One shear curve from bias pulls of several sizes, and the width of the free edges that carry nothing (slip of edge yarns, pull-out): edge (m), edge_deviation, edges (true if it exceeds twice its deviation and is below its bound, a fifth of the width; else the edges are taken as none), curve {angle, normal_force (N/m), deviation, E12, S12}, shear (for fabric.lab.card), specimens {name, rms, at_end, without = {rms, at_end}, predicted}, left_out (each size from the others: rms, at_end, points, inside), left_out_by (the same by laboratory and direction), predict(self, {displacement, width, length, laboratory, direction, edges=false}) -> {force, angle, band, low, high}: the 95 % band of a specimen, band 'learned' from how sizes, laboratories, directions and specimens differ, 'given' where only `scatter` is known, nil with a reason where nothing tells it; text.
 ---@param fields fabric_lab_bias_sizes_fields
 ---@return table<string, any>
 function fabric.lab.bias_sizes(fields) end
@@ -896,7 +896,7 @@ function fabric.lab.identifiability(fields) end
 ---@field settle? integer rounds at the end, with central differences over a standard deviation along combinations of parameters (default 8)
 ---@field progress? boolean prints the progress on stderr (default false)
 
----Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text.
+---Card parameters by bounded least squares through simulation. Returns parameters (by name), deviation (nan on a bound), on_bound (the bound, by name), known (by name), correlation, weakest, misses (per test: rms and worst over the largest measured value, deviations), chi2 (per degree of freedom), further (ranked), simulations, text, card(self, function(p) return card end): the card with the parameters' 95 % bands carried to its numbers, for card:sample.
 ---@param fields fabric_lab_identify_fields
 ---@return table<string, any>
 function fabric.lab.identify(fields) end
@@ -1164,7 +1164,10 @@ function fabric.lab.poke(fields) end
 
 ---@class fabric_lab_pool_fields
 ---@field parameters table { {name=, start=, low=, high=}, ... } as of fabric.lab.identify
----@field tests table one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=}, ... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one
+---@field tests table one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=, x=, scale=}, ... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one; x: abscissa of the numbers (strain, angle), of one meaning in all tests (default: the place in the list); scale: what the model's error is relative to, where it is not the predicted numbers: the fit then has no factor of specimens
+---@field model? function function(p, test) return numbers end, in place of `predict` of each test; it reads the test's further fields (width=, angle= ...), and takes what `predict` is asked for
+---@field groups? table names of fields of the tests by which they belong together: {'laboratory', 'size'}; each has a deviation of its own, and each label is predicted from the others
+---@field leave? boolean predicts each label of each group by a fit to the others (default true)
 ---@field rate? fabric_lab_pool_fields.rate accounts for the speed: predictions times 1 + p.rate ln(rate / reference)
 ---@field order? number order of the simulation's error in the size of its cells (default 2)
 ---@field level? number of confidence (default 0.95)
@@ -1173,7 +1176,7 @@ function fabric.lab.poke(fields) end
 ---@field tolerance? number relative, of the sum of squares and of the parameters (default 1e-06)
 ---@field progress? boolean prints the progress on stderr (default false)
 
----Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, text.
+---Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects (what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil and reason says why where the tests do not tell how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands carried to its numbers; text.
 ---@param fields fabric_lab_pool_fields
 ---@return table<string, any>
 function fabric.lab.pool(fields) end
@@ -1459,7 +1462,7 @@ function fabric.lab.unloading(fields) end
 ---@field limit? number degrees: shear angle up to which rows count (default 30)
 ---@field level? number of confidence (default 0.95)
 
----The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, elastic {E, S}, shear (for fabric.lab.card), scatter, rms, profile, reason, text.
+---The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, ratio {angle, E, ratio, low, high} (the fastest over the slowest against the angle), withheld (the conclusion hangs on the angles that are taken: none is drawn), by_limit ({limit, verdict}, ...), elastic {E, S}, shear (for fabric.lab.card), scatter, rms, profile, reason, text.
 ---@param fields fabric_lab_viscous_fields
 ---@return table<string, any>
 function fabric.lab.viscous(fields) end
@@ -1577,8 +1580,26 @@ function fabric.mesh.disk(fields) end
 ---@return mesh
 function fabric.mesh.hemisphere(fields) end
 
+---@class fabric_mesh_merge_fields
+---@field meshes table { a, b, ... }
+---@field distance? number m: within which nodes of different meshes become one (default 1e-06)
+
+---Several meshes as one: nodes of different meshes that coincide are joined, sets of one name become one, all and boundary are made anew. The edges that meet need the same nodes.
+---@param fields fabric_mesh_merge_fields
+---@return mesh
+function fabric.mesh.merge(fields) end
+
+---@class fabric_mesh_of_fields
+---@field nodes table { {x, y, z}, ... }, m; without z it is 0
+---@field elements table { {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise
+
+---A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. Sets all and boundary.
+---@param fields fabric_mesh_of_fields
+---@return mesh
+function fabric.mesh.of(fields) end
+
 ---Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy .vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of Abaqus and CalculiX, .k of LS-DYNA. Physical groups and groups become node sets, sets of elements those of their nodes; so do integer arrays: those of 0 and 1 by their name, others as name_value; parts and solids where there are several. Nodes in no element are left out; the sets all and boundary are added.
----@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k; a bare name may be a mesh shipped with the program
+---@param file string ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key; a bare name may be a mesh shipped with the program
 ---@return mesh
 function fabric.mesh.read(file) end
 
@@ -1636,7 +1657,7 @@ function fabric.model(fields) end
 ---@field columns? integer width of a drawing in letters (default 79)
 ---@field lines? integer height of a drawing in letters (default 24)
 
----Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. fabric.plot(rows, "E", "S", {...}) is short for fabric.plot{ rows=rows, x="E", y="S", ... }. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
+---Draws curves (by gnuplot) into a file, or without one returns them as text: the prompt shows it, a deck prints it by print(fabric.plot{...}). fabric.plot(rows, "E", "S", {...}) is short for fabric.plot{ rows=rows, x="E", y="S", ... }. With a file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.
 ---@param fields fabric_plot_fields
 ---@return string|boolean|nil
 function fabric.plot(fields) end
@@ -1661,7 +1682,7 @@ function fabric.ramp(value, duration) end
 ---@class fabric_render_fields
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
----@field run? analysis in place of files: the run as it stands
+---@field run? table|analysis in place of files: the run as it stands, with its rigid bodies, or a list of runs
 ---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
@@ -1986,17 +2007,17 @@ function fabric.why() end
 ---@field shear fabric_woven_fields.viscous.shear a spring and a dashpot in series beside in-plane shear
 
 ---@class fabric_woven_fields.bands.warp
----@field low number[] of loading coefficients, unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
 ---@class fabric_woven_fields.bands.weft
----@field low number[] of loading coefficients, unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
 ---@class fabric_woven_fields.bands.shear
----@field low number[] of loading coefficients, unloading, poisson
+---@field low number[] of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson
 ---@field high number[] of the same parameters
 ---@field covariance number[] of the same parameters, row by row
 
@@ -2078,7 +2099,7 @@ function mesh:orient(direction) end
 function mesh:set(name, nodes) end
 
 ---Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, .inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The old file stays until the new one is whole.
----@param file string ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad
+---@param file string ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad
 ---@return mesh
 function mesh:write(file) end
 
@@ -2088,6 +2109,7 @@ function mesh:write(file) end
 ---@field friction? number friction coefficient (default 0)
 ---@field thickness? number m: of the cloth in contact; default: the cloth's own, or that of its card's compression
 ---@field stiffness? number Pa/m: pressure per closed gap; default: the compression curve of the card, or else 1 MPa down to the floor; in explicit runs no more than the cloth's own stable step carries
+---@field restitution? number speed after over speed before of a sheet that meets something flat; 1: nothing is lost (default 0.5)
 ---@field settle? number s: time from the start in which sheets and bodies that begin too near to each other, but not one through the other, are brought apart; without it they are refused
 
 ---Lets surfaces touch: cloth on rigid bodies, on other cloth, on itself. Nothing passes through.

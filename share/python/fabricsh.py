@@ -6,7 +6,7 @@
     sheet = fabricsh.read_series("out/pull/strip.pvd")[-1]  # sheet.points, sheet.cells, sheet["S11"]
     card = fabricsh.read_card("denim")                      # card["warp"]["loading"], card.pull("warp", strains)
 
-One file without a build step. It needs numpy; pandas only where a DataFrame is asked for, meshio only in Frame.meshio().
+`pip install share/python` installs it; it is also one file that works where it lies. It needs numpy; pandas only where a DataFrame is asked for, meshio only in Frame.meshio().
 Values are in SI as everywhere in fabricsh. The program is found by, in this order, the argument `program`, the environment
 variable FABRICSH, the tree or installation that this file lies in, and PATH.
 """
@@ -23,7 +23,10 @@ import tempfile
 import xml.etree.ElementTree
 import zlib
 
-import numpy
+try:
+    import numpy
+except ImportError:
+    raise ImportError("the module fabricsh needs numpy, which this Python has not: apt install python3-numpy, or pip install numpy") from None
 
 __all__ = ["CardFile", "Curve", "DeckError", "Error", "Frame", "Interrupted", "NumericalFailure", "Result", "Series", "UsageError",
            "find_program", "read_card", "read_record", "read_run", "read_series", "read_test", "run", "run_text",
@@ -117,22 +120,26 @@ def _call(options, *, text=None, program=None, cwd=None, timeout=None):
     return Result(stdout, stderr)
 
 
+def _options(threads, restart, check, safe):
+    options = ["--threads", threads] if threads is not None else []
+    options += ["--restart", restart] if restart is not None else []
+    return options + ["--check"] * bool(check) + ["--safe"] * bool(safe)
+
+
 def run(deck, *arguments, threads=None, restart=None, check=False, safe=False, program=None, cwd=None, timeout=None):
     """Runs a deck to its end and returns a Result; raises DeckError, UsageError, NumericalFailure or Interrupted.
 
     arguments: what the deck sees in `arg`. threads: None is the program's own choice. restart: a checkpoint's file. check: validate
     everything, run nothing. safe: for decks from elsewhere. cwd: the folder it runs in. timeout: seconds.
     """
-    options = ["--threads", threads] if threads is not None else []
-    options += ["--restart", restart] if restart is not None else []
-    options += ["--check"] if check else []
-    options += ["--safe"] if safe else []
+    options = _options(threads, restart, check, safe)
     return _call([*options, deck, *arguments], program=program, cwd=cwd, timeout=timeout)
 
 
-def run_text(text, *, program=None, cwd=None, timeout=None):
+def run_text(text, *arguments, threads=None, restart=None, check=False, safe=False, program=None, cwd=None, timeout=None):
     """Runs Lua text as a deck; else as run(). Messages call it stdin."""
-    return _call(["-"], text=text, program=program, cwd=cwd, timeout=timeout)
+    options = _options(threads, restart, check, safe)
+    return _call([*options, "-", *arguments], text=text, program=program, cwd=cwd, timeout=timeout)
 
 
 class Curve(dict):

@@ -10,6 +10,7 @@ import base64
 import json
 import pathlib
 import re
+import select
 import signal
 import subprocess
 import sys
@@ -23,8 +24,13 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import fabricsh
 
 # Behind each cell both streams get a mark, that of standard output with whether the cell came to its end.
+# The value of a cell is that of the expression that its last lines are: the fewest that can be returned, behind lines
+# that are whole by themselves. A line that begins with what could go on with the one before stays with it.
+_VALUE = ('(function(s) local f = load("return " .. s, "=cell") for i = #s, 1, -1 do if f then break end '
+          'if s:sub(i, i) == "\\n" and s:find("^%s*[%w_#]", i + 1) and load(s:sub(1, i)) then '
+          'f = load(s:sub(1, i) .. "return " .. s:sub(i + 1), "=cell") end end return f or assert(load(s, "=cell")) end)')
 _CELL = ('(function(...) package.loaded["fabricsh.cell"] = true return ... end)'
-         '((load("return " .. {0}, "=cell") or assert(load({0}, "=cell")))())\n'
+         '(' + _VALUE + '({0})())\n'
          'do local d = package.loaded["fabricsh.cell"] package.loaded["fabricsh.cell"] = nil '
          'io.stderr:write("\\1") io.stdout:write(d and "\\2\\1" or "\\1") io.stdout:flush() end\n')
 
@@ -47,21 +53,31 @@ class FabricshKernel(Kernel):
         self._child = subprocess.Popen([fabricsh.find_program(), "--quiet", "-i"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                        stderr=subprocess.PIPE, start_new_session=True)
 
+    def _stream(self, name, text):
+        if text and not self._silent:
+            self.send_response(self.iopub_socket, "stream", {"name": name, "text": text.decode(errors="replace")})
+        return b""
+
     def _hear(self, pipe, name, heard, end):
-        """Passes on what the program says, as it says it, up to the mark."""
+        """Passes on what the program says, up to the mark. What stands on the stream of errors right before the mark is
+        kept: where the cell fails it is the message, which Jupyter shows by itself."""
+        kept = b""
         while True:
+            if kept and not select.select([pipe], [], [], 0.2)[0]:
+                kept = self._stream(name, kept)
             piece = pipe.read1(65536)
             heard.append(piece)
-            text = piece.rstrip(b"\1\2").decode(errors="replace")
-            if text and not self._silent:
-                self.send_response(self.iopub_socket, "stream", {"name": name, "text": text})
+            kept += piece.rstrip(b"\1\2")
+            if name == "stdout":
+                kept = self._stream(name, kept)
             if not piece or piece.endswith(b"\1"):
+                self._complaint = kept if name == "stderr" else self._complaint
                 return end.set()
 
     def do_execute(self, code, silent, store_history=True, user_expressions=None, allow_stdin=False):
         if self._child is None or self._child.poll() is not None:
             self._start()
-        self._silent, begun = silent, time.time() - 0.01
+        self._silent, self._complaint, begun = silent, b"", time.time() - 0.01
         self._child.stdin.write(_CELL.format(_quoted(code)).encode())
         self._child.stdin.flush()
         said, complained = [], []
@@ -81,9 +97,10 @@ class FabricshKernel(Kernel):
             self._show_figures(code, begun)
         status = {"execution_count": self.execution_count}
         if b"".join(said).endswith(b"\2\1"):
+            self._stream("stderr", self._complaint)
             return {**status, "status": "ok", "payload": [], "user_expressions": {}}
-        message = b"".join(complained).rstrip(b"\1").decode(errors="replace").strip() or "the program ended"
-        error = {"ename": "error", "evalue": message, "traceback": []}  # it stands in the stream of errors already
+        message = self._complaint.decode(errors="replace").strip() or "the program ended"
+        error = {"ename": "error", "evalue": message, "traceback": message.split("\n")}
         self.send_response(self.iopub_socket, "error", error)
         return {**status, **error, "status": "error"}
 

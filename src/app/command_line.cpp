@@ -32,7 +32,7 @@ const char* const usage =
     "  --cases       lists the cases of the deck's fabric.study and computes none of them\n"
     "  --case K      computes case K of the deck's fabric.study, for a queue that starts each case by "
     "itself\n"
-    "  --quiet       no progress on standard error\n"
+    "  --quiet       no progress and no remarks on standard error, only warnings\n"
     "  --version     versions of the program and of what it stands on\n"
     "  --help        this text\n"
     "exit codes: 0 done, 1 error in the deck, 2 wrong use, 3 numerical failure, 130 ended by Ctrl-C, 143 by "

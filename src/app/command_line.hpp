@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "script/sandbox/limits.hpp"
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::app {
 

@@ -20,7 +20,8 @@
 #include "repl/history.hpp"
 #include "repl/interrupt.hpp"
 #include "repl/prompt.hpp"
-#include "script/checkpoint.hpp"
+#include "script/open/open_session.hpp"
+#include "script/runs/checkpoint.hpp"
 
 namespace {
 
@@ -51,13 +52,16 @@ bool is_dumb() {
 // Shows notices and progress, also while a line is being typed at the prompt.
 class Speaker {
  public:
+  // What a run was taken for, "contact: ...", is no warning.
   void say(const std::string& text) {
+    if (quiet && text.starts_with("contact: ")) return;
     progress.clear();
     std::fflush(stdout);
     if (lines == nullptr || !lines->interject(style_.dress(repl::Tone::notice, text)))
       // in one write, because parallel copies of a run use the same terminal
       std::cerr << style_.dress(repl::Tone::notice, text) + "\n" << std::flush;
   }
+  bool quiet = false;
   repl::Lines* lines = nullptr;
   app::ProgressLine progress{stderr, isatty(STDERR_FILENO) != 0 && !is_dumb()};
 
@@ -70,7 +74,7 @@ script::Options session_options(const app::CommandLine& command, Speaker& speake
   script::Options options;
   if (command.safe) options.safe = command.limits;
   options.check = command.check;
-  options.quiet = command.quiet;
+  options.quiet = speaker.quiet = command.quiet;
   options.strict = command.strict;
   options.study = command.study;
   options.threads = command.threads;
@@ -155,7 +159,7 @@ int main(int count, char** words) {
   try {
     if (command.safe) app::go_safe(command, words);
     Speaker speaker;
-    script::Session session(session_options(command, speaker));
+    script::OpenSession session(session_options(command, speaker));
     if (!command.restart.empty()) session.restart_from(script::load_checkpoint(command.restart));
     const int code = [&] {
       const repl::InterruptGuard guard(session);

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::app {
 

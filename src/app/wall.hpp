@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "script/sandbox/limits.hpp"
+#include "script/session/limits.hpp"
 
 namespace fabricsh::app {
 

@@ -9,7 +9,7 @@ struct Library {
   std::string name, version;
 };
 
-std::string version();     // "0.1.0"
+std::string version();     // "0.2.0"
 std::string build_kind();  // "Release", "Debug", ...: how it was compiled
 std::string compiler();    // "GNU 12.2.0"
 

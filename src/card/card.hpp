@@ -73,8 +73,9 @@ struct Bending {
   double tested = 0;                       // 1/m, curvature up to which they were measured. 0: not stated
 };
 
-// Confidence bands of measured parameters, in the order loading coefficients, unloading, poisson
-// (shear has no poisson). covariance refers to the same parameters, row by row. Empty: not known.
+// Confidence bands of measured parameters, in the order loading coefficients (of points: their stresses
+// beyond the origin, Pa), unloading, poisson (shear has no poisson). covariance refers to the same
+// parameters, row by row. Empty: not known.
 struct Band {
   std::vector<double> low, high, covariance;
 };
@@ -94,8 +95,8 @@ struct Woven {
   Transverse transverse = Transverse::elastic;  // comparison laws only
   bool shear_hysteresis = true;                 // comparison laws only
   std::optional<Biaxial> biaxial;
-  rheology::Given beside;      // law "potential" only: elements in parallel to its springs
-  std::optional<Bands> bands;  // polynomial loading curves only
+  rheology::Given beside;  // law "potential" only: elements in parallel to its springs
+  std::optional<Bands> bands;
 };
 
 struct Svk {  // St. Venant-Kirchhoff (theory.md, 4); shear is the engineering modulus, S12 = 2 G E12

@@ -166,11 +166,14 @@ void add_elements(Rows<Woven>& rows) {
 }
 
 Rows<Band> band_rows() {
-  return {numbers("low", &Band::low, "", "of loading coefficients, unloading, poisson").unprinted(),
-          numbers("high", &Band::high, "", "of the same parameters").unprinted(),
-          numbers("covariance", &Band::covariance, "", "of the same parameters, row by row")
-              .next_line()
-              .unprinted()};
+  return {
+      numbers("low", &Band::low, "",
+              "of loading coefficients (of points: their stresses beyond zero strain), unloading, poisson")
+          .unprinted(),
+      numbers("high", &Band::high, "", "of the same parameters").unprinted(),
+      numbers("covariance", &Band::covariance, "", "of the same parameters, row by row")
+          .next_line()
+          .unprinted()};
 }
 
 FieldOf<Bands> band(const std::string& name, Band Bands::*place) {

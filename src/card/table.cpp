@@ -46,14 +46,28 @@ const Field* find_field(const FieldTable& table, const std::string& path) {
   return nullptr;
 }
 
+namespace {
+
+// Calls visit(x) for every number of a measured value to which bands refer: of points, their ordinates beyond
+// the origin.
+template <class AnyValue, class Visit>
+void visit_numbers(AnyValue& value, const Visit& visit) {
+  if (auto* one = std::get_if<double>(&value)) visit(*one);
+  if (auto* many = std::get_if<std::vector<double>>(&value))
+    for (auto& x : *many) visit(x);
+  if (auto* points = std::get_if<Points>(&value))
+    for (auto& [x, y] : *points)
+      if (x != 0) visit(y);
+}
+
+}  // namespace
+
 std::vector<double> parameters(const Field& group, const Card& card) {
   std::vector<double> out;
   for (const Field& field : group.rows) {
     if (!field.measured) continue;
     const Value value = field.get(card);
-    if (const auto* one = std::get_if<double>(&value)) out.push_back(*one);
-    if (const auto* many = std::get_if<std::vector<double>>(&value))
-      out.insert(out.end(), many->begin(), many->end());
+    visit_numbers(value, [&](double x) { out.push_back(x); });
   }
   return out;
 }
@@ -63,9 +77,7 @@ void set_parameters(const Field& group, Card& card, const std::vector<double>& v
   for (const Field& field : group.rows) {
     if (!field.measured) continue;
     Value value = field.get(card);
-    if (auto* one = std::get_if<double>(&value)) *one = *next++;
-    if (auto* many = std::get_if<std::vector<double>>(&value))
-      for (double& x : *many) x = *next++;
+    visit_numbers(value, [&](double& x) { x = *next++; });
     field.set(card, value);
   }
 }

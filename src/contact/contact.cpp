@@ -163,6 +163,7 @@ void Contact::scene_changed() {
   at_search_.clear();  // the lists are found anew
   outer_.clear();
   inner_.clear();
+  tried_.reset();
   apart_changed();
 }
 
@@ -239,6 +240,7 @@ void Contact::refine(std::span<const Vec3> x, double since_search) {
 void Contact::index_slots() {
   slots_.resize(inner_.size());
   active_.assign(inner_.size(), 0);
+  known_.assign(inner_.size(), unknown);
   std::vector<std::uint32_t> count(scene_->reference().size() + 1, 0);
   for (const Candidate& c : inner_)
     for (const std::int32_t p : c.point)
@@ -259,10 +261,12 @@ void Contact::index_slots() {
         of_point_[next[std::size_t(inner_[i].point[k])]++] = std::uint32_t(4 * i + k);
   energy_.resize(touched_.size());
   guard_.resize(touched_.size());
-  lost_.resize(touched_.size());
+  stick_.resize(touched_.size());
+  work_.resize(touched_.size());
+  impact_.resize(touched_.size());
 }
 
-Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion,
+Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way,
                            std::span<Vec3> torque) {
   prepare(x);
   Totals totals;
@@ -276,26 +280,19 @@ Totals Contact::add_forces(std::span<const Vec3> x, std::span<Vec3> force, const
     const Candidate& c = inner_[std::size_t(i)];
     const Corners corners = corners_of(c, x);
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
-    Sliding sliding;
-    const bool slides = motion != nullptr && it.friction > 0;
-    if (slides) {
-      sliding.friction = it.friction;
-      sliding.step = motion->step;
-      sliding.spin = of_body(c, motion->spin);
-      const double images = this->images(c, motion->planes);
-      for (std::size_t k = 0; k < 4; ++k)
-        if (c.point[k] >= 0) {
-          sliding.velocity[k] = motion->velocity[std::size_t(c.point[k])];
-          sliding.inverse_mass[k] = images * motion->inverse_mass[std::size_t(c.point[k])];
-        }
-    }
     Force& slot = slots_[std::size_t(i)];
-    slot = pair_force(it.law, c.pair, corners, slides ? &sliding : nullptr);
+    if (!way.start.empty() && it.rubs()) {
+      const Slip slip = slip_of(std::size_t(i), x, way);
+      slot = pair_force(it.law, c.pair, corners, &slip);
+    } else {
+      slot = pair_force(it.law, c.pair, corners);
+    }
     active_[std::size_t(i)] = slot.active;
     if (slot.active) least = std::min(least, slot.gap);
   }
   totals.gap = least;
-  gather(force, motion != nullptr ? torque : std::span<Vec3>(), totals);
+  gather(force, way.start.empty() ? std::span<Vec3>() : torque, totals);
+  if (!way.start.empty()) note_slips(x, way);
   return totals;
 }
 
@@ -307,7 +304,7 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
     const auto row = std::size_t(t);
     const auto p = std::size_t(touched_[row]);
     Vec3 sum = Vec3::Zero(), turning = Vec3::Zero();
-    double contact = 0, guard = 0, lost = 0;
+    double contact = 0, guard = 0, stick = 0, work = 0, impact = 0;
     for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
       if (!active_[of_point_[k] / 4]) continue;
       const Force& slot = slots_[of_point_[k] / 4];
@@ -316,63 +313,46 @@ void Contact::gather(std::span<Vec3> force, std::span<Vec3> torque, Totals& tota
       if (of_point_[k] % 4 != 0) continue;  // the energies of a pair are counted at its first corner
       contact += slot.contact;
       guard += slot.guard;
-      lost += slot.lost;
+      stick += slot.stick;
+      work += slot.work;
+      impact += slot.impact;
       ++touching;
     }
     force[p] += sum;
     if (!torque.empty()) torque[p] += turning;
     energy_[row] = contact;
     guard_[row] = guard;
-    lost_[row] = lost;
+    stick_[row] = stick;
+    work_[row] = work;
+    impact_[row] = impact;
   }
   totals.touching = touching;
   // Over all points and not only those in the lists, which depend on the skin.
   for (std::size_t row = 0; row < touched_.size(); ++row) {
     totals.contact += energy_[row];
     totals.guard += guard_[row];
-    totals.lost += lost_[row];
+    totals.stick += stick_[row];
+    totals.work += work_[row];
+    totals.impact += impact_[row];
   }
 }
 
 void Contact::stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way) {
   prepare(x);
-  for (const Candidate& c : inner_) {
+  for (std::size_t i = 0; i < inner_.size(); ++i) {
+    const Candidate& c = inner_[i];
     const Corners corners = corners_of(c, x);
     const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
     if (gap_of(c, corners) >= it.law.gap() * c.pair.scale) continue;
     Matrix12 k = pair_derivatives(it.law, c.pair, corners).hessian;
-    if (way.start.empty() || it.friction == 0) {
+    if (way.start.empty() || !it.rubs()) {
       visit(c.point, k, nullptr);
       continue;
     }
-    const Slip slip{it.friction, way.creep, corners_of(c, way.start), of_body(c, way.turn)};
-    const Friction friction = pair_friction(it.law, c.pair, corners, slip, true);
+    const FrictionTangent friction = friction_tangent(it.law, c.pair, corners, slip_of(i, x, way));
     k -= friction.jacobian;
     visit(c.point, k, &friction);
   }
-}
-
-double Contact::add_friction(std::span<const Vec3> x, const Way& way, std::span<Vec3> force,
-                             std::span<Vec3> torque) {
-  prepare(x);
-  double lost = 0;
-  for (const Candidate& c : inner_) {
-    const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
-    if (it.friction == 0) continue;
-    const Slip slip{it.friction, way.creep, corners_of(c, way.start), of_body(c, way.turn)};
-    const Friction f = pair_friction(it.law, c.pair, corners_of(c, x), slip, false);
-    if (f.lost == 0) continue;
-    lost += f.lost;
-    bool given = torque.empty();
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (c.point[k] < 0) continue;
-      force[std::size_t(c.point[k])] += f.force.segment<3>(3 * int(k));
-      if (given || !rigid(c.point[k])) continue;
-      torque[std::size_t(c.point[k])] += f.torque;
-      given = true;
-    }
-  }
-  return lost;
 }
 
 void Contact::couples(std::span<const Vec3> x,

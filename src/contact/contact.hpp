@@ -7,34 +7,32 @@
 // node by node in that order. The bits are therefore the same for any number of threads and any skin.
 #pragma once
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "contact/patches.hpp"
 #include "contact/search.hpp"
 
 namespace fabricsh::contact {
 
-// The motion as explicit friction needs it, for all points of the scene.
-struct Motion {
-  std::span<const Vec3> velocity;        // m/s
-  std::span<const double> inverse_mass;  // 1/kg; 0: the point is held or driven
-  double step = 0;                       // s
-  std::span<const Vec3> spin = {};       // 1/s, of the body that a rigid vertex is of; empty: none turns
+// What friction needs to know of a step, for all points of the scene.
+struct Way {
+  std::span<const Vec3> start;      // m, positions at its start; empty: friction is left out
+  std::span<const Vec3> turn = {};  // rad, of the body that a rigid vertex is of; empty: none turns
+  double dt = 0;                    // s, of a step in time; 0: a static step
+  // Explicit steps: the points' inverse masses, 1/kg, 0: held or driven.
+  std::span<const double> inverse_mass = {};
   // The planes of symmetry that a node lies in, one bit each, if masses are those of the whole model; else
   // empty.
   std::span<const unsigned char> planes = {};
 };
 
-// How an implicit or static step has gone so far, for all points of the scene.
-struct Way {
-  std::span<const Vec3> start;      // m, positions at its start; empty: friction is left out
-  double creep = 0;                 // m
-  std::span<const Vec3> turn = {};  // rad, of the body that a rigid vertex is of; empty: none turns
-};
-
 struct Totals {
   double contact = 0, guard = 0;  // J
-  double lost = 0;                // W with a Motion, J with a start position: loss by friction
+  double stick = 0;               // J, elastic energy of friction that sticks
+  double work = 0;                // J, of the step's sliding against friction
+  double impact = 0;              // J, of its approaches against their damping
   // m: smallest gap above the floor of all pairs within range of contact; if there is none, the least
   // distance from gap to floor of any pair, which is then a lower bound.
   double gap = 0;
@@ -52,22 +50,25 @@ class Contact {
   const Scene& scene() const { return *scene_; }
 
   // `x` always means the positions of the scene's points (cloth nodes and rigid vertices), m; they must
-  // be finite. Adds the forces on every point to `force`, N; with `motion` also those of friction. The
+  // be finite. Adds the forces on every point to `force`, N; with a way also those of friction. The
   // torques of friction on bodies, N m, are added to `torque` (one entry per point, used for one vertex
   // of each body; empty: not wanted).
-  Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Motion* motion = nullptr,
+  Totals add_forces(std::span<const Vec3> x, std::span<Vec3> force, const Way& way = {},
                     std::span<Vec3> torque = {});
 
   // Stiffness of the touching pairs, in the pairs' order: visit(points of the pair, Hessian of its energy,
-  // N/m, its friction). If the way has a start, the Hessian contains the part of friction: -d force/dx, not
-  // symmetric. Otherwise the friction is null.
+  // N/m, its friction). With a way the Hessian contains the part of friction: -d force/dx, not symmetric.
+  // Otherwise the friction is null.
   using VisitStiffness =
-      std::function<void(const std::array<std::int32_t, 4>&, const Matrix12&, const Friction*)>;
+      std::function<void(const std::array<std::int32_t, 4>&, const Matrix12&, const FrictionTangent*)>;
   void stiffness(std::span<const Vec3> x, const VisitStiffness& visit, const Way& way = {});
-  // Adds the friction forces of an implicit or static step, and torques as add_forces() does; returns the
-  // energy lost over the step, J.
-  double add_friction(std::span<const Vec3> x, const Way& way, std::span<Vec3> force,
-                      std::span<Vec3> torque = {});
+
+  // The elastic slips of friction are those of the last forces that were added with a way; or stay those of
+  // the last commit.
+  void commit();
+  void rollback() { tried_.reset(); }
+  void keep(Archive& archive);  // the committed slips
+
   // Visits the points of each pair that touches or soon may. Returns a number that changes
   // whenever this set of pairs does, so that the sparse pattern of the stiffness can be updated.
   void couples(std::span<const Vec3> x, const std::function<void(const std::array<std::int32_t, 4>&)>& visit);
@@ -126,6 +127,11 @@ class Contact {
   bool rigid(std::int32_t point) const { return point >= std::int32_t(scene_->nodes()); }
   // The value for the rigid side of a pair; zero if no side is rigid.
   Vec3 of_body(const Candidate& c, std::span<const Vec3> by_point) const;
+  struct Held;
+  Slip slip_of(std::size_t slot, std::span<const Vec3> x, const Way& way);
+  const Held* held_by(std::size_t slot);
+  void note_slips(std::span<const Vec3> x, const Way& way);
+  bool passes_on(const Candidate& c) const;
   bool holds_torque(std::uint32_t slot_and_corner) const;
   double images(const Candidate& c, std::span<const unsigned char> planes) const;
   double margin(const Candidate& c, std::span<const Vec3> x) const;
@@ -154,7 +160,32 @@ class Contact {
   std::vector<char> active_;                     // whether the slot of a pair is in use
   std::vector<std::int32_t> touched_;            // points with slots, ascending
   std::vector<std::uint32_t> first_, of_point_;  // rows: slot * 4 + corner, ascending for each touched point
-  std::vector<double> energy_, guard_, lost_;    // by touched point
+  std::vector<double> energy_, guard_, stick_, work_, impact_;  // by touched point
+  // The elastic slips of the pairs that touch. The first corner of a pair is what slides over the rest of it;
+  // the slips are in the order of the first corners, for each in the order of the pairs.
+  struct Held {
+    std::array<std::int32_t, 4> point{};
+    std::int32_t interaction = 0;
+    Kind kind = Kind::facet;
+    std::size_t slot = 0;  // of the list at that time
+    double gap = 0;        // m
+    Vec3 slip = Vec3::Zero(), pull = Vec3::Zero();
+    double damped = 0;
+    bool is(const Candidate& c) const {
+      return point == c.point && interaction == c.interaction && kind == c.pair.kind;
+    }
+    bool beside(const Held& other) const;
+    void keep(Archive& archive);
+  };
+  struct Tried {
+    std::uint64_t version = 0;  // of the lists
+    std::vector<Held> held;
+  };
+  static void join(std::span<Held> of_one_point);
+  std::vector<Held> held_;
+  std::optional<Tried> tried_;
+  std::vector<std::int32_t> known_;  // by slot: which of held_ its slip is, or one of the following
+  static constexpr std::int32_t unknown = -2, none = -1;
   std::size_t searches_ = 0;
   std::uint64_t version_ = 0;
 };

@@ -31,30 +31,107 @@ double visit_pressed(const Law& law, const Pair& pair, const Corners& x, bool se
   });
 }
 
-void add_friction(const Pressed& at, const Sliding& sliding, Force& force) {
-  const Touch& touch = at.place.touch;
-  Vec3 v = Vec3::Zero();
-  double lightness = 0;  // 1/kg
-  for (std::size_t i = 0; i < 4; ++i) {
-    v += touch.weight[i] * sliding.velocity[i];
-    lightness += touch.weight[i] * touch.weight[i] * sliding.inverse_mass[i];
-  }
-  const Vec3 lever = touch.distance * touch.normal;
-  v -= sliding.spin.cross(lever);
-  v -= touch.normal.dot(v) * touch.normal;
-  const double speed = v.norm();
-  if (!(speed > 0) || !(lightness > 0)) return;
-  const double most = sliding.friction * std::fabs(at.count) * at.answer.pressure;
-  const double f = std::copysign(std::min(most, 0.2 * speed / (lightness * sliding.step)), at.count);
-  for (std::size_t i = 0; i < 4; ++i) force.on[i] -= f / speed * touch.weight[i] * v;
-  force.torque += f / speed * lever.cross(v);
-  force.lost += f * speed;
+// The sliding of a step at a place, perpendicular to the normal, and the elastic slip to which it leads, as
+// far as friction carries it.
+struct Slid {
+  Vec3 moved;  // m, of the first side against the second, with its part along the normal
+  Vec3 lever;  // m
+  Vec3 slid;   // m
+  Vec3 trial;  // m, elastic slip of a spring that never gives way
+  double damping = 0, damping_slope = 0;  // Pa, by which an approach is resisted; Pa/m, by the opening
+  double spring = 0, most = 0;            // N/m; N, mu times the normal force
+  bool sticks() const { return spring * trial.norm() <= most; }
+  // Share of the trial slip that friction holds.
+  double kept() const { return sticks() ? 1 : most / (spring * trial.norm()); }
+};
+
+// An implicit step has the stiffness at its beginning, so that the pressure is linear in the approach.
+void damp(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip, Slid& out) {
+  const double opened = at.place.touch.normal.dot(out.moved);
+  if (slip.loss == 0 || slip.dt == 0 || opened >= 0) return;
+  const double gap = at.place.touch.distance - pair.offset - (slip.step == 0 ? opened : 0);
+  const double stiffness = std::min(law.scaled(gap, pair.scale).stiffness, law.stiffest());
+  out.damping_slope = -slip.loss * std::sqrt(stiffness) / slip.dt;
+  out.damping = out.damping_slope * opened;
 }
+
+Slid slide(const Law& law, const Pair& pair, const Pressed& at, const Slip& slip) {
+  const Touch& touch = at.place.touch;
+  Slid out;
+  out.lever = touch.distance * touch.normal;
+  out.moved = -slip.turn.cross(out.lever);
+  for (std::size_t i = 0; i < 4; ++i) out.moved += touch.weight[i] * slip.moved[i];
+  out.slid = out.moved - touch.normal.dot(out.moved) * touch.normal;
+  out.trial = out.slid + slip.held - touch.normal.dot(slip.held) * touch.normal;
+  damp(law, pair, at, slip, out);
+  out.spring = slip.stiffness * std::fabs(at.count);
+  out.most = slip.friction * std::fabs(at.count) * (at.answer.pressure + out.damping);
+  return out;
+}
+
+// N/m: what resists the sliding of an explicit step.
+double resistance(const Touch& touch, const Slip& slip) {
+  if (slip.step == 0) return 0;
+  double lightness = 0;  // 1/kg
+  for (std::size_t i = 0; i < 4; ++i) lightness += touch.weight[i] * touch.weight[i] * slip.inverse_mass[i];
+  return lightness > 0 ? 0.2 / (lightness * slip.step * slip.step) : 0;
+}
+
+// The slip of a pair is that of its nearest place, which comes first; that of an edge on a rod the mean.
+class Friction {
+ public:
+  Friction(const Law& law, const Pair& pair, const Slip& slip, Force& force)
+      : law_(law), pair_(pair), slip_(slip), force_(force) {}
+  void add(const Pressed& at) {
+    const Slid s = slide(law_, pair_, at, slip_);
+    damp(at, s);
+    if (slip_.friction > 0) rub(at, s);
+    first_ = false;
+  }
+
+ private:
+  void rub(const Pressed& at, const Slid& s) {
+    const Touch& touch = at.place.touch;
+    Vec3 pull = s.spring * s.trial + resistance(touch, slip_) * s.slid;
+    const double size = pull.norm(), kept = s.kept();
+    if (size > s.most) pull *= s.most / size;
+    if (at.count < 0) pull = -pull;
+    for (std::size_t i = 0; i < 4; ++i) force_.on[i] -= touch.weight[i] * pull;
+    force_.torque += s.lever.cross(pull);
+    force_.pull += pull;
+    force_.stick += std::copysign(s.spring, at.count) * kept * kept * s.trial.squaredNorm() / 2;
+    const double before = slip_.step == 0 ? 0 : 0.5;
+    force_.work += (1 - before) * pull.dot(s.slid);
+    if (first_) force_.work += before * slip_.pull.dot(s.slid);
+    const double weight = pair_.kind == Kind::wrap ? s.most : first_ ? 1 : 0;
+    share_ += weight;
+    if (weight > 0) force_.slip += weight / share_ * (kept * s.trial - force_.slip);
+  }
+
+  void damp(const Pressed& at, const Slid& s) {
+    const double press = at.count * s.damping;
+    const Touch& touch = at.place.touch;
+    const double closed = -touch.normal.dot(s.moved), before = slip_.step == 0 ? 0 : 0.5;
+    if (first_) force_.impact += before * slip_.damped * closed;
+    for (std::size_t i = 0; i < 4; ++i) force_.on[i] += press * touch.weight[i] * touch.normal;
+    force_.damped += press;
+    force_.impact += (1 - before) * press * closed;
+  }
+
+  const Law& law_;
+  const Pair& pair_;
+  const Slip& slip_;
+  Force& force_;
+  bool first_ = true;
+  double share_ = 0;
+};
 
 }  // namespace
 
-Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Sliding* sliding) {
+Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip) {
   Force force;
+  std::optional<Friction> friction;
+  if (slip != nullptr) friction.emplace(law, pair, *slip, force);
   const double nearest = visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
     force.active = true;
     force.contact += at.count * at.answer.contact;
@@ -67,7 +144,7 @@ Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slidi
       const double energy = pair.area * at.place.modulated * (at.answer.contact + at.answer.guard);
       for (std::size_t i = 0; i < 4; ++i) force.on[i] -= energy * m.gradient.segment<3>(3 * int(i));
     }
-    if (sliding != nullptr) add_friction(at, *sliding, force);
+    if (friction) friction->add(at);
   });
   force.gap = nearest - law.floor() * pair.scale;
   return force;
@@ -101,15 +178,6 @@ Matrix12 positive_part(const Matrix12& hessian) {
 
 namespace {
 
-// f(y)/slip for y = slip/creep (1/m), and the derivative of that by the slip, divided by the slip (1/m3).
-struct Hold {
-  double value, slope;
-};
-Hold hold(double slip, double creep) {
-  if (slip >= creep) return {1 / slip, -1 / (slip * slip * slip)};
-  return {(2 - slip / creep) / creep, slip > 0 ? -1 / (creep * creep * slip) : 0};
-}
-
 Mat3 cross_matrix(const Vec3& a) {
   Mat3 m;
   m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
@@ -121,10 +189,11 @@ struct Place3 {
   Mat3 sliding;               // of the sliding perpendicular to the normal
   Mat3 lever;                 // of the vector between the closest points
   std::array<Vec3, 2> slide;  // of the parameters of the closest points
+  Vec3 opened;                // of the motion along the normal
 };
 
 Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& moved, const Vec3& u,
-                         const Vec3& turn, const Slides& slide, std::size_t j) {
+                         const Vec3& held, const Vec3& turn, const Slides& slide, std::size_t j) {
   const Mat3 one = Mat3::Identity();
   Mat3 r = touch.weight[j] * one, du = touch.weight[j] * one;
   Place3 out;
@@ -139,54 +208,62 @@ Place3 sliding_by_corner(const Touch& touch, const Corners& x, const Corners& mo
   const Mat3 across = one - n * n.transpose();
   const Mat3 dn = across * r / touch.distance;
   out.lever = r;
-  out.sliding = across * du - n.dot(u) * dn - n * (u.transpose() * dn);
+  const Vec3 trial = u + held;
+  out.sliding = across * du - n.dot(trial) * dn - n * (trial.transpose() * dn);
+  out.opened = du.transpose() * n + dn.transpose() * u;
   return out;
 }
 
 }  // namespace
 
-Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const Slip& slip,
-                       bool with_jacobian) {
-  Friction out;
-  Corners moved;
-  for (std::size_t i = 0; i < 4; ++i) moved[i] = x[i] - slip.start[i];
+FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners& x, const Slip& slip) {
+  FrictionTangent out;
   visit_pressed(law, pair, x, false, [&](const Pressed& at, const Modulation& m) {
     const Touch& touch = at.place.touch;
-    Vec3 u = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) u += touch.weight[i] * moved[i];
-    const Vec3 lever = touch.distance * touch.normal;
-    u -= slip.turn.cross(lever);
-    const Vec3 slid = u - touch.normal.dot(u) * touch.normal;
-    const double length = slid.norm(), normal_force = at.count * at.answer.pressure;
-    const Hold h = hold(length, slip.creep);
-    const Vec3 pull = slip.friction * normal_force * h.value * slid;  // N, at the place
-    for (int i = 0; i < 4; ++i) out.force.segment<3>(3 * i) -= touch.weight[std::size_t(i)] * pull;
-    out.torque += lever.cross(pull);
-    out.lost += pull.dot(slid);
-    if (!with_jacobian) return;
+    const Slid s = slide(law, pair, at, slip);
+    const bool modulated = at.place.modulated != 0 && !m.constant;
+    const double share = pair.area * at.place.modulated, pressure = at.answer.pressure + s.damping;
+    const Slides slide = slides(x, touch);
+    std::array<Place3, 4> by;
+    Vector12 opened, press;  // derivatives of the opening, and of the normal force by all corners
+    for (std::size_t j = 0; j < 4; ++j) {
+      by[j] = sliding_by_corner(touch, x, slip.moved, s.moved, slip.held, slip.turn, slide, j);
+      opened.segment<3>(3 * int(j)) = by[j].opened;
+    }
+    press = at.count * s.damping_slope * opened;
+    if (modulated) press += share * s.damping * m.gradient;
+    if (s.damping != 0)
+      out.jacobian +=
+          distance_gradient(touch) * press.transpose() + at.count * s.damping * distance_hessian(x, touch);
+    if (slip.friction == 0) return;
+    press -= at.count * at.answer.stiffness * distance_gradient(touch);
+    if (modulated) press += share * at.answer.pressure * m.gradient;
 
-    // Derivative of the normal force by all corners, including that of the modulation.
-    Vector12 press = -at.count * at.answer.stiffness * distance_gradient(touch);
-    if (at.place.modulated != 0 && !m.constant)
-      press += pair.area * at.place.modulated * at.answer.pressure * m.gradient;
-    const Mat3 turn =
-        slip.friction * normal_force * (h.value * Mat3::Identity() + h.slope * slid * slid.transpose());
+    // pull = force * direction: of what sticks the direction is the trial slip itself, of what slides its
+    // unit vector.
+    const bool sticks = s.sticks();
+    const double length = s.trial.norm();
+    const double force = at.count * (sticks ? slip.stiffness : slip.friction * pressure);  // N/m or N
+    Vector12 grows = Vector12::Zero();
+    if (!sticks) grows = slip.friction * press;
+    if (sticks && modulated) grows = share * slip.stiffness * m.gradient;
+    const Vec3 direction = sticks ? s.trial : Vec3(s.trial / length);
+    Mat3 turn = force * Mat3::Identity();
+    if (!sticks) turn = force / length * (Mat3::Identity() - direction * direction.transpose());
+    const Vec3 pull = force * direction;
     // The lever is along the normal, so lever x turn has no part along it.
-    const Mat3 levers = cross_matrix(lever), pull_by_turn = turn * levers;
+    const Mat3 levers = cross_matrix(s.lever), pull_by_turn = turn * levers;
     for (int i = 0; i < 4; ++i)
       out.by_turn.block<3, 3>(3 * i, 0) -= touch.weight[std::size_t(i)] * pull_by_turn;
     out.torque_by_turn += levers * pull_by_turn;
-    const Slides slide = slides(x, touch);
     for (std::size_t j = 0; j < 4; ++j) {
-      const Place3 by = sliding_by_corner(touch, x, moved, u, slip.turn, slide, j);
-      const Mat3 dpull =
-          turn * by.sliding + slip.friction * h.value * slid * press.segment<3>(3 * int(j)).transpose();
-      out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by.lever;
+      const Mat3 dpull = turn * by[j].sliding + direction * grows.segment<3>(3 * int(j)).transpose();
+      out.torque_by_x.block<3, 3>(0, 3 * int(j)) += levers * dpull - cross_matrix(pull) * by[j].lever;
       for (std::size_t i = 0; i < 4; ++i) {
         Mat3 block = touch.weight[i] * dpull;
         for (std::size_t k = 0; k < std::size_t(touch.freedoms()); ++k) {
-          if (i == std::size_t(touch.plus[k])) block += pull * by.slide[k].transpose();
-          if (i == std::size_t(touch.minus[k])) block -= pull * by.slide[k].transpose();
+          if (i == std::size_t(touch.plus[k])) block += pull * by[j].slide[k].transpose();
+          if (i == std::size_t(touch.minus[k])) block -= pull * by[j].slide[k].transpose();
         }
         out.jacobian.block<3, 3>(3 * int(i), 3 * int(j)) -= block;
       }

@@ -30,30 +30,50 @@ struct Pair {
   Fading fading = {};  // for `edges`
 };
 
-// Friction of an explicit step, against the sliding velocity v of the places: min(mu
-// * normal force, 0.2 m v / dt), where m is the effective mass of the pair at the
-// place. The second bound lets friction stop the sliding but never reverse it.
-struct Sliding {
-  double friction = 0;                                                                      // mu
-  double step = 0;                                                                          // s
-  std::array<Vec3, 4> velocity = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // m/s
+// Friction by Coulomb's law with a spring that remembers [simo1992]: the elastic slip of a pair is kept over
+// the steps. A step adds its sliding to it; where the spring would then pull harder than mu times the normal
+// force, it is shortened to that, and the rest of the sliding is lost. What sticks therefore stays, whatever
+// the number and the length of the steps.
+//
+// While a pair approaches, a pressure of loss * sqrt(stiffness of the law) times the speed of approach is
+// added: a share zeta of the critical damping, whatever the depth. A sheet that meets something flat then
+// leaves with exp(-zeta acos(zeta) / sqrt(1 - zeta^2)) of its speed.
+struct Slip {
+  double friction = 0;                                                       // mu
+  double stiffness = 0;                                                      // Pa/m, of the spring, per area
+  Corners moved = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // m, the corners in the step
+  // rad, rotation of the rigid side in the step. Its surface is taken at the place of the cloth, so that the
+  // two forces of friction act at one place and angular momentum is conserved.
+  Vec3 turn = Vec3::Zero();
+  Vec3 held = Vec3::Zero();  // m, elastic slip at the beginning of the step
+  Vec3 pull = Vec3::Zero();  // N, friction on the second side then
+  double loss = 0;           // sqrt(kg)/m, 2 zeta sqrt(areal mass)
+  double dt = 0;             // s, of the step in time; 0: no damping
+  double damped = 0;         // N, of the damping of approach at the beginning of the step
+  // Explicit steps: a resistance of 0.2 m / dt to the sliding velocity below the bound of Coulomb, with the
+  // effective mass m of the pair at the place, damps the vibration of what sticks. It cannot reverse the
+  // sliding.
+  double step = 0;                       // s; 0: an implicit or static step
   std::array<double, 4> inverse_mass{};  // 1/kg; 0: the corner is held or driven
-  // 1/s, rotation of the rigid side. Its surface velocity is taken at the place of the cloth, so that the two
-  // forces of friction act at one place and angular momentum is conserved.
-  Vec3 spin = Vec3::Zero();
 };
 
 struct Force {
   std::array<Vec3, 4> on = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // N, friction included
   double contact = 0, guard = 0;                                                      // J
-  double lost = 0;                                                                    // W, lost by friction
   Vec3 torque = Vec3::Zero();  // N m, of friction on the rigid side about its closest point
-  double gap = 0;              // m, the smallest distance above the floor
-  bool active = false;         // at least one place is within the law's range
+  Vec3 slip = Vec3::Zero();    // m, elastic slip at the end of the step
+  Vec3 pull = Vec3::Zero();    // N, friction on the second side
+  double stick = 0;            // J, elastic energy of the slip
+  double damped = 0;           // N, of the damping of approach
+  // J, work that the sliding of the step does against friction: in explicit steps by the forces at both ends,
+  // else by those at the end; and against the damping of approach.
+  double work = 0, impact = 0;
+  double gap = 0;       // m, the smallest distance above the floor
+  bool active = false;  // at least one place is within the law's range
 };
 
 // Forces on the corners.
-Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Sliding* sliding = nullptr);
+Force pair_force(const Law& law, const Pair& pair, const Corners& x, const Slip* slip = nullptr);
 
 struct Derivatives {
   double contact = 0, guard = 0;         // J
@@ -64,25 +84,14 @@ Derivatives pair_derivatives(const Law& law, const Pair& pair, const Corners& x)
 // The nearest matrix (in the Frobenius norm) without negative eigenvalues.
 Matrix12 positive_part(const Matrix12& hessian);
 
-// Friction of an implicit or static step: mu * normal force at the end of the step, against
-// the sliding since its beginning. Below `creep` it rises smoothly, f(y) = 2 y - y^2.
-struct Slip {
-  double friction = 0;       // mu
-  double creep = 0;          // m
-  Corners start;             // m, corners at the beginning of the step
-  Vec3 turn = Vec3::Zero();  // rad, of the rigid side since then (see Sliding::spin)
-};
-struct Friction {
-  Vector12 force = Vector12::Zero();     // N
-  Matrix12 jacobian = Matrix12::Zero();  // d force / d x, N/m, not symmetric; only if requested
-  double lost = 0;                       // J over the step
-  Vec3 torque = Vec3::Zero();            // N m, see Force::torque
-  // Where it was asked for: d force / d turn, d torque / d x and d torque / d turn.
+// Derivatives of friction and damping of an implicit or static step: of the forces on the corners by the
+// corners (N/m, not symmetric) and by the turn of the rigid side, and of the torque likewise.
+struct FrictionTangent {
+  Matrix12 jacobian = Matrix12::Zero();
   Eigen::Matrix<double, 12, 3> by_turn = Eigen::Matrix<double, 12, 3>::Zero();
   Eigen::Matrix<double, 3, 12> torque_by_x = Eigen::Matrix<double, 3, 12>::Zero();
   Mat3 torque_by_turn = Mat3::Zero();
 };
-Friction pair_friction(const Law& law, const Pair& pair, const Corners& x, const Slip& slip,
-                       bool with_jacobian);
+FrictionTangent friction_tangent(const Law& law, const Pair& pair, const Corners& x, const Slip& slip);
 
 }  // namespace fabricsh::contact

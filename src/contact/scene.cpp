@@ -339,7 +339,7 @@ const Interaction* Scene::between(std::int32_t first, std::int32_t second) const
   return number < 0 ? nullptr : &interactions_[std::size_t(number)];
 }
 
-void Scene::meet(int first, int second, const Law& law, double friction) {
+void Scene::meet(int first, int second, const Law& law, double friction, double loss) {
   const int count = int(surfaces_.size());
   if (first < 0 || second < 0 || first >= count || second >= count)
     refuse("expected surfaces from 0 to " + std::to_string(count - 1) + ", got " + std::to_string(first) +
@@ -349,8 +349,9 @@ void Scene::meet(int first, int second, const Law& law, double friction) {
     refuse("at least one of the two surfaces must be cloth");
   if (!(friction >= 0) || !std::isfinite(friction))
     refuse("friction: expected a number from 0 on, got " + number(friction));
+  if (!(loss >= 0) || !std::isfinite(loss)) refuse("loss: expected a number from 0 on, got " + number(loss));
   if (between(first, second) != nullptr) refuse("the two surfaces are in contact already");
-  Interaction it{first, second, law, friction};
+  Interaction it{first, second, law, friction, loss};
   if (surfaces_[std::size_t(first)].shape != Shape::cloth) std::swap(it.first, it.second);  // cloth first
   interactions_.push_back(std::move(it));
 }

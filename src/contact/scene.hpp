@@ -58,6 +58,8 @@ struct Interaction {
   std::int32_t first = 0, second = 0;  // surfaces; equal for a cloth in contact with itself
   Law law;
   double friction = 0;
+  double loss = 0;  // sqrt(kg)/m: 2 zeta sqrt(areal mass), where zeta is the share of critical damping
+  bool rubs() const { return friction > 0 || loss > 0; }
   // Opening of overlaps at the start: for each point the share, 0 to 1, of the law's lengths with which it
   // begins; two edges begin with the smallest share of their ends. Empty: nothing is opened.
   std::vector<double> opening = {};
@@ -80,8 +82,8 @@ class Scene {
   int add_disc(const Vec3& centre, const Vec3& normal, double radius, double edge, int sides = 128);
 
   // Declares that two surfaces, at least one of them cloth, meet under a law. Errors: unknown
-  // surfaces, two rigid ones, friction that is negative or not finite, a pair declared already.
-  void meet(int first, int second, const Law& law, double friction);
+  // surfaces, two rigid ones, friction or a loss that is negative or not finite, a pair declared already.
+  void meet(int first, int second, const Law& law, double friction, double loss = 0);
 
   // Another law of the same gap and floor.
   void replace_law(std::size_t interaction, const Law& law) { interactions_[interaction].law = law; }

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/utf8.hpp"
-#include "mesh/edges.hpp"
+#include "mesh/generators.hpp"
 
 namespace fabricsh::format {
 
@@ -94,13 +94,7 @@ Mesh MeshBuilder::finish() {
   drop_unused();
   for (auto& [name, set] : sets_)
     if (!set.empty() && !name.empty()) mesh_.define(made_plain(name), std::move(set));
-  if (!mesh_.sets.contains("all")) {
-    NodeSet all(mesh_.nodes.size());
-    std::iota(all.begin(), all.end(), Index{0});
-    mesh_.define("all", std::move(all));
-  }
-  NodeSet boundary = mesh::free_nodes(mesh_);
-  if (!mesh_.sets.contains("boundary") && !boundary.empty()) mesh_.define("boundary", std::move(boundary));
+  mesh::add_usual_sets(mesh_);
   mesh_.origin = "file " + file;
   return std::move(mesh_);
 }

@@ -21,26 +21,15 @@ std::string ending(const std::string& path) {
   return text;
 }
 
-using Reader = mesh::Mesh (*)(const std::string&, std::string_view, Remarks*);
-
 // A reader of files that are complete or refused.
 template <mesh::Mesh (*read)(const std::string&, std::string_view)>
 mesh::Mesh complete(const std::string& name, std::string_view bytes, Remarks*) {
   return read(name, bytes);
 }
 
-Reader reader_of(const std::string& path) {
-  const std::string text = ending(path);
-  if (text == ".msh") return complete<read_gmsh>;
-  if (text == ".obj") return read_obj;
-  if (text == ".vtu") return complete<read_vtu>;
-  if (text == ".vtk") return complete<read_legacy_vtk>;
-  if (text == ".inp") return read_abaqus;
-  if (text == ".k" || text == ".key") return read_dyna;
-  if (text == ".stl") return read_stl;
-  if (text == ".ply") return read_ply;
-  throw Error("cannot read '" + path +
-              "': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k");
+template <std::string (*text)(const mesh::Mesh&)>
+void write_text(const std::string& path, const mesh::Mesh& mesh) {
+  system::write_file(path, text(mesh));
 }
 
 void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
@@ -54,6 +43,57 @@ void write_vtu_mesh(const std::string& path, const mesh::Mesh& mesh) {
   write_vtu(path, grid);
 }
 
+std::string abaqus_text(const mesh::Mesh& mesh) {
+  return "** a mesh of shells, lengths in m\n" + abaqus_lines(mesh);
+}
+
+std::string dyna_text(const mesh::Mesh& mesh) {
+  return "*KEYWORD\n$ a mesh of shells, lengths in m\n" + dyna_lines(mesh) + "*END\n";
+}
+
+std::string radioss_text(const mesh::Mesh& mesh) {
+  return "# a mesh of shells, lengths in m\n" + radioss_lines(mesh);
+}
+
+struct Form {
+  const char* ending;
+  mesh::Mesh (*read)(const std::string& name, std::string_view bytes, Remarks* remarks);  // null: not read
+  void (*write)(const std::string& path, const mesh::Mesh& mesh) = nullptr;               // null: not written
+};
+
+constexpr Form forms[] = {
+    {".msh", complete<read_gmsh>, write_text<gmsh_text>},
+    {".vtu", complete<read_vtu>, write_vtu_mesh},
+    {".vtk", complete<read_legacy_vtk>},
+    {".obj", read_obj, write_text<obj_text>},
+    {".stl", read_stl, write_text<stl_text>},
+    {".ply", read_ply, write_text<ply_text>},
+    {".inp", read_abaqus, write_text<abaqus_text>},
+    {".k", read_dyna, write_text<dyna_text>},
+    {".key", read_dyna},
+    {".rad", nullptr, write_text<radioss_text>},
+};
+
+// The endings of the forms that have the function, ".obj, .stl or .ply".
+template <class Function>
+std::string endings(Function Form::*has) {
+  std::vector<std::string> all;
+  for (const Form& form : forms)
+    if (form.*has != nullptr) all.emplace_back(form.ending);
+  std::string text = all.front();
+  for (std::size_t i = 1; i < all.size(); ++i) text += (i + 1 < all.size() ? ", " : " or ") + all[i];
+  return text;
+}
+
+template <class Function>
+Function function_of(const std::string& path, Function Form::*has, const char* what) {
+  const std::string text = ending(path);
+  for (const Form& form : forms)
+    if (text == form.ending && form.*has != nullptr) return form.*has;
+  throw Error("cannot " + std::string(what) + " '" + path + "': expected a name that ends in " +
+              endings(has));
+}
+
 // Asks about units where lengths in m would be those of no cloth.
 void ask_about_size(const std::string& path, const mesh::Mesh& mesh, Remarks& remarks) {
   constexpr double most = 10, least = 1e-4;  // m
@@ -64,25 +104,13 @@ void ask_about_size(const std::string& path, const mesh::Mesh& mesh, Remarks& re
                     "mesh:map(function(x, y, z) return x/1000, y/1000, z/1000 end) for a file in mm");
 }
 
-constexpr const char* units_word = "lengths in m";
-
 }  // namespace
 
-std::optional<std::string> mesh_text(const std::string& path, const mesh::Mesh& mesh) {
-  const std::string text = ending(path);
-  if (text == ".msh") return gmsh_text(mesh);
-  if (text == ".obj") return obj_text(mesh);
-  if (text == ".ply") return ply_text(mesh);
-  if (text == ".stl") return stl_text(mesh);
-  if (text == ".inp") return "** a mesh of shells, " + std::string(units_word) + "\n" + abaqus_lines(mesh);
-  if (text == ".k")
-    return "*KEYWORD\n$ a mesh of shells, " + std::string(units_word) + "\n" + dyna_lines(mesh) + "*END\n";
-  if (text == ".rad") return "# a mesh of shells, " + std::string(units_word) + "\n" + radioss_lines(mesh);
-  return {};
-}
+std::string read_endings() { return endings(&Form::read); }
+std::string written_endings() { return endings(&Form::write); }
 
 mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
-  const Reader read = reader_of(path);
+  const auto read = function_of(path, &Form::read, "read");
   const std::string bytes = read_file(path);
   if (bytes.empty()) throw Error(path + ": the file is empty");
   mesh::Mesh mesh = read(path, bytes, remarks);
@@ -91,11 +119,9 @@ mesh::Mesh read_mesh(const std::string& path, Remarks* remarks) {
 }
 
 void write_mesh(const std::string& path, const mesh::Mesh& mesh) {
-  const std::string text = ending(path);
+  const auto write = function_of(path, &Form::write, "write");
   if (mesh.elements.empty()) throw Error("cannot write '" + path + "': the mesh has no element");
-  if (text == ".vtu") return write_vtu_mesh(path, mesh);
-  if (const auto lines = mesh_text(path, mesh)) return system::write_file(path, *lines);
-  throw Error("cannot write '" + path + "': expected a name that ends in " + mesh_endings);
+  write(path, mesh);
 }
 
 }  // namespace fabricsh::format

@@ -1,7 +1,6 @@
 // Reading and writing meshes; the extension of the file determines the format. Every reading error names the
 // file and, if there is one, the line. No memory is allocated beyond what the size of the file justifies.
 #pragma once
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,12 +23,12 @@ using Remarks = std::vector<std::string>;
 inline constexpr const char* no_line_end =
     "the last line has no end; if the file was cut short, part of the mesh is missing";
 mesh::Mesh read_mesh(const std::string& path, Remarks* remarks = nullptr);
-// The content of a file with that name, for the formats that are text; empty: another extension. With sets of
-// nodes: .msh (Gmsh 4.1 text: sets as physical points), .inp, .k, .rad; the surface alone: .obj, .ply, .stl.
-std::optional<std::string> mesh_text(const std::string& path, const mesh::Mesh& mesh);
-inline constexpr const char* mesh_endings = ".vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad";
-// Those and .vtu (sets as point arrays of 0 and 1).
+// With sets of nodes: .vtu (point arrays of 0 and 1), .msh (Gmsh 4.1 text: physical points), .inp, .k, .rad;
+// the surface alone: .obj, .ply, .stl.
 void write_mesh(const std::string& path, const mesh::Mesh& mesh);
+// ".msh, .vtu ... or .k", for messages; from the table in mesh_file.cpp.
+std::string read_endings();
+std::string written_endings();
 
 // One reader for each format; `name` is the name of the file in errors.
 mesh::Mesh read_gmsh(const std::string& name, std::string_view bytes);

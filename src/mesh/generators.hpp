@@ -46,4 +46,17 @@ struct Hemisphere {
 };
 Mesh hemisphere(const Hemisphere& shape);
 
+// A mesh of given nodes (m, global) and elements (ids from 0; a triangle has -1 in the last place), with the
+// sets all and boundary. Errors, which count from 1: a position that is not finite, an id outside the nodes,
+// a corner named twice, a node in no element, no elements.
+Mesh from_lists(std::vector<Vec3> nodes, std::vector<std::array<Index, 4>> elements);
+
+// Several meshes as one: a node within `distance` (m) of a node of another mesh becomes that node. Nodes of
+// one mesh stay apart, so that a slit stays open. Sets of one name become one; all and boundary are made
+// anew. Error: an element two of whose corners would be one node, which is named.
+Mesh merge(const std::vector<std::shared_ptr<const Mesh>>& meshes, double distance);
+
+// Adds the sets all and boundary (the nodes of free edges, if there are any) unless they are there.
+void add_usual_sets(Mesh& mesh);
+
 }  // namespace fabricsh::mesh

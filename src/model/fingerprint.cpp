@@ -160,12 +160,14 @@ std::string contact_text(const ContactGiven& c) {
   std::string text = "friction " + number(c.friction);
   if (c.thickness) text += ", thickness " + number(*c.thickness) + " m";
   if (c.stiffness) text += ", stiffness " + number(*c.stiffness) + " Pa/m";
+  if (c.restitution != ContactGiven::usual_restitution) text += ", restitution " + number(c.restitution);
   if (c.settle) text += ", settled in " + number(*c.settle) + " s";
   return text;
 }
 
 void add_contact(Part& part, const ContactGiven& c, const Surfaces& surfaces, std::size_t place) {
-  part.add(place, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0), c.settle.value_or(0));
+  part.add(place, c.friction, c.thickness.value_or(0), c.stiffness.value_or(0), c.settle.value_or(0),
+           c.restitution);
   for (const Meeting& m : surfaces.meetings) {
     if (m.contact != place) continue;
     part.add(m.first, m.second);

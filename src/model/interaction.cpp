@@ -55,6 +55,9 @@ void Interactions::add(ContactGiven contact, const mesh::Mesh& mesh) {
   if (!(contact.friction >= 0) || !std::isfinite(contact.friction))
     throw Error("contact: field 'friction': expected a number of at least 0, got " +
                 number(contact.friction));
+  if (!(contact.restitution >= 0.4 && contact.restitution <= 1))
+    throw Error("contact: field 'restitution': expected a number from 0.4 to 1, got " +
+                number(contact.restitution));
   check_positive("thickness", contact.thickness, "length in m");
   check_positive("stiffness", contact.stiffness, "number in Pa/m");
   check_positive("settle", contact.settle, "time in s");

@@ -23,6 +23,9 @@ struct ContactGiven {
   double friction = 0;
   std::optional<double> thickness = {};  // m, thickness of the cloth in contact; default the cloth's own
   std::optional<double> stiffness = {};  // Pa/m; default computed from cloth and mesh
+  // Speed after over speed before of a sheet that meets something flat, 0.4 to 1.
+  double restitution = usual_restitution;
+  static constexpr double usual_restitution = 0.5;
   std::optional<double> settle = {};  // s, time in which an overlap at the start is opened; default: refused
 };
 

@@ -72,7 +72,8 @@ class Script {
 
   std::string made() {
     const bool several = page_.panels.size() > 1;
-    text_ = "set encoding utf8\nunset key\nset clip two\nset border 15 linewidth " + number(kAxis) + "\n";
+    text_ =
+        "set encoding utf8\nunset key\nset clip two\nset border 15 back linewidth " + number(kAxis) + "\n";
     if (several) text_ += "set multiplot\n";
     for (std::size_t i = 0; i < page_.panels.size(); ++i) panel(page_.panels[i], layout_.panels[i]);
     return text_ + (several ? "unset multiplot\n" : "");

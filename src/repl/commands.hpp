@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::repl {
 

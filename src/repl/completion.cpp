@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "repl/place.hpp"
+#include "script/call/boundary.hpp"
 #include "script/call/results.hpp"
 #include "script/call/words.hpp"
 #include "script/show/peek.hpp"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::repl {
 

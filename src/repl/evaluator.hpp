@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::repl {
 

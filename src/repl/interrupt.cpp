@@ -5,8 +5,7 @@
 #include <csignal>
 #include <ctime>
 
-#include "script/at_work.hpp"
-#include "script/called_off.hpp"
+#include "script/session/at_work.hpp"
 
 namespace fabricsh::repl {
 
@@ -37,7 +36,7 @@ void stop(lua_State* L, bool late) {
     return;
   }
   session.take_interrupt();
-  script::call_off(session);
+  session.call_off();
   luaL_error(L, "interrupted");
 }
 
@@ -126,7 +125,7 @@ void set_watch(void (*handler)(int)) {
 }  // namespace
 
 Running::Running(script::Session& session) : session_(session) {
-  script::begin_input(session);
+  session.begin_input();
   asked = 0;
   running = 1;
 }

@@ -1,6 +1,6 @@
 // Ctrl-C, SIGTERM and SIGHUP: stops what is running in a consistent state; ends the program if that fails.
 #pragma once
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::repl {
 

@@ -87,7 +87,7 @@ Outcome converse(script::Session& session, Lines& lines, const Voice& voice, Att
     if (first == Outcome::done) first = outcome;
   };
   const auto called_off = [&] {
-    if (attended == Attended::no && ctrl_c_between_lines()) session.set_stopped_by_interrupt();
+    if (attended == Attended::no && ctrl_c_between_lines()) session.call_off();
     return attended == Attended::no && session.stopped_by_interrupt();
   };
   std::string input, line;

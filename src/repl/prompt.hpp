@@ -5,7 +5,7 @@
 #include "repl/editor.hpp"
 #include "repl/evaluator.hpp"
 #include "repl/interrupt.hpp"
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::repl {
 

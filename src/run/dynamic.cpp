@@ -302,8 +302,9 @@ void Dynamic::check() {
   const Energy e = energy();
   weigh_inertia(e.kinetic, e.scaled);
   // At the beginning the work is almost zero, so the error is compared with the largest energies of the run,
-  // and at least with what rounding can cause, so that rounding is no error before anything moves.
-  const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal(),
+  // and at least with what rounding can cause, so that rounding is no error before anything moves, and with
+  // the weight over a thickness where cloth rests on something and hardly any work is done.
+  const double scale = std::max({work_.largest(), e.initial, e.kinetic + e.internal(), energy_of_rest(),
                                  energy_of_rounding(*assembly_, now_.step) / kWarning});
   const double made = imbalance(e, scale) + e.created;
   // If supports begin to move with a jump in velocity, the trapezoidal rule gives their work badly at
@@ -362,7 +363,8 @@ double Dynamic::scaled_kinetic() const {
 
 void Dynamic::weigh_inertia(double kinetic, double scaled) {
   now_.kinetic = std::max(now_.kinetic, kinetic);
-  if (!(scaled > 0) || kinetic <= energy_of_rounding(*assembly_, now_.step)) return;
+  if (!(scaled > 0) || kinetic <= energy_of_rounding(*assembly_, now_.step) || kinetic <= energy_of_rest())
+    return;
   now_.scaled = std::max(now_.scaled, scaled / now_.kinetic);
   if (now_.told_scaled || now_.scaled <= kHeavy) return;
   now_.told_scaled = true;

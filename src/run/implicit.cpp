@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -37,7 +38,8 @@ Implicit::Implicit(std::shared_ptr<model::Model> model, const DynamicOptions& op
       control_(control_of(options, *assembly_)) {
   // Damping by stiffness multiplies its matrix, and a solver of one's own may read all of it.
   if (!takes_unsymmetric() && !(options_.stiffness_damping > 0) && !options_.solver) assembly_->keep_upper();
-  if (assembly_->contact() != nullptr) assembly_->contact()->go_implicit();
+  if (assembly_->contact() != nullptr)
+    assembly_->contact()->go_implicit(1 / (newmark_.scheme().gamma * (1 + newmark_.scheme().hht)));
   tell_contacts();
   now_.step = control_.current();
   begin_free();
@@ -126,6 +128,10 @@ void Implicit::commit(StepReport& report) {
     const bool balances = options_.hht == 0 && assembly_->freedoms().bodies.empty();
     kinetic = newmark_.kinetic();
     work = balances ? newmark_.work_of_acceleration() : problem_.work_of_balance();
+    // The accelerations contain the forces of contact, half of whose weight counts at the step's end.
+    const double counted = balances ? 1 / (2 * newmark_.scheme().gamma) : 0;
+    if (const auto* contact = std::as_const(*assembly_).contact())
+      work += (1 - counted) * contact->work_on_cloth();
   }
   dead_ = problem_.external();
   work_.add(*assembly_, dead_);

@@ -1,19 +1,10 @@
 #include "run/job.hpp"
 
-#include <omp.h>
-
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "base/hash.hpp"
-#include "base/number.hpp"
 #include "base/utf8.hpp"
-#include "base/version.hpp"
-#include "card/fields.hpp"
-#include "run/vtk_series.hpp"
-#include "simd/isa.hpp"
 #include "system/atomic.hpp"
 
 namespace fabricsh::run {
@@ -26,53 +17,18 @@ std::string absolute(const std::string& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
-format::Json steps_json(const Run& run) {
-  std::int64_t iterations = 0, cuts = 0;
-  double worst = 0;
-  for (const auto& step : run.steps()) {
-    iterations += step.iterations;
-    cuts += step.cuts;
-    if (!step.residuals.empty()) worst = std::max(worst, step.residuals.back());
-  }
-  format::Json json = format::Json::object();
-  json.set("count", run.steps().size()).set("iterations", iterations).set("cuts", cuts);
-  json.set("largest_final_residual", worst).set("tolerance", run.tolerance());
-  return json;
-}
-
-format::Json beyond_json(const Run& run) {
-  const auto far = run.beyond();
-  if (!far) return {};
-  format::Json json = format::Json::object();
-  json.set("share", far->share).set("yarn", far->yarn).set("element", far->element + 1);
-  json.set("time", far->time).set("first", far->first).set("elements", run.elements_beyond());
-  return json.set("strain", far->strain).set("tested", far->tested);
-}
-
-format::Json warnings_json(const Run& run) {
-  format::Json list = format::Json::array();
-  for (const Warning& w : run.warnings()) {
-    format::Json json = format::Json::object();
-    json.set("code", w.code).set("text", w.text).set("time", w.time);
-    if (w.element >= 0) json.set("element", w.element + 1);
-    list.push(json.set("serious", w.serious));
-  }
-  return list;
-}
-
 }  // namespace
-
-std::string hash_text(const std::string& bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(hash(bytes)));
-  return text;
-}
 
 // --- outputs
 
 Job::Job(std::shared_ptr<Run> run, std::shared_ptr<Journal> journal, std::int64_t number)
     : run_(std::move(run)), journal_(std::move(journal)), number_(number) {
-  run_->on_restore([this](Run&) { come_back(); });
+  listen(make_run_json());
+  run_->when_settled([this](Run&) { tell(&Listener::step, *this); });
+  run_->on_restore([this](Run&) {
+    tell(&Listener::forget, *this);
+    for (auto at = listeners_.rbegin(); at != listeners_.rend(); ++at) (*at)->restored(*this);
+  });
 }
 
 std::string Job::free_path(const std::string& path) const {
@@ -81,48 +37,39 @@ std::string Job::free_path(const std::string& path) const {
   return file;
 }
 
-// Opens an output: new, or continued if the run starts from a checkpoint that has it. Its frames are written
-// every `every` seconds, and once more when the run ends.
-template <class Make, class Continue>
-void Job::add(Output output, double every, const std::string& written, const Make& make,
-              const Continue& continued) {
+// Opens an output: new, or continued if the run starts from a checkpoint that has it.
+void Job::add(std::shared_ptr<Output> output, double every,
+              const std::function<std::shared_ptr<Series>(Archive* from)>& make) {
   Output* old = nullptr;
   for (const auto& there : outputs_)
-    if (there->kind == output.kind && there->file == absolute(written) && replaceable(*there))
+    if (there->kind == output->kind && there->file == absolute(output->written) && replaceable(*there))
       old = there.get();
-  output.file = old != nullptr ? old->file : free_path(written);
-  const std::string* const kept = claims_.take(output.kind, output.path);
-  if (kept == nullptr) system::make_folder_for(written);
-  auto lock = journal_->locks.take(written);
-  if (kept != nullptr) {
-    Archive from(*kept);
-    output.series = continued(from);
-    for (const std::string& file : output.series->lost())
-      run_->warn("lost", "warning: restart: '" + file + "' is gone, the series goes on without it");
-  } else {
-    output.series = make();
-  }
+  output->file = old != nullptr ? old->file : free_path(output->written);
+  const std::string* const kept = claims_.take(output->kind, output->path);
+  if (kept == nullptr) system::make_folder_for(output->written);
+  auto lock = journal_->locks.take(output->written);
+  Archive from(kept == nullptr ? std::string() : *kept);
+  output->series = make(kept == nullptr ? nullptr : &from);
+  for (const std::string& file : output->series->lost())
+    run_->warn("lost", "warning: restart: '" + file + "' is gone, the series goes on without it");
   if (old != nullptr) {
-    old->series = output.series;
+    old->series = output->series;
     for (const auto& keeper : keepers_) keeper->force();
     return run_->reschedule(old->hook, every);
   }
   locks_.push_back(std::move(lock));
-  paths_.insert(output.file);
-  written_.push_back(written);
-  const auto added = std::make_shared<Output>(std::move(output));
-  const auto frame = [added](Run& a) { added->series->frame(a); };
+  paths_.insert(output->file);
+  const auto frame = [output](Run& a) { output->series->frame(a); };
   constexpr auto repeat = Run::AfterError::repeat;
-  added->hook = every > 0 ? run_->every(every, frame, repeat) : run_->every_step(frame, repeat);
-  outputs_.push_back(added);
+  output->hook = every > 0 ? run_->every(every, frame, repeat) : run_->every_step(frame, repeat);
+  outputs_.push_back(output);
+  listen(output);
 }
 
-// The run has returned to an earlier state. The last checkpoint counts the rows and frames written since
-// then, so they are removed only after it has been replaced.
-void Job::come_back() {
-  for (const auto& output : outputs_) output->series->forget(run_->steps().size());
-  for (const auto& keeper : keepers_) keeper->replace();
-  for (const auto& output : outputs_) output->series->remove_forgotten();
+void Job::listen(const std::shared_ptr<Listener>& listener) {
+  const auto later = [](Listener::Turn turn, const auto& there) { return turn < there->turn(); };
+  listeners_.insert(std::upper_bound(listeners_.begin(), listeners_.end(), listener->turn(), later),
+                    listener);
 }
 
 void Job::record(const std::string& path, const std::vector<Column>& columns, double every) {
@@ -130,23 +77,21 @@ void Job::record(const std::string& path, const std::vector<Column>& columns, do
     want_plain(column.name + column.unit, "record: field 'columns'");
     if (!column.value) throw Error("record: column '" + column.name + "': expected a function, got none");
   }
-  add(
-      {"record", path, "", {}}, every, path, [&] { return std::make_shared<TableSeries>(path, columns); },
-      [&](Archive& from) { return std::make_shared<TableSeries>(path, columns, from); });
+  add(std::make_shared<Output>("record", path, path), every,
+      [&](Archive* from) { return make_table(path, columns, from); });
 }
 
 void Job::vtk(const std::string& stem, double every, const VtkContents& contents) {
-  const auto checked = [&]() -> const VtkContents& { return check_fields(*run_, contents, "vtk"), contents; };
-  add(
-      {"vtk", stem, "", {}}, every, stem + ".pvd",
-      [&] { return std::make_shared<VtkSeries>(stem, checked()); },
-      [&](Archive& from) { return std::make_shared<VtkSeries>(stem, checked(), from); });
+  add(std::make_shared<Output>("vtk", stem, stem + ".pvd"), every, [&](Archive* from) {
+    check_fields(*run_, contents, "vtk");
+    return make_vtk(stem, contents, from);
+  });
 }
 
 std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<double> every,
                                         std::optional<double> minutes) {
   if (!every && !minutes) minutes = usual_minutes;
-  const auto keeper = std::make_shared<Keeper>(*this, path, every, minutes);
+  const auto keeper = std::make_shared<Keeper>(path, every, minutes);
   const std::string file = free_path(path);
   system::make_folder_for(path);
   auto lock = journal_->locks.take(path);
@@ -155,7 +100,7 @@ std::shared_ptr<Keeper> Job::checkpoint(const std::string& path, std::optional<d
   locks_.push_back(std::move(lock));
   paths_.insert(file);
   keepers_.push_back(keeper);
-  run_->when_settled([keeper](Run&) { keeper->look(); });
+  listen(keeper);
   return keeper;
 }
 
@@ -187,23 +132,22 @@ void Job::begin() {
   std::vector<system::Locks::Lock> locks;
   for (const std::string& path : paths_) locks.push_back(journal_->locks.take(path));
   locks_ = std::move(locks);
-  for (const auto& output : outputs_) output->series->go_on();
-  if (seconds_ == 0) write_report("running", 0);
+  tell(&Listener::begin, *this);
   clock_ = {};
   driving_ = true;
 }
 
-void Job::leave(const std::string& status, bool ended, bool broken, const Guarded& guarded) {
+void Job::leave(const Ending& ending, const Guarded& guarded) {
   seconds_ += clock_.seconds();
   driving_ = false;
-  Run& a = *run_;
-  if (ended) {
-    for (const auto& output : outputs_)
-      guarded([&a, broken, s = output->series.get()] { broken ? s->extra_frame(a) : s->frame(a); });
-    for (const auto& keeper : keepers_) guarded([&keeper] { keeper->write(); });
-  }
-  guarded([&] { write_report(status, seconds_); });
-  if (ended) locks_.clear();
+  for (const auto& listener : listeners_) guarded([&] { listener->end(*this, ending); });
+  if (ending.ended) locks_.clear();
+}
+
+Ending Job::ending() const {
+  if (run_->stopped()) return {"stopped: " + run_->stop_reason(), true};
+  const bool done = run_->time() >= run_->duration() * (1 - 1e-12);
+  return {done ? "done" : "under way", done};
 }
 
 void Job::advance(double time) {
@@ -220,57 +164,16 @@ void Job::advance(double time) {
   try {
     run_->advance(time);
   } catch (const std::exception& trouble) {
-    leave(trouble.what(), true, true, guarded);
+    leave({trouble.what(), true, true}, guarded);
     throw;
   } catch (...) {  // a hook may throw what is no exception of the standard library
-    leave("an error in a hook", true, true, guarded);
+    leave({"an error in a hook", true, true}, guarded);
     throw;
   }
-  const bool ended = run_->stopped() || run_->time() >= run_->duration() * (1 - 1e-12);
-  leave(run_->stopped() ? "stopped: " + run_->stop_reason()
-        : ended         ? "done"
-                        : "under way",
-        ended, false, guarded);
-  if (ended) remember_end();
+  const Ending last = ending();
+  leave(last, guarded);
+  if (last.ended) remember_end();
   if (first) std::rethrow_exception(first);
-}
-
-// --- run.json
-
-format::Json Job::report(const std::string& status, double seconds) const {
-  const Run& run = *run_;
-  const model::Model& model = run.model();
-  format::Json mine = format::Json::object();
-  mine.set("number", number_).set("kind", run.kind()).set("card", model.card().name);
-  mine.set("card_hash", hash_text(card::lua_text(model.card()))).set("model", model.describe());
-  mine.set("status", status).set("time", run.time()).set("duration", run.duration()).set("seconds", seconds);
-  mine.set("steps", steps_json(run)).set("energy_error", run.energy().error);
-  mine.set("beyond", beyond_json(run)).set("warnings", warnings_json(run));
-  if (run.moves()) mine.set("scaled_inertia", run.scaled_share());
-  mine.set("outputs", written_);
-  return mine;
-}
-
-void Job::write_report(const std::string& status, double seconds) {
-  if (written_.empty()) return;
-  const format::Json mine = report(status, seconds);
-  std::set<std::string> folders;
-  for (const std::string& output : written_)
-    folders.insert(std::filesystem::path(output).parent_path().string());
-  for (const std::string& folder : folders) {
-    auto& runs = journal_->folders[folder];
-    runs[number_] = mine;
-    format::Json json = format::Json::object();
-    json.set("program", "fabricsh").set("version", version()).set("build", build_kind());
-    json.set("compiler", compiler()).set("instructions", name(best_isa()));
-    if (journal_->about) journal_->about(json);
-    json.set("threads", omp_get_max_threads());
-    format::Json list = format::Json::array();
-    for (const auto& [number, record] : runs) list.push(record);
-    json.set("runs", list);
-    system::write_file((folder.empty() ? "" : folder + "/") + "run.json", json.text(), system::Sync::no,
-                       system::Folder::expect);
-  }
 }
 
 // --- checkpoints
@@ -281,12 +184,7 @@ Checkpoint Job::now() {
   if (journal_->sign) journal_->sign(c);
   c.seconds = seconds();
   if (caller) c.caller = caller();
-  for (const auto& output : outputs_) {
-    Archive place;
-    output->series->keep(place);
-    c.parts.push_back({output->kind, output->path, place.bytes()});
-  }
-  for (const auto& keeper : keepers_) keeper->add_parts(c.parts);
+  tell(&Listener::save, c.parts);
   return c;
 }
 
@@ -302,7 +200,7 @@ std::string own_file(const std::string& path, std::int64_t number) {
 // own.
 void Job::remember_end() {
   for (const auto& keeper : keepers_)
-    if (keeper->holds_end()) {
+    if (keeper->holds_end(*run_)) {
       journal_->finished[number_] = {absolute(keeper->path())};
       return;
     }
@@ -333,62 +231,6 @@ std::vector<Checkpoint::Finished> Journal::list_for(const std::string& folder, s
     at = number != except && !end.hash ? finished.erase(at) : std::next(at);
   }
   return list;
-}
-
-Keeper::Keeper(Job& job, std::string path, std::optional<double> every, std::optional<double> minutes)
-    : job_(job),
-      path_(std::move(path)),
-      every_(every),
-      minutes_(minutes),
-      last_(std::chrono::steady_clock::now()) {}
-
-bool Keeper::due() const {
-  if (forced_) return true;
-  const Run& run = job_.run();
-  if (every_ && run.time() >= next_ - same_time * run.duration()) return true;
-  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
-  return minutes_ && since.count() >= 60 * *minutes_;
-}
-
-// The times of `every` are counted from 0 and not from a restart, so that the output does not depend on
-// restarts.
-void Keeper::look() {
-  if (silent_) return;
-  const Run& run = job_.run();
-  if (every_ && *every_ > 0 && next_ == 0 && written_ == static_cast<std::size_t>(-1)) {
-    const auto passed = run.steps().empty() ? 0.0 : run.time() - run.steps().back().step;
-    next_ = *every_ * (std::floor(passed / *every_ + 1e-9) + 1);
-  }
-  if (due()) write();
-}
-
-void Keeper::write() {
-  if (silent_) return;
-  const Run& run = job_.run();
-  const std::size_t step = run.steps().size();
-  if (step == written_ && !forced_) return;
-  try {
-    for (const auto& output : job_.outputs()) output->series->sync();
-    Checkpoint c = job_.now();
-    const std::string file = absolute(path_);
-    job_.journal().make_way(file, job_.number());
-    c.finished = job_.journal().list_for(std::filesystem::path(file).parent_path().string(), job_.number());
-    write_checkpoint(path_, c);
-  } catch (const Error& error) {
-    throw Error("checkpoint: " + std::string(error.what()) + " (the run is kept at " +
-                exact_number(run.time()) + " s; solve() continues it)");
-  }
-  written_ = step;
-  forced_ = false;
-  last_ = std::chrono::steady_clock::now();
-  if (every_ && *every_ > 0) next_ = *every_ * (std::floor(run.time() / *every_ + 1e-9) + 1);
-}
-
-bool Keeper::holds_end() const { return !silent_ && written_ == job_.run().steps().size(); }
-
-void Keeper::replace() {
-  forced_ = true;
-  if (job_.from() || written_ != static_cast<std::size_t>(-1)) write();
 }
 
 }  // namespace fabricsh::run

@@ -17,10 +17,8 @@
 #include <vector>
 
 #include "format/json.hpp"
-#include "run/checkpoint.hpp"
+#include "run/keeper.hpp"
 #include "run/series.hpp"
-#include "run/table_series.hpp"
-#include "run/vtk_frame.hpp"
 #include "system/lock.hpp"
 
 namespace fabricsh::run {
@@ -50,14 +48,6 @@ struct Journal {
   system::Locks locks = {};
 };
 
-// A table or series of a run.
-struct Output {
-  std::string kind, path;  // "record" or "vtk", as given
-  std::string file;        // its full path
-  std::shared_ptr<Series> series;
-  std::size_t hook = 0;  // the hook that writes it
-};
-
 class Clock {
  public:
   double seconds() const {
@@ -66,37 +56,6 @@ class Clock {
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-// Writes checkpoints of a run at the requested intervals.
-class Keeper {
- public:
-  // every: s of simulated time, 0: every step; minutes: of real time; at least one is given.
-  Keeper(Job& job, std::string path, std::optional<double> every, std::optional<double> minutes);
-  // Adds parts to the checkpoint with this path; called for each checkpoint.
-  void keep_also(std::function<void(std::vector<Checkpoint::Part>&)> parts) { also_ = std::move(parts); }
-  void add_parts(std::vector<Checkpoint::Part>& parts) const {
-    if (also_) also_(parts);
-  }
-  const std::string& path() const { return path_; }
-  void look();                      // after a step: writes a checkpoint if one is due
-  void write();                     // Error: names the file and the reason
-  void replace();                   // writes one if there is one, or if the run started from one
-  bool holds_end() const;           // the file has the present state of the run
-  void force() { forced_ = true; }  // makes the next look() write
-  // Another run now writes this file: only the additional parts are stored, in the checkpoints of other runs.
-  void write_nothing() { silent_ = true; }
-
- private:
-  bool due() const;
-  Job& job_;
-  std::string path_;
-  std::optional<double> every_, minutes_;
-  std::function<void(std::vector<Checkpoint::Part>&)> also_;
-  double next_ = 0;  // s
-  bool forced_ = false, silent_ = false;
-  std::size_t written_ = static_cast<std::size_t>(-1);  // the step of the last checkpoint
-  std::chrono::steady_clock::time_point last_;
 };
 
 class Job {
@@ -124,6 +83,12 @@ class Job {
   // every: s, 0: every step; does not shorten steps. By default every ten minutes of real time.
   std::shared_ptr<Keeper> checkpoint(const std::string& path, std::optional<double> every = {},
                                      std::optional<double> minutes = {});
+  // Tells a further listener from now on, after those of its turn.
+  void listen(const std::shared_ptr<Listener>& listener);
+  template <class Event, class... Arguments>
+  void tell(Event event, Arguments&&... arguments) {
+    for (const auto& listener : listeners_) ((*listener).*event)(arguments...);
+  }
   const std::vector<std::shared_ptr<Output>>& outputs() const { return outputs_; }
   const std::vector<std::shared_ptr<Keeper>>& keepers() const { return keepers_; }
   // Whether a new output may replace this one of the same kind and file. Default: if it failed.
@@ -144,12 +109,11 @@ class Job {
   void advance(double time);
   // The parts of advance(), for programs that drive the run themselves.
   void begin();
-  // status: for run.json. ended: outputs get the last state. broken: ended by an error; that frame is removed
-  // if the run goes on. Each piece of work is called through `guarded`, which may catch its exceptions.
+  // Each listener is told through `guarded`, which may catch its exceptions.
   using Guarded = std::function<void(const std::function<void()>&)>;
-  void leave(const std::string& status, bool ended, bool broken, const Guarded& guarded);
-  void write_report(const std::string& status, double seconds);
-  void remember_end();  // if the run is to be kept: in the checkpoints of other runs
+  void leave(const Ending& ending, const Guarded& guarded);
+  Ending ending() const;  // of a call that no error has ended
+  void remember_end();    // if the run is to be kept: in the checkpoints of other runs
 
   // A checkpoint of the present state, including the outputs.
   Checkpoint now();
@@ -157,28 +121,22 @@ class Job {
   std::function<std::string()> caller = {};
 
  private:
-  template <class Make, class Continue>
-  void add(Output output, double every, const std::string& written, const Make& make,
-           const Continue& continued);
-  void come_back();  // after Run::restore()
+  void add(std::shared_ptr<Output> output, double every,
+           const std::function<std::shared_ptr<Series>(Archive* from)>& make);
   std::string free_path(const std::string& path) const;
-  format::Json report(const std::string& status, double seconds) const;  // the run's object in run.json
 
   std::shared_ptr<Run> run_;
   std::shared_ptr<Journal> journal_;
   std::int64_t number_;
   std::vector<std::shared_ptr<Output>> outputs_;
   std::vector<std::shared_ptr<Keeper>> keepers_;
-  std::vector<std::string> written_;        // paths of the outputs, for run.json
-  std::set<std::string> paths_;             // full paths of outputs and checkpoints
-  std::vector<system::Locks::Lock> locks_;  // of these, until the run has ended
+  std::vector<std::shared_ptr<Listener>> listeners_;  // these and others, by their turns
+  std::set<std::string> paths_;                       // full paths of outputs and checkpoints
+  std::vector<system::Locks::Lock> locks_;            // of these, until the run has ended
   Claims claims_;
   bool taken_up_ = false, driving_ = false;
   double seconds_ = 0;  // before the present call
   Clock clock_;         // since the present call began
 };
-
-// "fnv1a64:...", the hash by which run.json identifies files.
-std::string hash_text(const std::string& bytes);
 
 }  // namespace fabricsh::run

@@ -120,6 +120,13 @@ void Newmark::commit(double time, std::span<const double> targets) {
   }
 }
 
+void Newmark::take_off(const mechanics::NodalRates& a) {
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
+    before_.a.x[i] -= a.x[i];
+    before_.a.d[i] -= a.d[i];
+  }
+}
+
 double Newmark::largest_inertia() const {
   const auto& mass = inertia_.mass();
   double largest = 0;

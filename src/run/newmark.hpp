@@ -3,6 +3,14 @@
 //   x+ = x + dt v + dt^2 ((1/2 - beta) a + beta a+),   v+ = v + dt ((1 - gamma) a + gamma a+)
 //   M a+ = (1 + alpha) f(x+) - alpha f(x),   f = f_ext - f_int - C v
 //
+// The forces of contact act with their value at the end of the step alone [kane1999]: their share of the
+// acceleration counts 1/gamma times at its end and not at all at its beginning, so that
+//
+//   v+ = ... + dt M^-1 f_contact(x+),   x+ = ... + dt^2 beta / gamma M^-1 f_contact(x+).
+//
+// Without other losses (gamma = 1/2, beta = 1/4) their work is f_contact(x+) (x+ - x), which a convex energy
+// never exceeds: contact cannot make energy, whatever the step.
+//
 // On the sphere of directors the increment is an arc from d to d+, along which vectors at d are carried.
 //
 // The nodes of rigid bodies have accelerations towards the axis of rotation that no force on the unknowns
@@ -52,6 +60,8 @@ class Newmark final : public mechanics::Motion {
   // Commits the trial motion. targets: of the driven freedoms at `time`; their displacements get the rate of
   // the step just made, because Newmark's formulas would oscillate after a kink.
   void commit(double time, std::span<const double> targets);
+  // Subtracts accelerations from the committed ones, which the next step then begins without.
+  void take_off(const mechanics::NodalRates& a);
   // Sets the rates of the driven degrees of freedom in the present step.
   void drive(std::vector<double> rates) { driven_ = std::move(rates); }
   // N: the largest component of an inertia force on a node.

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "geometry/node_view.hpp"
 #include "linear/linear_solver.hpp"
+#include "mechanics/terms/contact.hpp"
 
 namespace fabricsh::run {
 
@@ -25,6 +27,7 @@ void Problem::resize() {
     for (auto* v : {&product_, &ahead_, &balance_})
       v->assign(static_cast<std::size_t>(assembly_.unknowns()), 0);
   memory_.balance.clear();
+  lumped_.clear();
 }
 
 Problem::Problem(mechanics::Assembly& assembly, double small_time, const Poll& poll)
@@ -53,32 +56,55 @@ void Problem::start() {
 
 void Problem::start(const mechanics::NodalRates& velocities) {
   newmark_->start(velocities);
-  balance(0, balance_);
-  // The mass matrix on the unknowns, with ties: L^T M L.
+  balance(0, 0, balance_);
+  newmark_->set_accelerations(accelerations(balance_));
+  start();
+}
+
+// Of all nodes, from forces on the unknowns: M a = r with the mass matrix on the unknowns, with ties L^T M L.
+mechanics::NodalRates Problem::accelerations(std::span<const double> r) {
   linear::Matrix M(assembly_.pattern());
   assembly_.add_diagonal(newmark_->inertia().mass(), newmark_->inertia().rotary(), M);
-  std::vector<double> a(balance_.size(), 0);
+  std::vector<double> a(r.size(), 0);
   const auto linear = linear::make_unsymmetric_solver();
-  if (!a.empty() && !(linear->factorise(M) && linear->solve(M, balance_, a)))
+  if (!a.empty() && !(linear->factorise(M) && linear->solve(M, r, a)))
     throw NumericalFailure("dynamic: the mass of the unknowns is singular", 0);
   mechanics::NodalRates accelerations;
   assembly_.spread_rates(a, std::vector<double>(lead_.size(), 0), accelerations);
-  newmark_->set_accelerations(std::move(accelerations));
-  start();
+  return accelerations;
 }
 
 void Problem::commit(double time) {
   assembly_.commit(time);
-  if (newmark_ != nullptr) newmark_->commit(time, targets_);
+  if (newmark_ != nullptr) {
+    newmark_->commit(time, targets_);
+    forget_contact();
+  }
   memory_.driven = targets_;
   remember();
+}
+
+// A step has the forces of contact at its end alone: the next one begins without them.
+void Problem::forget_contact() {
+  if (contact() == nullptr || contact()->touching_now() == 0) return;
+  const double gamma = newmark_->scheme().gamma;
+  std::vector<double> without(balance_.size()), push(balance_.size());
+  balance(0, 0, without);
+  balance(0, 1 / gamma, push);
+  for (std::size_t i = 0; i < push.size(); ++i) push[i] -= without[i];
+  if (std::as_const(assembly_).dofs().has_ties()) return newmark_->take_off(accelerations(push));
+  if (lumped_.empty()) lumped_ = assembly_.lumped_mass(false);
+  for (std::size_t i = 0; i < push.size(); ++i) push[i] /= lumped_[i];
+  mechanics::NodalRates accelerations;
+  assembly_.spread_rates(push, std::vector<double>(lead_.size(), 0), accelerations);
+  newmark_->take_off(accelerations);
 }
 
 // Stores what the next step needs of this one, for example to recognise a reversal.
 void Problem::remember() {
   if (!iterates()) return;
   if (newmark_ != nullptr) {
-    balance(0, balance_);
+    balance(0, 0, balance_);
     remember_bodies();
     memory_.balance = balance_;
   } else {
@@ -124,8 +150,8 @@ Answer Problem::begin_step() { return made(assembly_.begin_step()); }
 
 // --- forces
 
-// f_ext - f_int - C v - inertia M a on the unknowns.
-void Problem::balance(double inertia, std::span<double> r) {
+// f_ext - f_int - C v - inertia M a on the unknowns, with the forces of contact `contact` times.
+void Problem::balance(double inertia, double contact, std::span<double> r) {
   if (newmark_ == nullptr) {
     assembly_.residual(external_, r);
   } else {
@@ -141,6 +167,10 @@ void Problem::balance(double inertia, std::span<double> r) {
       on_x_[i] = external_[i] - mass[i / 3] * (on.velocity * motion.v.x[i] + own * motion.a.x[i]);
       on_d_[i] = -rotary[i / 3] * (on.velocity * motion.v.d[i] + own * motion.a.d[i]);
     }
+    if (this->contact() != nullptr && contact != 1) {
+      const auto push = this->contact()->push();
+      for (std::size_t n = 0; n < push.size(); ++n) at(on_x_, n) += (contact - 1) * push[n];
+    }
     assembly_.residual(on_x_, r, on_d_);
   }
   assembly_.resist(r);
@@ -148,10 +178,10 @@ void Problem::balance(double inertia, std::span<double> r) {
 
 // The residual of the scheme; for Newmark (1 + alpha) f+ - alpha f - M a+.
 void Problem::weigh(std::span<double> r) {
-  if (newmark_ == nullptr) return balance(0, r);
+  if (newmark_ == nullptr) return balance(0, 1, r);
   newmark_->update();
   const double alpha = newmark_->scheme().hht;
-  balance(1 / (1 + alpha), r);
+  balance(1 / (1 + alpha), contact() == nullptr ? 1 : contact()->weight(), r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = (1 + alpha) * r[i] - alpha * memory_.balance[i];
   move_bodies(r);
 }
@@ -191,7 +221,7 @@ void Problem::close(linear::Matrix& K) {
 }
 
 double Problem::work_of_balance() {
-  balance(0, balance_);
+  balance(0, 0, balance_);
   return motion_.work(memory_.balance, balance_);
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "run/newmark.hpp"
@@ -43,7 +44,7 @@ class Problem final : public solver::PathProblem {
   void resize();
   // The residual of the forces as they are.
   void weigh(std::span<double> r);
-  // J, work of the forces without inertia in the step, by the trapezoidal rule.
+  // J, work of the forces without inertia and contact in the step, by the trapezoidal rule.
   double work_of_balance();
   void keep(Archive& archive);
   // Tells whether a path is at a kink of a history, where loads may reverse.
@@ -84,7 +85,10 @@ class Problem final : public solver::PathProblem {
   bool iterates() const { return newmark_ != nullptr || !motion_.moves(); }
   double weight() const { return newmark_ == nullptr ? 1 : 1 + newmark_->scheme().hht; }  // of the forces
   void lead_to_targets();
-  void balance(double inertia, std::span<double> r);
+  void balance(double inertia, double contact, std::span<double> r);
+  const mechanics::Contacts* contact() const { return std::as_const(assembly_).contact(); }
+  mechanics::NodalRates accelerations(std::span<const double> r);
+  void forget_contact();
   void move_bodies(std::span<double> r);
   void close(linear::Matrix& K);
   void remember();
@@ -102,10 +106,11 @@ class Problem final : public solver::PathProblem {
   double small_time_, aimed_ = 0;
   std::vector<double> product_, ahead_, later_external_, push_, kept_, balance_, on_x_, on_d_;
   std::vector<double> lead_, targets_, external_;
+  std::vector<double> lumped_;           // mass of each unknown, kg and kg m^2, once it is needed
   struct Memory {                        // the data of earlier steps that the next one needs
     std::vector<double> driven, lead;    // at the last commit; change in the last step
     std::vector<double> external, push;  // dead loads likewise
-    std::vector<double> balance;         // forces without inertia at that time, per unknown, N and N m
+    std::vector<double> balance;         // forces without inertia and contact then, per unknown, N and N m
     std::vector<double> on_bodies;       // the scheme's forces F^ on rigid bodies then, six each
     double peak = 0;                     // N, the largest nodal force of the run's committed states
     bool kink = true;

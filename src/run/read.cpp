@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "base/error.hpp"
@@ -208,7 +209,7 @@ std::vector<double> Run::field(const std::string& name) const {
 }
 
 Energy Run::energy() const {
-  static const std::set<std::string> named = {"friction", "warp", "weft", "shear", "bending"};
+  static const std::set<std::string> named = {"friction", "impact", "warp", "weft", "shear", "bending"};
   Energy sum;
   double others = 0;  // J, dissipated by terms that a program has added
   for (const auto& energy : assembly_->energies()) {
@@ -219,11 +220,13 @@ Energy Run::energy() const {
     if (energy.account == mechanics::Account::moving) sum.rigid += energy.value;
     if (energy.name == "contact") sum.contact += energy.value;
     if (energy.name == "guard") sum.guard += energy.value;
+    if (energy.name == "stick") sum.stick += energy.value;
     if (energy.name == "directors") sum.directors += energy.value;
     if (energy.account != mechanics::Account::dissipated) continue;
     if (energy.name == "joints") sum.joints += energy.value;
     if (energy.name == "fracture") sum.fracture += energy.value;
     if (energy.name == "friction") sum.friction += energy.value;
+    if (energy.name == "impact") sum.impact += energy.value;
     if (energy.name == "warp") sum.dissipated_warp += energy.value;
     if (energy.name == "weft") sum.dissipated_weft += energy.value;
     if (energy.name == "shear") sum.dissipated_shear += energy.value;
@@ -231,16 +234,27 @@ Energy Run::energy() const {
     if (!named.contains(energy.name)) others += energy.value;
   }
   sum.dissipated = sum.dissipated_warp + sum.dissipated_weft + sum.dissipated_shear + sum.dissipated_bending +
-                   sum.friction + others;
+                   sum.friction + sum.impact + others;
   sum.kinetic = sum.kinetic + driven_kinetic() + sum.rigid;
   sum.scaled = scaled_kinetic();
   sum.damping += scheme_loss();
   sum.relaxed = relaxed();
   sum.external = work_.total() + (started_ ? driven_work() : 0);
   sum.initial = started_ ? initial_energy_ : sum.kinetic + sum.internal();
-  const double scale = std::max(work_.largest(), sum.initial);
+  const double scale = std::max({work_.largest(), sum.initial, energy_of_rest()});
   if (scale > 0) sum.error = imbalance(sum, scale) / scale;
   return sum;
+}
+
+double Run::energy_of_rest() const {
+  if (std::as_const(*assembly_).contact() == nullptr) return 0;
+  Vec3 g = Vec3::Zero();
+  for (int c = 0; c < 3; ++c)
+    if (const auto& h = model_->gravity()[static_cast<std::size_t>(c)]) g[c] = h->value(committed_time());
+  double thickness = 0;
+  for (const auto& section : model_->sections()) thickness = std::max(thickness, section.thickness);
+  const auto& masses = assembly_->nodal_mass();
+  return std::accumulate(masses.begin(), masses.end(), 0.0) * g.norm() * thickness;
 }
 
 double Run::imbalance(const Energy& sum, double scale) const {

@@ -229,7 +229,6 @@ void Run::advance_to(double limit) {
   check();
   refuse_serious();
   for (std::size_t i = 0; i < settled_.size(); ++i) settled_[i](*this);
-  if (monitor_) monitor_(*this);
 }
 
 void Run::watch_strain() {

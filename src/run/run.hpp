@@ -55,7 +55,6 @@ class Run {
   void event(std::function<double(Run&)> value, double tolerance, Hook hook);
   // Called after each step when everything else is done, so that the state can be saved. May throw.
   void when_settled(Hook hook) { settled_.push_back(std::move(hook)); }
-  void monitor(Hook hook) { monitor_ = std::move(hook); }  // called after the former
   // Called while a step is solved. If it throws, the step ends and the run stays at the committed state.
   void poll(std::function<void()> look) { poll_ = std::move(look); }
   void on_restore(Hook hook) { restored_.push_back(std::move(hook)); }
@@ -198,6 +197,9 @@ class Run {
   virtual double scheme_loss() const { return 0; }     // J, dissipated by the time scheme
   // J: by how much the sum of the energies is below the one that the time scheme conserves; 0: it is that.
   virtual double hidden_energy() const { return 0; }
+  // J, the weight of the cloth over its thickness: an energy below which cloth that meets something is at
+  // rest. 0 without contact or gravity.
+  double energy_of_rest() const;
   // J, of an energy that is made or lost. Where the sum is off by more than a thousandth of `scale`, what
   // only swings between the ends of the steps is left out.
   virtual double imbalance(const Energy& sum, double scale) const;
@@ -301,7 +303,6 @@ class Run {
   std::vector<TimedState> kept_timed_;  // as last restored, for hooks that are added later
   std::vector<EventState> kept_events_;
   std::vector<Hook> settled_;
-  Hook monitor_;
   std::vector<Hook> restored_;
   std::vector<double> kinks_;
   bool started_ = false, stopped_ = false, busy_ = false, stepping_ = false;

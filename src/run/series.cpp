@@ -1,5 +1,7 @@
 #include "run/series.hpp"
 
+#include "run/job.hpp"
+
 namespace fabricsh::run {
 
 void Series::frame(const run::Run& run) {
@@ -36,6 +38,19 @@ void Series::keep(Archive& archive) {
   if (extra_) counted.pop_back();
   archive(counted);
   keep_place(archive, counted.size());
+}
+
+void Output::end(Job& job, const Ending& ending) {
+  if (!ending.ended) return;
+  ending.broken ? series->extra_frame(job.run()) : series->frame(job.run());
+}
+
+void Output::forget(Job& job) { series->forget(job.run().steps().size()); }
+
+void Output::save(std::vector<Checkpoint::Part>& parts) {
+  Archive place;
+  series->keep(place);
+  parts.push_back({kind, path, place.bytes()});
 }
 
 }  // namespace fabricsh::run

@@ -1,11 +1,15 @@
 // Rows or frames written during a run, at most one per step, each complete when it exists.
 #pragma once
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/archive.hpp"
+#include "run/listener.hpp"
 #include "run/run.hpp"
+#include "run/vtk_frame.hpp"
 
 namespace fabricsh::run {
 
@@ -30,8 +34,10 @@ class Series {
   void keep(Archive& archive);
 
  protected:
-  Series() = default;
-  explicit Series(Archive& from) { from(steps_); }
+  // from: the state of the series in the checkpoint of an earlier program; null: it is new.
+  explicit Series(Archive* from) {
+    if (from != nullptr) (*from)(steps_);
+  }
   std::size_t frames() const { return steps_.size(); }
   virtual void write(const run::Run& run) = 0;
   virtual void cut(std::size_t frames) = 0;                           // keeps only the first ones
@@ -41,6 +47,37 @@ class Series {
   std::vector<std::size_t> steps_;  // the steps of the frames
   bool extra_ = false;              // whether the last frame is an extra one
   bool in_trouble_ = false;
+};
+
+struct Column {
+  std::string name;
+  std::function<double(const Run&)> value;
+  std::string unit = {};  // in the heading, after the name; empty: none
+};
+
+// A table in CSV, a row per frame: the time and the values of the columns. Errors: a folder that cannot be
+// written; two columns of one name; a table to be continued that has been changed.
+std::shared_ptr<Series> make_table(const std::string& path, std::vector<Column> columns, Archive* from);
+// A series for ParaView: a .vtu per frame, and the .pvd that lists them. Errors: as above.
+std::shared_ptr<Series> make_vtk(const std::string& stem, VtkContents contents, Archive* from);
+
+// A table or series of a run. Its frames are written by a hook of the run: at time 0, then each `every`
+// seconds or step, among the deck's hooks in the order of declaration; and where a call ends.
+struct Output final : Listener {
+  Output(std::string kind_, std::string path_, std::string written_)
+      : kind(std::move(kind_)), path(std::move(path_)), written(std::move(written_)) {}
+  std::string kind, path, written;  // "record" or "vtk", as given, the file for run.json
+  std::string file = {};            // its full path
+  std::shared_ptr<Series> series = nullptr;
+  std::size_t hook = 0;
+
+  Turn turn() const override { return Turn::output; }
+  void begin(Job&) override { series->go_on(); }
+  void end(Job& job, const Ending& ending) override;
+  void forget(Job& job) override;
+  void restored(Job&) override { series->remove_forgotten(); }
+  void sync() override { series->sync(); }
+  void save(std::vector<Checkpoint::Part>& parts) override;
 };
 
 }  // namespace fabricsh::run

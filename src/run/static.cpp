@@ -458,7 +458,7 @@ void Static::check_balance() {
   const bool turns = std::any_of(free.nodes.begin(), free.nodes.end(),
                                  [](const auto& n) { return n.turn_axis.has_value(); });
   if (turns || (!model_->moments().empty() && !free.bodies.empty())) return;
-  const double made = now_.made, scale = std::max(work_.largest(), now_.internal);
+  const double made = now_.made, scale = std::max({work_.largest(), now_.internal, energy_of_rest()});
   if (!(scale > 0) || made <= options_.ledger_limit * scale) return;
   const std::string text =
       "stopped at time " + number(time()) + " s: cloth stores " + number(100 * made / scale) +
@@ -476,7 +476,7 @@ void Static::check() {
   check_balance();
   if (now_.jumps && reports_.size() == 1) now_.jumped = now_.relaxed;
   const bool end = stopped() || std::abs(time() - duration_) <= same_time * duration_;
-  const double lost = now_.relaxed - now_.jumped, scale = work_.largest();
+  const double lost = now_.relaxed - now_.jumped, scale = std::max(work_.largest(), energy_of_rest());
   if (!end || now_.told_error || !(scale > 0) || lost <= kLedger * scale) return;
   if (energy().dissipated <= kDissipated * scale) return;
   now_.told_error = true;

@@ -29,7 +29,9 @@ struct Energy {  // J
   double scaled = 0;   // part of kinetic: in rotary inertia beyond that of the thickness
   double contact = 0, guard = 0;  // part of stored: contact, and the guard above its floor
   double directors = 0;           // part of stored: the guard of the directors
+  double stick = 0;               // part of stored: elastic slip of friction
   double friction = 0;            // part of dissipated: friction of contact
+  double impact = 0;              // part of dissipated: lost where surfaces meet
   double joints = 0;              // part of dissipated: kinetic energy lost as joints closed
   double fracture = 0;            // part of dissipated: broken yarns
   double rigid = 0;               // part of kinetic: free rigid bodies

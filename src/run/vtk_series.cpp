@@ -1,7 +1,7 @@
-#include "run/vtk_series.hpp"
-
 #include "base/error.hpp"
+#include "format/pvd.hpp"
 #include "run/bodies.hpp"
+#include "run/series.hpp"
 
 namespace fabricsh::run {
 
@@ -15,21 +15,8 @@ format::PvdSeries continued(const std::string& stem, std::size_t frames, Archive
   return {stem, place};
 }
 
-}  // namespace
-
-VtkSeries::VtkSeries(const std::string& stem, VtkContents contents)
-    : series_(stem), contents_(std::move(contents)) {}
-
-VtkSeries::VtkSeries(const std::string& stem, VtkContents contents, Archive& from)
-    : Series(from), series_(continued(stem, frames(), from)), contents_(std::move(contents)) {}
-
-void VtkSeries::keep_place(Archive& archive, std::size_t frames) {
-  format::PvdPlace place = series_.place(frames);
-  archive(place);
-}
-
 // The rigid bodies in their present positions, one grid each.
-std::vector<format::PvdPart> VtkSeries::bodies_of(const run::Run& run) {
+std::vector<format::PvdPart> bodies_of(const Run& run) {
   std::vector<format::PvdPart> parts;
   for (const BodyShown& body : shown_bodies(run)) {
     format::PvdPart part{body.name, body.vertices, {}};
@@ -39,9 +26,34 @@ std::vector<format::PvdPart> VtkSeries::bodies_of(const run::Run& run) {
   return parts;
 }
 
-void VtkSeries::write(const run::Run& run) {
-  const VtkFrame frame(run, contents_);
-  series_.frame(run.time(), frame.grid(), bodies_of(run));
+class VtkSeries final : public Series {
+ public:
+  VtkSeries(const std::string& stem, VtkContents contents, Archive* from)
+      : Series(from),
+        series_(from == nullptr ? format::PvdSeries(stem) : continued(stem, frames(), *from)),
+        contents_(std::move(contents)) {}
+  void sync() override { series_.sync(); }
+  std::vector<std::string> lost() const override { return series_.lost(); }
+
+ private:
+  void write(const Run& run) override {
+    const VtkFrame frame(run, contents_);
+    series_.frame(run.time(), frame.grid(), bodies_of(run));
+  }
+  void cut(std::size_t frames) override { series_.keep(frames); }
+  void keep_place(Archive& archive, std::size_t frames) override {
+    format::PvdPlace place = series_.place(frames);
+    archive(place);
+  }
+
+  format::PvdSeries series_;
+  VtkContents contents_;
+};
+
+}  // namespace
+
+std::shared_ptr<Series> make_vtk(const std::string& stem, VtkContents contents, Archive* from) {
+  return std::make_shared<VtkSeries>(stem, std::move(contents), from);
 }
 
 }  // namespace fabricsh::run

@@ -78,10 +78,12 @@ void sheet(int n, int threads) {
   std::vector<Vec3> v = none(pile.reference().size());
   for (Vec3& u : v) u = Vec3(1, 2, 0);
   const std::vector<double> inverse_mass(v.size(), 1e5);
-  const Motion motion{v, inverse_mass, 1e-6};
+  std::vector<Vec3> start = pile.reference();
+  for (std::size_t i = 0; i < v.size(); ++i) start[i] -= 1e-6 * v[i];
+  const Way way{start, {}, 1e-6, inverse_mass};
   auto g = none(v.size());
-  const Totals totals = pressed.add_forces(pile.reference(), g, &motion);
-  const double crowd = least(20, [&] { pressed.add_forces(pile.reference(), g, &motion); });
+  const Totals totals = pressed.add_forces(pile.reference(), g, way);
+  const double crowd = least(20, [&] { pressed.add_forces(pile.reference(), g, way); });
   std::printf("  two layers: %zu pairs listed, %zu touch, %.0f ns a pair that touches, %.0f ns an element\n",
               pressed.listed(), totals.touching, crowd / double(totals.touching), crowd / (2 * elements));
 }

@@ -114,4 +114,10 @@ TEST_CASE("what a band is about: coefficients, unloading, poisson, in this order
   CHECK(woven.warp.loading.coefficients == std::vector<double>{10, 20, 30});
   CHECK(woven.warp.unloading == 40);
   CHECK(woven.warp.poisson == 50);
+  // Of measured points, the stresses beyond zero strain.
+  woven.warp.loading = {{}, {{0, 0}, {0.1, 1}, {0.2, 3}}};
+  CHECK(parameters(warp, card) == std::vector<double>{1, 3, 40, 50});
+  set_parameters(warp, card, {2, 4, 60, 70});
+  CHECK(woven.warp.loading.points == Points{{0, 0}, {0.1, 2}, {0.2, 4}});
+  CHECK(woven.warp.poisson == 70);
 }

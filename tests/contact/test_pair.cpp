@@ -143,6 +143,33 @@ TEST_CASE("pair: the positive part has no negative eigenvalue and keeps what is 
   CHECK(indefinite > 20);
 }
 
+namespace {
+
+// Of friction alone.
+Force friction_of(const Law& law, const Pair& pair, const Corners& x, const Slip& slip) {
+  Force both = pair_force(law, pair, x, &slip);
+  const Force pressed = pair_force(law, pair, x);
+  for (std::size_t i = 0; i < 4; ++i) both.on[i] -= pressed.on[i];
+  return both;
+}
+
+Vector12 stacked(const std::array<Vec3, 4>& rows) {
+  Vector12 out;
+  for (int i = 0; i < 4; ++i) out.segment<3>(3 * i) = rows[std::size_t(i)];
+  return out;
+}
+
+// The slip of a step from `start` to x.
+Slip from(const Slip& slip, const Corners& start, const Corners& x) {
+  Slip out = slip;
+  for (std::size_t i = 0; i < 4; ++i) out.moved[i] = x[i] - start[i];
+  return out;
+}
+
+const Corners flat = {Vec3(0.2, 0.3, 0.4), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+
+}  // namespace
+
 TEST_CASE("pair: the Jacobian of friction by slope, its unsymmetric part included", "[contact]") {
   for (const Kind kind : kinds) {
     const Pair pair = pair_of(kind);
@@ -150,50 +177,63 @@ TEST_CASE("pair: the Jacobian of friction by slope, its unsymmetric part include
     Random random(11);
     double skew = 0;
     at_states(pair, 100, [&](const Corners& x, const Vector12& by, double h) {
-      Slip slip{0.4, random(0, 1) < 0.5 ? 3.0 : 0.03, x};
-      for (Vec3& start : slip.start) start += random.vector(0.5);
-      const Friction at = pair_friction(law(), pair, x, slip, true);
+      // What sticks everywhere, and what slides everywhere.
+      const Slip slips{0.4, 1e6}, sticks{1e6, 1};
+      Slip slip = random(0, 1) < 0.5 ? slips : sticks;
+      slip.held = random.vector(0.2);
+      Corners start = x;
+      for (Vec3& s : start) s += random.vector(0.5);
+      const FrictionTangent at = friction_tangent(law(), pair, x, from(slip, start, x));
       const Vector12 along = random.direction();
-      CHECK(test::order(
-                [&](const Corners& y) { return pair_friction(law(), pair, y, slip, false).force.dot(along); },
-                along.dot(at.jacobian * by), x, by, h) > 1.8);
+      const auto force = [&](const Corners& y) {
+        const Slip moved = from(slip, start, y);
+        return stacked(pair_force(law(), pair, y, &moved).on).dot(along);
+      };
+      const Matrix12 all = at.jacobian - pair_derivatives(law(), pair, x).hessian;
+      CHECK(test::order(force, along.dot(all * by), x, by, h) > 1.8);
       skew = std::max(skew, (at.jacobian - at.jacobian.transpose()).norm() / at.jacobian.norm());
     });
     CHECK(skew > 0.1);
   }
 }
 
-TEST_CASE(
-    "pair: friction of a step is against the sliding, mu times the normal force, and its loss their product",
-    "[contact]") {
-  const Pair pair = pair_of(Kind::plane);
-  const Corners x = {Vec3(0.2, 0.3, 0.4), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
-  Slip slip{0.25, 1e-3, x};
-  slip.start[0] -= Vec3(0.03, 0.04, 0.1);
-  const double normal = pair_force(law(), pair, x).on[0].z();
-  REQUIRE(normal > 0);
-  const Friction f = pair_friction(law(), pair, x, slip, false);
-  CHECK((f.force.head<3>() + 0.25 * normal * Vec3(0.6, 0.8, 0)).norm() < 1e-13);
-  CHECK(f.lost == Approx(0.25 * normal * 0.05).epsilon(1e-13));
-  slip.start[0] = x[0] - Vec3(0.5e-3, 0, 0);  // half the creep: 3/4 of the full friction
-  CHECK(pair_friction(law(), pair, x, slip, false).force[0] == Approx(-0.75 * 0.25 * normal).epsilon(1e-12));
-}
-
-TEST_CASE("pair: explicit friction stops what slides slowly and is mu times the normal force else",
+TEST_CASE("pair: friction is a spring until it pulls with mu times the normal force, and then slips",
           "[contact]") {
   const Pair pair = pair_of(Kind::plane);
-  const Corners x = {Vec3(0.2, 0.3, 0.4), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
-  const double normal = pair_force(law(), pair, x).on[0].z(), mass = 0.5;
-  Sliding sliding;
-  sliding.friction = 0.3;
-  sliding.step = 1e-3;
-  sliding.inverse_mass[0] = 1 / mass;
-  sliding.velocity[0] = Vec3(0, 10, -3);
-  const Force fast = pair_force(law(), pair, x, &sliding);
+  const double normal = pair_force(law(), pair, flat).on[0].z(), k = 7;
+  REQUIRE(normal > 0);
+  const double spring = k * pair.area, most = 0.25 * normal, give = most / spring;  // m, where it gives way
+  Slip slip{0.25, k};
+  slip.moved[0] = give * Vec3(0.3, 0.4, 0.1);  // sticks
+  const Force sticks = friction_of(law(), pair, flat, slip);
+  CHECK((sticks.on[0] + 0.5 * most * Vec3(0.6, 0.8, 0)).norm() < 1e-13 * most);
+  CHECK((sticks.slip - give * Vec3(0.3, 0.4, 0)).norm() < 1e-13 * give);
+  CHECK(sticks.stick == Approx(spring * give * give / 8).epsilon(1e-13));
+  slip.held = sticks.slip;  // another such step pulls it to the bound, a third one beyond it
+  CHECK((friction_of(law(), pair, flat, slip).on[0] + most * Vec3(0.6, 0.8, 0)).norm() < 1e-12 * most);
+  slip.held = friction_of(law(), pair, flat, slip).slip;
+  const Force slips = friction_of(law(), pair, flat, slip);
+  CHECK((slips.on[0] + most * Vec3(0.6, 0.8, 0)).norm() < 1e-12 * most);
+  CHECK((slips.slip - give * Vec3(0.6, 0.8, 0)).norm() < 1e-12 * give);
+  CHECK(slips.work == Approx(most * give / 2).epsilon(1e-12));
+  slip.held = slips.slip;  // back by the same way: the spring lets go first
+  slip.moved[0] = -give * Vec3(0.6, 0.8, 0);
+  CHECK(friction_of(law(), pair, flat, slip).on[0].norm() < 1e-12 * most);
+}
+
+TEST_CASE("pair: explicit friction resists slow sliding and is mu times the normal force else", "[contact]") {
+  const Pair pair = pair_of(Kind::plane);
+  const double normal = pair_force(law(), pair, flat).on[0].z(), mass = 0.5, dt = 1e-3;
+  Slip slip{0.3, 0};
+  slip.step = dt;
+  slip.inverse_mass[0] = 1 / mass;
+  slip.moved[0] = dt * Vec3(0, 10, -3);
+  slip.pull = Vec3(0, 0.1 * normal, 0);
+  const Force fast = friction_of(law(), pair, flat, slip);
   CHECK(fast.on[0].y() == Approx(-0.3 * normal).epsilon(1e-12));
-  CHECK(fast.lost == Approx(0.3 * normal * 10).epsilon(1e-12));
-  sliding.velocity[0] = Vec3(0, 1e-5, -3);
-  CHECK(pair_force(law(), pair, x, &sliding).on[0].y() == Approx(-0.2 * mass * 1e-5 / 1e-3).epsilon(1e-12));
+  CHECK(fast.work == Approx((0.3 + 0.1) / 2 * normal * 10 * dt).epsilon(1e-12));  // of both ends' forces
+  slip.moved[0] = dt * Vec3(0, 1e-5, -3);
+  CHECK(friction_of(law(), pair, flat, slip).on[0].y() == Approx(-0.2 * mass * 1e-5 / dt).epsilon(1e-12));
 }
 
 TEST_CASE("pair: an edge that slides off another's end, or turns parallel to it, leaves without a jump",
@@ -232,19 +272,25 @@ TEST_CASE("friction: forces and torque change with the turn of a body as their d
   pair.offset = 0.03;  // a ball above a triangle
   const Corners x = {Vec3(0.001, 0.0015, 0.03025), Vec3(0, 0, 0), Vec3(0.004, 0, 1e-4),
                      Vec3(0, 0.005, -1e-4)};
-  Slip slip{0.3, 2e-5, x, Vec3(2e-4, -3e-4, 1e-4)};
-  slip.start[0] += Vec3(1e-6, 2e-6, 0);
-  for (const double creep : {2e-5, 1e-6}) {  // sticking, sliding
-    slip.creep = creep;
-    const Friction exact = pair_friction(law, pair, x, slip, true);
-    REQUIRE(exact.lost > 0);
+  Slip slip{0.3, 0};
+  slip.turn = Vec3(2e-4, -3e-4, 1e-4);
+  slip.held = Vec3(1e-6, -2e-6, 1e-6);
+  Corners start = x;
+  start[0] += Vec3(1e-6, 2e-6, 0);
+  for (const double stiffness : {1e6, 1e10}) {  // sticking, sliding
+    slip.stiffness = stiffness;
+    const FrictionTangent exact = friction_tangent(law, pair, x, from(slip, start, x));
+    const auto at = [&](const Corners& y, const Vec3& turn) {
+      Slip moved = from(slip, start, y);
+      moved.turn = turn;
+      return friction_of(law, pair, y, moved);
+    };
+    REQUIRE((at(x, slip.turn).stick > 0 && exact.by_turn.norm() > 0));
     const double turn = 1e-9, move = 1e-10;
     for (int c = 0; c < 3; ++c) {
-      Slip up = slip, down = slip;
-      up.turn[c] += turn;
-      down.turn[c] -= turn;
-      const Friction a = pair_friction(law, pair, x, up, false), b = pair_friction(law, pair, x, down, false);
-      CHECK(((a.force - b.force) / (2 * turn) - exact.by_turn.col(c)).norm() < 1e-5 * exact.by_turn.norm());
+      const Force a = at(x, slip.turn + turn * Vec3::Unit(c)), b = at(x, slip.turn - turn * Vec3::Unit(c));
+      CHECK(((stacked(a.on) - stacked(b.on)) / (2 * turn) - exact.by_turn.col(c)).norm() <
+            1e-5 * exact.by_turn.norm());
       CHECK(((a.torque - b.torque) / (2 * turn) - exact.torque_by_turn.col(c)).norm() <
             1e-5 * exact.torque_by_turn.norm());
     }
@@ -252,8 +298,7 @@ TEST_CASE("friction: forces and torque change with the turn of a body as their d
       Corners up = x, down = x;
       up[std::size_t(k / 3)][k % 3] += move;
       down[std::size_t(k / 3)][k % 3] -= move;
-      const Friction a = pair_friction(law, pair, up, slip, false),
-                     b = pair_friction(law, pair, down, slip, false);
+      const Force a = at(up, slip.turn), b = at(down, slip.turn);
       CHECK(((a.torque - b.torque) / (2 * move) - exact.torque_by_x.col(k)).norm() <
             1e-4 * exact.torque_by_x.norm());
     }

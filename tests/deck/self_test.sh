@@ -31,7 +31,7 @@ echo 'error "broken"' | deck 'it ended with exit 1'
 printf -- '-- warns: thin ice\nprint "SKIPPED: no ice"' | deck ''
 # A checkout that has no records of others beside it.
 rm -rf alone && mkdir alone && cp -r "$root/scripts" alone/
-for name in identify_bias real/glass real/knit real/nylon; do
+for name in identify_bias real/biaxial real/glass real/knit real/nylon real/yarn_lengths; do
   for how in --quiet --check; do
     said=$("$program" $how "alone/scripts/lab/$name.lua" 2>&1) && case $said in SKIPPED:*) continue ;; esac
     echo "FAILED: $how $name.lua without records: $said"

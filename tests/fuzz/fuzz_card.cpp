@@ -7,9 +7,8 @@
 #include <lua.hpp>
 
 #include "card/fields.hpp"
-#include "script/bind/rooms.hpp"
-#include "script/call/object.hpp"
-#include "script/session.hpp"
+#include "script/open/open_session.hpp"
+#include "script/values/card_rows.hpp"
 
 namespace {
 
@@ -72,7 +71,7 @@ script::Options options() {
 
 // A session with the harness as its function at index 1.
 lua_State* prepare() {
-  static script::Session session(options());
+  static script::OpenSession session(options());
   lua_State* L = session.lua();
   lua_settop(L, 0);
   if (luaL_loadstring(L, harness) != LUA_OK) give_up(L);

@@ -2,6 +2,7 @@
 # fault and exits 1 if there is any.
 #   - a room of LAYERS needs only rooms that stand above it, and includes something of each room that it needs
 #   - a file includes only its own room and the rooms that LAYERS names for it; never itself in a circle
+#   - where LAYERS names the folders of a room, a file is in one of them and includes none of a later one
 #   - a third-party library is included only in its rooms
 #   - only app and repl print; only app ends the program
 #   - what a deck can name is opened and asked for in system/gate.cpp and what uses its places, nowhere else
@@ -43,6 +44,7 @@ FNR == 1 {
 
 file == "src/LAYERS" {
   if ($0 ~ /^[a-z]+:/) read_layer()
+  else if ($0 ~ /^[a-z]+\/:/) read_folders()
   else if ($0 !~ /^#/ && $0 !~ /^[ \t]*$/) fault(file ":" FNR, "expected 'room: rooms it needs', got '" $0 "'")
   next
 }
@@ -58,6 +60,14 @@ function read_layer(    name, need, n, i) {
   }
   if (name in rank) fault(file ":" FNR, "room '" name "' stands there twice")
   rank[name] = ++ranks
+}
+
+function read_folders(    name, n, i) {
+  name = $0
+  sub(/\/:.*/, "", name)
+  n = split(substr($0, index($0, ":") + 1), needed, " ")
+  for (i = 1; i <= n; i++) folder_rank[name, needed[i]] = i
+  has_folders[name] = 1
 }
 
 /^[ \t]*#[ \t]*include[ \t]*"/ {
@@ -108,8 +118,15 @@ function check_own(header,    bits, n, other) {
     fault(file ":" FNR, "room '" room "' includes '" header "' of a room below it in src/LAYERS")
   else if (other != room && !((room, other) in allowed))
     fault(file ":" FNR, "room '" room "' includes '" header "', and src/LAYERS does not name '" other "' for it")
+  if (other == room && (room in has_folders)) check_folder(parts[3], bits[2], header)
   included[room, other] = 1
   edges[file] = edges[file] " src/" header
+}
+
+function check_folder(own, folder, header) {
+  if (!((room, own) in folder_rank)) fault(file ":" FNR, "'" own "' is no folder of room '" room "' in src/LAYERS")
+  else if (!((room, folder) in folder_rank) || folder_rank[room, folder] > folder_rank[room, own])
+    fault(file ":" FNR, "folder '" own "' of room '" room "' includes '" header "' of a later folder in src/LAYERS")
 }
 
 function check_library(header,    i) {

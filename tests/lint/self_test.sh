@@ -50,6 +50,15 @@ bad src/base/a.hpp '#include "linear/s.hpp"' "of a room below it"
 bad src/linear/s.cpp '  #  include "app/x.hpp"' "of a room below it"
 bad src/LAYERS 'output: format linear assembly' "needs 'assembly', which does not stand above it"
 bad src/LAYERS 'base: base' "stands there twice"
+bad_folder() {
+  good_tree
+  printf 'app/: low high\n' >>src/LAYERS
+  mkdir -p src/app/low src/app/high src/app/other
+  printf '#include "%s"\n' "$2" >"src/app/$1"
+  refuses "$3"
+}
+bad_folder low/a.cpp app/high/b.hpp "folder 'low' of room 'app' includes 'app/high/b.hpp' of a later folder"
+bad_folder other/a.cpp app/low/b.hpp "'other' is no folder of room 'app'"
 bad src/LAYERS 'Base = x' "expected 'room: rooms it needs'"
 bad src/app/main.cpp '#include "format/csv.hpp"' "src/LAYERS does not name 'format' for it"
 bad src/LAYERS 'run: linear' "room 'run' includes nothing of room 'linear'"

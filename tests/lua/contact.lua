@@ -42,7 +42,7 @@ end
 -- A sheet falls flat on a plane: deepest where the law has taken up its energy, and up again with the same speed.
 for _, speed in ipairs { 0.5, 1.5 } do
   local kappa = 4e8
-  local m, ground = over_plane(d0 + 2e-5, 3, { stiffness = kappa })
+  local m, ground = over_plane(d0 + 2e-5, 3, { stiffness = kappa, restitution = 1 })
   m:velocity("all", { z = -speed })
   local a = fabric.dynamic { model = m, step = 2e-7, duration = 4e-5 / speed + 4 * math.sqrt(sigma / kappa) }
   local deepest, force, gap = 0, 0, math.huge
@@ -77,8 +77,8 @@ for _, case in ipairs { { 10, 0.3 }, { 30, 0.3 }, { 30, 0 } } do
     near("slide", ux, slides * a.time ^ 2 / 2, 1e-2) -- it begins with a bounce: nodes have unlike shares of area and mass
     near("taken", a.energy.friction + 1e-12, mu * p * 4e-4 * ux + 1e-12, 2e-2)
   else
-    -- It creeps with some 5 a dt.
-    assert(ux < 10 * g * math.sin(angle) * a.step_size * a.time, ux)
+    -- The spring of friction slips by its share of the weight, and swings as far again.
+    assert(ux > 0 and ux < 2.1 * p * math.tan(angle) / (2 / 7 * kappa), ux)
   end
   assert(a.energy.error < 1e-3, a.energy.error)
 end

@@ -32,7 +32,7 @@ do
   local function fall(step)
     local mesh = fabric.mesh.rectangle { width = 0.02, height = 0.02, nx = 3, ny = 3, triangles = true, origin = { 0, 0, gap + 1e-5 } }
     local m = fabric.model { mesh = mesh, card = sheet_card(1e7), warp = 0 }
-    m:contact { between = { fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } }, "all" }, stiffness = kappa, thickness = wide }
+    m:contact { between = { fabric.rigid.plane { point = { 0, 0, 0 }, normal = { 0, 0, 1 } }, "all" }, stiffness = kappa, thickness = wide, restitution = 1 }
     m:velocity("all", { z = -v })
     local a = fabric.dynamic { model = m, step = step, duration = 2e-5 / v + 1.3 * math.pi / w }
     local deepest, into, out, last = 0, nil, nil, { time = 0, z = gap + 1e-5 }

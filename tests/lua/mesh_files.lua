@@ -30,7 +30,7 @@ local disk = fabric.mesh.disk { radius = 0.05, cells = 4 }
 disk:set("half", function(x) return x > 0 end)
 assert(disk:write "out/disk.msh" == disk)
 assert(#fabric.mesh.read "out/disk.msh":set "half" == #disk:set "half")
-refused("write: cannot write 'disk.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad", disk.write, disk, "disk.step")
+refused("write: cannot write 'disk.step': expected a name that ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad", disk.write, disk, "disk.step")
 
 -- Triangles load.
 local obj = write("pair.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng lower\nf 1 2 3\ng upper\nf 1 4 3\n")
@@ -45,7 +45,7 @@ refused("orient: the mean normal of part 1 of the mesh is square to the directio
 
 -- Errors name the file and its line.
 refused("read: cannot read 'none.msh': No such file or directory", fabric.mesh.read, "none.msh")
-refused("expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k", fabric.mesh.read, "mesh.rad")
+refused("expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key", fabric.mesh.read, "mesh.rad")
 refused("bad.obj:2: expected three coordinates", fabric.mesh.read, write("bad.obj", "v 0 0 0\nv 1 0\n"))
 refused("bad.msh: the file is empty", fabric.mesh.read, write("bad.msh", ""))
 refused("bad.vtu:1: expected <VTKFile>, got <html>", fabric.mesh.read, write("bad.vtu", "<html></html>"))

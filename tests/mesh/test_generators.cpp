@@ -168,3 +168,38 @@ TEST_CASE("generators: refused fields are named", "[mesh]") {
   says(message_of([] { hemisphere({.radius = 1, .hole = 0, .around = 4, .along = 1}); }), "'hole'");
   says(message_of([] { hemisphere({.radius = 1, .around = 1'000'000, .along = 1'000'000}); }), "cells");
 }
+
+TEST_CASE("meshes as one: coinciding nodes of different meshes are joined, a slit stays open", "[mesh]") {
+  const auto part = [](double x, double y) {
+    return std::make_shared<const Mesh>(rectangle(1, 1, 2, 2, Vec3(x, y, 0)));
+  };
+  const Mesh four = merge({part(0, 0), part(1, 0), part(0, 1), part(1, 1)}, 1e-9);
+  CHECK(four.nodes.size() == 25);
+  CHECK(four.elements.size() == 16);
+  CHECK(four.set("boundary").size() == 16);
+  CHECK(four.set("all").size() == 25);
+  CHECK(four.set("left").size() == 10);  // of the two columns of meshes, at x = 0 and at x = 1
+  for (const auto& element : four.elements) {
+    const Vec3 a = four.nodes[element[2]] - four.nodes[element[0]];
+    const Vec3 b = four.nodes[element[3]] - four.nodes[element[1]];
+    CHECK(0.5 * a.cross(b).z() == Catch::Detail::Approx(0.25));
+  }
+  const auto ring = std::make_shared<const Mesh>(annulus({1, 2, 12, 2, 360, true}));
+  const auto far = std::make_shared<const Mesh>(rectangle(1, 1, 1, 1, Vec3(9, 9, 9)));
+  CHECK(merge({ring, far}, 1e-6).nodes.size() == ring->nodes.size() + 4);
+  CHECK(message_of([&] { merge({part(0, 0), part(0.1, 0)}, 0.6); }).find("twice") != std::string::npos);
+}
+
+TEST_CASE("a mesh from lists: what no sheet can be is refused by its place", "[mesh]") {
+  const std::vector<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Mesh mesh = from_lists(square, {{0, 1, 2, -1}, {0, 2, 3, -1}});
+  CHECK(mesh.set("boundary").size() == 4);
+  CHECK(message_of([&] {
+          from_lists(square, {{0, 1, 2, 4}});
+        }) == "element 1: expected node numbers from 1 to 4, got 5");
+  CHECK(message_of([&] {
+          from_lists(square, {{0, 1, 2, 3}, {0, 1, 1, -1}});
+        }) == "element 2: expected different nodes, got node 2 twice");
+  CHECK(message_of([&] { from_lists(square, {{0, 1, 2, -1}}); }) == "node 4 is in no element");
+  CHECK(message_of([&] { from_lists(square, {}); }) == "expected at least one element, got none");
+}

@@ -47,6 +47,9 @@ for deb in "$work"/made/*.deb; do dpkg-deb -x "$deb" "$work/root"; done
 unset FABRICSH_HOME
 cd "$work"
 [ "$(root/usr/bin/fabricsh --quiet -e "$deck" 2>/dev/null | tail -1)" = runs ]
-for file in include/fabricsh/run/static.hpp share/man/man1/fabricsh.1 share/bash-completion/completions/fabricsh; do
+if /usr/bin/python3 -c "import numpy" 2>/dev/null; then
+  PYTHONPATH=root/usr/lib/python3/dist-packages FABRICSH=root/usr/bin/fabricsh /usr/bin/python3 -c "import fabricsh; assert fabricsh.run_text('print(arg[1])', 7).stdout == '7\n'"
+fi
+for file in lib/python3/dist-packages/fabricsh.py include/fabricsh/run/static.hpp share/man/man1/fabricsh.1 share/bash-completion/completions/fabricsh; do
   [ -e "root/usr/$file" ] || { echo "no /usr/$file"; exit 1; }
 done

@@ -41,12 +41,15 @@ git rm -qf new
 mkdir -p tests/archive/7.3.0 && echo '-- a deck' >tests/archive/7.3.0/deck.lua && git add . && git commit -qm "decks"
 grep -q '^## Unreleased' CHANGELOG.md
 printf '%s\n' '## Unreleased' '' '- something' '' '## 0.1.0' >CHANGELOG.md && git commit -qam "changes"
+sed -i 's|^set(FABRICSH_REPOSITORY ""|set(FABRICSH_REPOSITORY "https://example.org/f"|' scripts/cmake/FabricshOwner.cmake && git commit -qam "owner"
 scripts/release 7.3.0 2030-01-31 >/dev/null
 [ "$(git cat-file -t v7.3.0)" = tag ]
 grep -q 'project(fabricsh VERSION 7.3.0' CMakeLists.txt
 grep -qx '## 7.3.0, 2030-01-31' CHANGELOG.md
 grep -qx 'version: 7.3.0' CITATION.cff
 grep -qx 'date-released: 2030-01-31' CITATION.cff
+grep -qx 'repository-code: "https://example.org/f"' CITATION.cff
+grep -qx 'version = "7.3.0"' share/python/pyproject.toml
 [ -f build/fabricsh-7.3.0.tar.gz ]
 [ -z "$(git status --porcelain --untracked-files=no)" ]
 refused "nothing under" 7.3.1

@@ -51,10 +51,26 @@ class Module(unittest.TestCase):
             call()
         return caught.exception
 
+    def test_without_numpy(self):
+        pathlib.Path("bare").mkdir(exist_ok=True)
+        pathlib.Path("bare/numpy.py").write_text("raise ImportError('no')\n")
+        said = subprocess.run([sys.executable, "-c", "import fabricsh"], stderr=subprocess.PIPE, encoding="utf-8",
+                              env={**os.environ, "PYTHONPATH": f"bare:{tree / 'share/python'}"}).stderr
+        self.assertIn("ImportError: the module fabricsh needs numpy, which this Python has not: apt install", said)
+
+    def test_pip(self):
+        """The description of the package names this version and these files."""
+        text = (tree / "share/python/pyproject.toml").read_text()
+        version = (tree / "CMakeLists.txt").read_text().split("project(fabricsh VERSION ")[1].split()[0]
+        self.assertIn(f'version = "{version}"', text)
+        for name in ("fabricsh", "fabricsh_kernel"):
+            self.assertTrue((tree / f"share/python/{name}.py").exists() and f'"{name}"' in text)
+
     def test_a_run(self):
         self.assertIn("an argument", self.result.stdout)
         self.assertEqual(self.result.warnings, [])
         self.assertEqual(fabricsh.run_text("print(1 + 1)").stdout, "2\n")
+        self.assertEqual(fabricsh.run_text("print(arg[1], arg[2])", 12, "b", threads=1).stdout, "12\tb\n")
         pathlib.Path("elsewhere").mkdir(exist_ok=True)
         fabricsh.run("../pull.lua", "x", cwd="elsewhere", check=True)
         self.assertFalse(pathlib.Path("elsewhere/out").exists())

@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "repl/completion.hpp"
 #include "repl/evaluator.hpp"
+#include "script/open/open_session.hpp"
 
 using namespace fabricsh;
 using Words = std::vector<std::string>;
@@ -27,7 +28,7 @@ struct Bench {
   }
   Words operator()(const std::string& text) { return repl::complete(session, text).candidates; }
   std::string common(const std::string& text) { return repl::complete(session, text).common; }
-  script::Session session;
+  script::OpenSession session;
 };
 
 bool has(const Words& words, const std::string& word) {

@@ -8,6 +8,7 @@
 #include "repl/evaluator.hpp"
 #include "repl/interrupt.hpp"
 #include "repl/prompt.hpp"
+#include "script/open/open_session.hpp"
 
 using namespace fabricsh;
 using repl::Outcome;
@@ -20,7 +21,7 @@ struct Talk {
 
 // A whole session that types these lines.
 Talk talk(const std::string& input) {
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
   std::istringstream in(input);
   std::ostringstream out, err;
@@ -38,7 +39,7 @@ TEST_CASE("expressions print, statements do not") {
 }
 
 TEST_CASE("unfinished input goes on with the next line") {
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   for (const char* part :
        {"for i = 1, 2 do", "1 +", "x =", "{1,", "f(", "x = [[", "-- [[\n--[[", "mesh.rectangle{ width=1,"})
     CHECK(repl::wants_more(session, part));
@@ -83,7 +84,7 @@ TEST_CASE("quit and exit end the session, as names they are the user's") {
 }
 
 TEST_CASE("help, ? and ? word mean calls of help") {
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
   const auto meant = [&](const char* input) { return repl::meant(session, input); };
   for (const char* asked : {"help", " help ", "?", "? "}) CHECK(meant(asked) == "help()");
@@ -150,7 +151,7 @@ TEST_CASE("an error in a function of the library's own Lua has the place of the 
 }
 
 TEST_CASE("below an error stands who called whom") {
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   const auto error_of = [&](const std::string& text) {
     return repl::run_text(session, text, "@deck.lua").message;
   };
@@ -191,7 +192,7 @@ TEST_CASE("below an error stands who called whom") {
 }
 
 TEST_CASE("of a deep recursion both ends are told") {
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   const std::string endless = "function f(n)\n  return 1 + f(n + 1)\nend\nlocal x = f(1)\n";
   const std::string message = repl::run_text(session, endless, "@deck.lua").message;
   CHECK(message.find("deck.lua:2: stack overflow") == 0);
@@ -201,7 +202,7 @@ TEST_CASE("of a deep recursion both ends are told") {
 }
 
 TEST_CASE("a numerical failure is told from a deck error") {
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   CHECK(repl::run_text(session, "error{kind='numerical'}", "=t").outcome == Outcome::numerical_failure);
   CHECK(repl::run_text(session, "error{kind='other'}", "=t").outcome == Outcome::deck_error);
 }
@@ -216,7 +217,7 @@ TEST_CASE("Ctrl-C between two lines drops what was typed of an input") {
     }
     std::vector<std::string> befores;
   } typist;
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   std::ostringstream out, err;
   const repl::InterruptGuard guard(session);
   repl::converse(session, typist, {out, err});
@@ -233,7 +234,7 @@ TEST_CASE("the end of the text within an input is said, and ends nothing but tha
     }
     int count = 0;
   } typist;
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   std::ostringstream out, err;
   CHECK(repl::converse(session, typist, {out, err}) == Outcome::deck_error);
   CHECK(out.str() == "still\n");

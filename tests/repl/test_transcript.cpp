@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "repl/deck_text.hpp"
 #include "repl/prompt.hpp"
+#include "script/open/open_session.hpp"
 #include "script/show/transcript.hpp"
 
 using namespace fabricsh;
@@ -58,7 +59,7 @@ TEST_CASE("an input as part of a deck") {
 
 TEST_CASE("the deck of a session gives the session's values") {
   std::remove("kept.lua");
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
   type(session,
        "sheet = mesh.rectangle{ width=0.0254, height=0.0762,\n  nx=1, ny=3 }\n"
@@ -80,7 +81,7 @@ TEST_CASE("the deck of a session gives the session's values") {
   CHECK(deck.find("-- a:no_such_method()\n--   failed: ") != std::string::npos);
   CHECK(deck.find("require \"fabric\"; fabric.globals()\n") != std::string::npos);
 
-  script::Session again{script::Options{}};
+  script::OpenSession again{script::Options{}};
   const Result ran = repl::run_deck(again, "kept.lua", {});
   INFO(ran.message);
   REQUIRE(ran.outcome == Outcome::done);
@@ -92,12 +93,12 @@ TEST_CASE("the deck of a session gives the session's values") {
 
 TEST_CASE("a transcript is a runnable file at any moment, ends, and overwrites nothing") {
   std::remove("steps.lua");
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
   type(session, "transcript 'steps.lua'\n");
   for (const char* line : {"x = {\n1,\n2}\n", "local y = 3\n", "x = = 1\n", "#x --[[ long\n]]\n", "x[1]\n"}) {
     type(session, line);
-    script::Session fresh{script::Options{}};
+    script::OpenSession fresh{script::Options{}};
     INFO(whole("steps.lua"));
     CHECK(repl::run_deck(fresh, "steps.lua", {}).outcome == Outcome::done);
   }
@@ -113,7 +114,7 @@ TEST_CASE("a transcript is a runnable file at any moment, ends, and overwrites n
 TEST_CASE("a transcript that can't be written is said, and the session goes on") {
   std::remove("gone/t.lua");
   std::remove("gone");
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
   type(session, "transcript 'gone/t.lua'\n");
   std::remove("gone/t.lua");
@@ -128,14 +129,14 @@ TEST_CASE("a transcript that can't be written is said, and the session goes on")
 TEST_CASE("under -i the deck comes first") {
   script::Options options;
   options.deck = "before.lua";
-  script::Session session{options};
+  script::OpenSession session{options};
   type(session, "x = 1\n");
   CHECK(script::transcript_of(session.lua()).deck().find("dofile \"before.lua\"\nx = 1\n") !=
         std::string::npos);
 }
 
 TEST_CASE("who() lists what the user's globals hold, objects first, and nothing of fabric's") {
-  script::Session session{script::Options{}};
+  script::OpenSession session{script::Options{}};
   REQUIRE(repl::spill_globals(session).outcome == Outcome::done);
   CHECK(type(session, "who()\n") == "nothing yet\n");
   const std::string said =

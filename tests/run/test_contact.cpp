@@ -228,7 +228,7 @@ TEST_CASE("contact: what begins too near is opened, and the ledger holds the wor
     const auto plane = std::make_shared<const model::Rigid>(
         model::Plane{Vec3(0, 0, -0.05 * t), Vec3(0, 0, 1)}, std::nullopt, "", "plane");
     const double gap = t / 2, floor = 0.5 * 590 * t / 1500, kappa = 1e8;
-    m->contact({{{"", plane}, {"all", nullptr}}, 0, {}, kappa, 2e-4});
+    m->contact({.between = {{"", plane}, {"all", nullptr}}, .stiffness = kappa, .settle = 2e-4});
     // Lengths that the law has when half of the time is over, at a gap of 0.05 t.
     const auto notices = std::make_shared<Notices>();
     std::shared_ptr<run::Run> run;
@@ -264,7 +264,7 @@ TEST_CASE("contact: a free sheet that begins below its floor is opened to its ga
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{sheet("", 0.04, 4, Vec3::Zero())});
     const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -0.1 * t), Vec3(0, 0, 1)},
                                                             std::nullopt, "", "plane");
-    m->contact({{{"", plane}, {"all", nullptr}}, 0.2, {}, {}, 2e-3});
+    m->contact({.between = {{"", plane}, {"all", nullptr}}, .friction = 0.2, .settle = 2e-3});
     run::DynamicOptions options;
     options.duration = 2.5e-3;
     if (implicit) options.step = 5e-6;
@@ -285,7 +285,7 @@ TEST_CASE("contact: an overlap is refused, and what settle opens is told") {
     auto m = std::make_shared<model::Model>(std::vector<model::BodyGiven>{sheet("", 0.04, 2, Vec3::Zero())});
     const auto plane = std::make_shared<const model::Rigid>(model::Plane{Vec3(0, 0, -z), Vec3(0, 0, 1)},
                                                             std::nullopt, "", "plane");
-    m->contact({{{"", plane}, {"all", nullptr}}, 0, {}, {}, settle});
+    m->contact({.between = {{"", plane}, {"all", nullptr}}, .settle = settle});
     auto notices = std::make_shared<Notices>([told](const std::string& line) {
       if (told != nullptr) *told += line + "\n";
     });

@@ -49,6 +49,51 @@ TEST_CASE("a job writes its table, its series, a run.json and a checkpoint") {
   CHECK(report.find("\"kind\": \"dynamic\"") != std::string::npos);
 }
 
+namespace {
+
+// What it is told, in one word each; a table's rows at that moment.
+struct Heard final : run::Listener {
+  Heard(Turn t, std::string f, std::vector<std::string>& w) : at(t), table(std::move(f)), words(w) {}
+  Turn at;
+  std::string table;
+  std::vector<std::string>& words;
+  Turn turn() const override { return at; }
+  void say(const char* event) {
+    const std::string text = content_of(table);
+    words.push_back(std::string(at == Turn::output ? "first " : "last ") + event + " " +
+                    std::to_string(std::count(text.begin(), text.end(), '\n') - 1));
+  }
+  void begin(run::Job&) override { say("begin"); }
+  void step(run::Job& job) override {
+    if (job.run().steps().size() == 1) say("step");
+  }
+  void end(run::Job&, const run::Ending& ending) override { say(ending.status.c_str()); }
+  void forget(run::Job&) override { say("forget"); }
+  void restored(run::Job&) override { say("restored"); }
+  void save(std::vector<run::Checkpoint::Part>&) override { say("save"); }
+};
+
+}  // namespace
+
+TEST_CASE("listeners hear each event once, in the order of their turns, and back through it at a restore") {
+  const ScratchFolder scratch;
+  run::Job job(falling());
+  std::vector<std::string> words;
+  const std::string table = scratch / "fall.csv";
+  using Turn = run::Listener::Turn;
+  job.listen(std::make_shared<Heard>(Turn::watch, table, words));
+  job.record(table, {{"z", [](const run::Run& r) { return r.node(15).u.z(); }, "m"}}, 5e-4);
+  job.listen(std::make_shared<Heard>(Turn::output, table, words));
+  const auto start = job.run().snapshot();
+  job.solve();
+  job.now();
+  job.run().restore(*start);
+  CHECK(words == std::vector<std::string>{"first begin 0", "last begin 0", "first step 1", "last step 1",
+                                          "first done 3", "last done 3", "first save 3", "last save 3",
+                                          "first forget 3", "last forget 3", "last restored 3",
+                                          "first restored 3"});
+}
+
 TEST_CASE("a job that another process goes on with writes what one that was never cut writes") {
   const ScratchFolder whole, cut;
   {
@@ -165,11 +210,16 @@ std::shared_ptr<run::Job> gone_on(const std::string& folder) {
 }
 
 // Throws after the step that passes the time, as a signal does.
-void interrupt_at(run::Job& job, double time) {
-  job.run().monitor([time](run::Run& r) {
-    if (r.time() > time) throw Error("interrupted");
-  });
-}
+struct Interrupting final : run::Listener {
+  explicit Interrupting(double t) : time(t) {}
+  double time;
+  Turn turn() const override { return Turn::watch; }
+  void step(run::Job& job) override {
+    if (job.run().time() > time) throw Error("interrupted");
+  }
+};
+
+void interrupt_at(run::Job& job, double time) { job.listen(std::make_shared<Interrupting>(time)); }
 
 void check_same(const ScratchFolder& one, const ScratchFolder& other) {
   for (const char* name : {"fall.csv", "fall.pvd", "fall_00000.vtu", "fall_00001.vtu", "fall_00002.vtu"}) {

@@ -1,6 +1,8 @@
 // Where C++ meets Lua: destructors run, exceptions become Lua errors, Lua errors pass through.
 #include "catch.hpp"
+#include "script/call/boundary.hpp"
 #include "script/call/call.hpp"
+#include "script/open/open_session.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::script;
@@ -61,7 +63,7 @@ struct Lab {
     lua_settop(L, 0);
     return out;
   }
-  Session session;
+  OpenSession session;
 };
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include "card/full_card.hpp"
 #include "catch.hpp"
 #include "script/bind/rooms.hpp"
-#include "script/call/object.hpp"
+#include "script/open/open_session.hpp"
+#include "script/values/card_rows.hpp"
 
 using namespace fabricsh;
 using namespace fabricsh::script;
@@ -32,7 +33,7 @@ void each_path(const card::FieldTable& table, const std::string& path,
 TEST_CASE("every field of a card is written, read and read back", "[card]") {
   for (const std::string kind : {"woven", "svk", "linear"}) {
     const card::Card full = test::full_card(kind);
-    Session session{Options{}};
+    OpenSession session{Options{}};
     lua_State* L = session.lua();
     run_chunk(L, card::lua_text(full));
     lua_setglobal(L, "card");

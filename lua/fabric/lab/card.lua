@@ -35,18 +35,25 @@ local function with_unloading(band, fit, unloading)
   return out
 end
 
+-- The numbers of a loading curve that a band refers to: its coefficients, or the stresses of its points beyond zero strain.
+local function count_of(loading)
+  local n = #loading
+  return type(loading[1]) == "table" and loading[1][1] == 0 and n - 1 or n
+end
+
 -- {low, high, covariance} of {loading..., unloading, poisson}; nil if the loading is not the result of a fit, or has no band. A
 -- number without a band gets one of zero width.
 local function band_of(fit, unloading, poisson)
   local band = fit.band
-  if not band or not band.low or not fit.degree or not origin.fitted(fit, "loading") then return end
-  if #band.value == fit.degree then
+  if not band or not band.low or not origin.fitted(fit, "loading") then return end
+  local degree = count_of(fit.loading)
+  if #band.value == degree then
     band = with_unloading(band, origin.fitted(fit, "unloading") and fit or {}, unloading)
-  elseif band.value[fit.degree + 1] ~= unloading then -- changed by hand after the fit
+  elseif band.value[degree + 1] ~= unloading then -- changed by hand after the fit
     local loading = { value = {}, low = {}, high = {}, covariance = {} }
-    for i = 1, fit.degree do
+    for i = 1, degree do
       loading.value[i], loading.low[i], loading.high[i] = band.value[i], band.low[i], band.high[i]
-      for j = 1, fit.degree do loading.covariance[(i - 1) * fit.degree + j] = band.covariance[(i - 1) * (fit.degree + 1) + j] end
+      for j = 1, degree do loading.covariance[(i - 1) * degree + j] = band.covariance[(i - 1) * (degree + 1) + j] end
     end
     band = with_unloading(loading, {}, unloading)
   end

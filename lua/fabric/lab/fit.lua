@@ -222,6 +222,32 @@ local function from_contact(points)
   return out, stretch - 1
 end
 
+-- The band of a curve of points: the stresses of the specimens at its strains, where every specimen reaches the last; with their unloading, as of a polynomial.
+local function band_of_points(out, curves, t)
+  local lists, common = {}, {}
+  for i, points in ipairs(curves) do
+    local E, S = curve.envelope(points.E, points.S)
+    table.insert(E, 1, 0.0)
+    table.insert(S, 1, 0.0)
+    lists[i] = {}
+    for _, point in ipairs(out.loading) do
+      if point[1] > 0 then lists[i][#lists[i] + 1] = curve.interpolate(E, S, point[1]) or curve.interpolate(E, S, math.min(point[1], E[#E])) end
+    end
+  end
+  for i = 1, #lists[1] do common[i] = t.common end
+  local band = fabric.lab.band { specimens = lists, level = t.level, seed = t.seed, draws = t.draws, common = common }
+  local place = 0
+  for _, point in ipairs(out.loading) do
+    if point[1] > 0 then
+      place = place + 1
+      local moved = point[2] - band.value[place]
+      band.value[place] = point[2]
+      if band.low then band.low[place], band.high[place] = band.low[place] + moved, band.high[place] + moved end
+    end
+  end
+  out.band = band
+end
+
 local function with_points(out, curves, t)
   if t.find_slack == true then
     local taut = {}
@@ -236,6 +262,7 @@ local function with_points(out, curves, t)
   end
   out.loading = fabric.lab.monotone { curves = curves }
   out.tested = out.loading[#out.loading][1]
+  if #curves > 1 then band_of_points(out, curves, t) end
 end
 
 -- Cloth unloads more steeply than it loads; a flatter unloading indicates noise, or a hold in the record.

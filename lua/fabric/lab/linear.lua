@@ -52,6 +52,13 @@ function linear.inverse(A)
   return out
 end
 
+function linear.log_determinant(A)
+  local L, scale = factor(A)
+  local sum = 0
+  for i = 1, #A do sum = sum + 2 * math.log(L[i][i] / scale[i]) end
+  return sum
+end
+
 -- x^T A x
 function linear.quadratic(A, x)
   local sum = 0

@@ -439,8 +439,9 @@ end
 -- The fit's band with another unloading modulus.
 local function band_with(fit, out)
   local band = fit.band
-  if not band or not band.low or not fit.degree then return end
-  local n, wide = fit.degree, #band.value
+  if not band or not band.low then return end
+  local wide = #band.value
+  local n = fit.degree or #fit.loading - (fit.loading[1][1] == 0 and 1 or 0)
   local made = { value = {}, low = {}, high = {}, covariance = {} }
   for i = 1, n + 1 do
     local own = i > n

@@ -11,8 +11,10 @@
 -- specimen would count as a hundred specimens.
 local fabric = require "fabric"
 local define = require "fabric.define"
+local carry = require "fabric.lab.carry"
 local check = require "fabric.lab.identify_check"
 local numbers = require("fabric.lab.check").numbers
+local effects = require "fabric.lab.effects"
 local identify = require "fabric.lab.identify"
 local linear = require "fabric.lab.linear"
 local shape = require "fabric.lab.shape"
@@ -89,8 +91,8 @@ local function for_identify(t, factors)
 end
 
 -- Prediction of a test with the effect of the speed: force * (1 + p.rate ln(rate / reference)).
-local function with_rate(t, i, p, predict)
-  local test, out = t.tests[i], {}
+local function with_rate(t, test, p, predict)
+  local out = {}
   local factor = t.rate and 1 + p.rate * math.log(test.rate / t.rate.reference) or 1
   local values = (predict or test.predict)(p)
   if type(values) ~= "table" or #values ~= #test.measured then
@@ -103,7 +105,7 @@ end
 -- The same on the finer mesh; wrong numbers are reported at the deck's line.
 local function of_finer(t, i, p)
   local field, count = ("tests[%d].finer"):format(i), #t.tests[i].measured
-  return with_rate(t, i, p, function(own)
+  return with_rate(t, t.tests[i], p, function(own)
     local values = t.tests[i].finer(own)
     local got = type(values) == "table" and #values or tostring(values)
     if got ~= count then fail(("pool: field '%s': expected %d predicted numbers, one per measured one, got %s"):format(field, count, got)) end
@@ -130,10 +132,11 @@ local function mesh_of(t, p)
   return factors, whole > 0 and math.sqrt(open / whole) or 0
 end
 
--- The scatter of the specimens' factors beyond their noise: factors b with variances v; `spent` is the number of fitted parameters.
-local function scatter_of(b, v, spent)
-  local freedom = #b - spent
-  if freedom < 1 then return 0 end
+-- The scatter of the specimens' factors beyond their noise: factors b with variances v; `spent` is the number of fitted parameters. None where the
+-- model's error has a scale of its own: tests are then not replicates that differ by a factor, and how they differ is learned after the fit.
+local function scatter_of(t, b, v)
+  local freedom = #b - t.spent
+  if freedom < 1 or t.scaled then return 0 end
   local function excess(tau2)
     local weight, mean, sum = 0, 0, 0
     for i, x in ipairs(b) do weight, mean = weight + 1 / (v[i] + tau2), mean + x / (v[i] + tau2) end
@@ -306,9 +309,20 @@ local function edges(values, half)
   return low, high
 end
 
+-- How far a prediction is from what was measured: rms and error at the end over the peak, share of the points in the band (nil without one).
+local function compared(measured, predicted, peak)
+  local squares, inside, n = 0, 0, #measured
+  for k, y in ipairs(measured) do
+    squares = squares + (y - predicted.predicted[k]) ^ 2
+    if predicted.low and predicted.low[k] <= y and y <= predicted.high[k] then inside = inside + 1 end
+  end
+  return { inside = predicted.low and inside / n or nil, points = n, rms = math.sqrt(squares / n) / peak,
+    at_end = (predicted.predicted[n] - measured[n]) / peak, predicted = predicted.predicted, low = predicted.low, high = predicted.high, reason = predicted.reason }
+end
+
 -- Predicts a left-out specimen from the others: one Gauss-Newton step from the fit of all, then the simulation itself.
 local function left_out(t, tests, state, i)
-  local between = scatter_of(without(state.factors, i), without(state.variances, i), t.spent)
+  local between = scatter_of(t, without(state.factors, i), without(state.variances, i))
   local A, b, weighted = normal_equations(t, state, between, i)
   local rest = shape_of(t, state, i)
   local step, p = linear.solve(A, b), {}
@@ -318,14 +332,7 @@ local function left_out(t, tests, state, i)
   local test, predicted = t.tests[i], tests[i].predict(p)
   local _, half = half_widths(t, test, state.slopes[i], predicted, covariances(t, A, weighted, between, rest), between, #tests - 1 - t.spent, rest, state.mesh)
   local low, high = edges(predicted, half)
-  local inside, squares = 0, 0
-  for k, y in ipairs(test.measured) do
-    if low[k] <= y and y <= high[k] then inside = inside + 1 end
-    squares = squares + (y - predicted[k]) ^ 2
-  end
-  local n = #predicted
-  return { inside = inside / n, rms = math.sqrt(squares / n) / test.peak, at_end = (predicted[n] - test.measured[n]) / test.peak, predicted = predicted,
-    low = low, high = high }
+  return compared(test.measured, { predicted = predicted, low = low, high = high }, test.peak)
 end
 
 -- The effect of the speed takes two speeds at least.
@@ -337,16 +344,41 @@ local function check_speeds(t)
   end
 end
 
+-- The fields of a test that fabric.lab.identify knows, with the deck's model as its prediction.
+local function plain_test(t, test, known)
+  local out = {}
+  for key, value in pairs(test) do
+    if not known[key] and not t.model then out[key] = value end
+  end
+  for _, name in ipairs { "name", "measured", "predict", "noise" } do out[name] = test[name] end
+  if t.model and test.predict == nil then out.predict = function(p) return t.model(p, test) end end
+  return out
+end
+
+local function check_labels(t, i, test)
+  for _, name in ipairs(t.groups) do
+    if type(test[name]) ~= "string" and type(test[name]) ~= "number" then
+      fail(("pool: field 'tests[%d].%s': expected a name or a number, since specimens are grouped by it, got %s"):format(i, name, tostring(test[name])))
+    end
+  end
+  for _, name in ipairs { "x", "scale" } do
+    if test[name] ~= nil and numbers("pool", ("tests[%d].%s"):format(i, name), test[name]) ~= #test.measured then
+      fail(("pool: field 'tests[%d].%s': expected %d numbers, one per measured one, got %d"):format(i, name, #test.measured, #test[name]))
+    end
+  end
+end
+
 local function check_arguments(t)
-  local plain = {}
+  local plain, known = {}, { rate = true, finer = true, x = true, scale = true }
+  for i = 1, #t.groups do
+    if type(t.groups[i]) ~= "string" then fail(("pool: field 'groups[%d]': expected the name of a field of the tests, got %s"):format(i, tostring(t.groups[i]))) end
+    known[t.groups[i]] = true
+  end
   for i = 1, #t.tests do
     local test = t.tests[i]
     plain[i] = test
     if type(test) == "table" then
-      plain[i] = {}
-      for key, value in pairs(test) do
-        if key ~= "rate" and key ~= "finer" then plain[i][key] = value end
-      end
+      plain[i] = plain_test(t, test, known)
       if test.finer ~= nil and type(test.finer) ~= "function" then
         fail(("pool: field 'tests[%d].finer': expected a function, got %s"):format(i, tostring(test.finer)))
       end
@@ -358,8 +390,63 @@ local function check_arguments(t)
   local parameters = table.move(t.parameters, 1, #t.parameters, 1, {})
   if t.rate then parameters[#parameters + 1] = { name = "rate", start = 0, low = -(t.rate.most or 0.2), high = t.rate.most or 0.2 } end
   check({ parameters = parameters, tests = plain }, "pool")
+  for i, test in ipairs(t.tests) do check_labels(t, i, test) end
   if t.rate then check_speeds(t) end
-  return parameters
+  return parameters, plain
+end
+
+-- --- what the model misses, and specimens that were not tested ---
+
+-- A test or an asked-for specimen as fabric.lab.effects takes it: abscissa, scale, columns and labels.
+local function for_effects(t, test, predicted, slopes)
+  local out = { x = test.x, scale = test.scale or predicted, columns = {}, labels = {} }
+  for j = 1, #t.parameters do
+    out.columns[j] = {}
+    for k = 1, #predicted do out.columns[j][k] = slopes[k][j] end
+  end
+  for _, name in ipairs(t.groups) do out.labels[name] = test[name] end
+  return out
+end
+
+local function learn(t, state)
+  local tests = {}
+  for i, test in ipairs(t.tests) do
+    tests[i] = for_effects(t, test, state.predicted[i], state.slopes[i])
+    tests[i].rest = state.rest[i]
+  end
+  return effects.learn(tests, t.groups, t.level)
+end
+
+-- The ratio by which a finer mesh changes the predictions, of the tests that have one.
+local function mean_correction(state)
+  local sum, n = 0, 0
+  for _, list in pairs(state.correction) do
+    for _, factor in ipairs(list) do sum, n = sum + factor, n + 1 end
+  end
+  return n > 0 and sum / n or 1
+end
+
+-- A specimen by the model, what it misses, and the band.
+local function predict_specimen(t, state, specimen, predict)
+  local correction = mean_correction(state)
+  local function values(p)
+    local out = with_rate(t, { name = specimen.name or "asked for", measured = specimen.x, rate = specimen.rate, predict = predict }, p)
+    for k, y in ipairs(out) do out[k] = y * correction end
+    return out
+  end
+  local predicted = values(state.found.parameters)
+  local slopes = derivatives(t, { { predict = values } }, state.found)[1]
+  local learned, reason = state.effects:predict(for_effects(t, specimen, predicted, slopes))
+  local out = { x = specimen.x, predicted = predicted, band = learned and "learned" or nil, reason = reason }
+  if learned then
+    local half = {}
+    for k, y in ipairs(predicted) do
+      predicted[k] = y + learned.shift[k]
+      half[k] = math.sqrt((state.widen * learned.half[k]) ^ 2 + (fabric.lab.student(0.5 + t.level / 2, 1e6) * state.mesh * y) ^ 2)
+    end
+    out.low, out.high = edges(predicted, half)
+  end
+  return out
 end
 
 local function text_of(t, out)
@@ -374,8 +461,8 @@ local function text_of(t, out)
     lines[#lines + 1] = ("speed: %+.3g %% a decade, %.3g to %.3g"):format(100 * out.parameters.rate * math.log(10), 100 * out.low.rate * math.log(10),
       100 * out.high.rate * math.log(10))
   end
-  lines[#lines + 1] = #t.tests - t.spent >= 1 and ("between specimens: %.3g %% (deviation of %d)"):format(100 * out.between, #t.tests)
-    or "between specimens: unknown from so few"
+  lines[#lines + 1] = not t.scaled and (#t.tests - t.spent >= 1 and ("between specimens: %.3g %% (deviation of %d)"):format(100 * out.between, #t.tests)
+    or "between specimens: unknown from so few; these bands are of the noise of the records alone") or nil
   if out.mesh > 0 then lines[#lines + 1] = ("mesh, once extrapolated: %.3g %%"):format(100 * out.mesh) end
   for _, test in ipairs(t.tests) do
     local held = out.left_out and out.left_out[test.name]
@@ -383,6 +470,13 @@ local function text_of(t, out)
       and ("; left out %.3g %%, at the end %+.3g %%, %.0f %% of its points in the band of the others"):format(100 * held.rms, 100 * held.at_end,
         100 * held.inside) or "")
   end
+  for _, name in ipairs(t.groups) do
+    for _, held in ipairs(out.left_out_by and out.left_out_by[name] or {}) do
+      lines[#lines + 1] = ("%s %s from the others: rms %.3g %% of the peak, %s"):format(name, held.label, 100 * held.rms, held.inside
+        and ("%.0f %% of %d points in the band"):format(100 * held.inside, held.points) or "no band: " .. held.reason)
+    end
+  end
+  lines[#lines + 1] = effects.text(out.effects) .. (out.widen > 1 and ("; bands %.3g times as wide, so that they hold labels left out"):format(out.widen) or "")
   return table.concat(lines, "\n")
 end
 
@@ -398,7 +492,7 @@ local function iterate(t)
     predicted = {}
     for i, test in ipairs(tests) do predicted[i] = test.predict(found.parameters) end
     state.factors, state.variances = own_factors(t, predicted)
-    local between = scatter_of(state.factors, state.variances, t.spent)
+    local between = scatter_of(t, state.factors, state.variances)
     local correction, mesh = mesh_of(t, found.parameters)
     local same = math.abs(between - state.between) <= settled * between and math.abs(mesh - state.mesh) <= settled * mesh
     state.between, state.mesh, state.correction = between, mesh, correction
@@ -414,19 +508,110 @@ local function iterate(t)
   return state, tests
 end
 
+-- Fits and learns what the model misses.
+local function fitted(t)
+  local state, tests = iterate(t)
+  state.slopes, state.widen = derivatives(t, tests, state.found), 1
+  state.effects = learn(t, state)
+  return state, tests
+end
+
+local function labels_of(t, group)
+  local labels, seen = {}, {}
+  for _, test in ipairs(t.tests) do
+    if not seen[test[group]] then labels[#labels + 1], seen[test[group]] = test[group], true end
+  end
+  return labels
+end
+
+-- The tests without those of a label, and these.
+local function split(t, group, label)
+  local part, held = setmetatable({ tests = {} }, { __index = t }), {}
+  for _, test in ipairs(t.tests) do table.insert(test[group] == label and held or part.tests, test) end
+  part.predicted = function(i, p) return with_rate(t, part.tests[i], p) end
+  return part, held
+end
+
+-- Calls visit(label, test, comparison) for the tests of each label of a group, predicted by a fit to the others; prepare(part, state) may change that fit's answer.
+local function without_labels(t, group, prepare, visit)
+  local labels = labels_of(t, group)
+  for _, label in ipairs(#labels > 1 and labels or {}) do
+    local part, held = split(t, group, label)
+    local state = fitted(part)
+    prepare(part, state)
+    for _, test in ipairs(held) do visit(label, test, compared(test.measured, predict_specimen(part, state, test.asked, test.predict), test.peak)) end
+  end
+end
+
+-- The factor on the bands with which they hold the stated share of the points of labels left out, at least 1: how far a model that is not linear is off where
+-- it was not fitted, its derivatives do not tell. Only where tests are not replicates.
+local function widening(t)
+  local ratios = {}
+  for _, group in ipairs(t.scaled and t.leave and t.groups or {}) do
+    without_labels(t, group, function() end, function(_, test, own)
+      for k, y in ipairs(own.low and test.measured or {}) do
+        ratios[#ratios + 1] = math.abs(y - own.predicted[k]) / math.max(1e-300, (own.high[k] - own.low[k]) / 2)
+      end
+    end)
+  end
+  table.sort(ratios)
+  return math.max(1, ratios[math.ceil(t.level * #ratios)] or 1)
+end
+
+-- How well the tests of each label of a group are predicted from those of the other labels.
+local function leave_labels_out(t, group)
+  local out, by = {}, {}
+  without_labels(t, group, function(part, state) state.widen = widening(part) end, function(label, test, own)
+    local held = by[label]
+    if not held then
+      held = { label = tostring(label), points = 0, rms = 0, inside = 0, tests = {} }
+      out[#out + 1], by[label] = held, held
+    end
+    held.tests[test.name], held.reason = own, own.reason or held.reason
+    held.points, held.rms, held.inside = held.points + own.points, held.rms + own.rms ^ 2 * own.points, held.inside + (own.inside or 0) * own.points
+  end)
+  for _, held in ipairs(out) do
+    held.rms, held.inside = math.sqrt(held.rms / held.points), not held.reason and held.inside / held.points or nil
+  end
+  return out
+end
+
+-- pool:predict: the deck's model for a specimen that was not tested.
+local function predict_of(t, state, specimen)
+  if not t.model then fail "pool: predict: expected pool{ model=function(p, specimen) return numbers end }, got tests with predictions of their own" end
+  if type(specimen) ~= "table" or type(specimen.x) ~= "table" or #specimen.x == 0 then
+    fail "pool: predict: expected { x={numbers}, ... } with the fields that the model and the groups need"
+  end
+  numbers("pool", "x", specimen.x)
+  if t.rate and not (type(specimen.rate) == "number" and specimen.rate > 0) then
+    fail(("pool: predict: field 'rate': expected a positive number, since the speed plays a part, got %s"):format(tostring(specimen.rate)))
+  end
+  return predict_specimen(t, state, specimen, function(p) return t.model(p, specimen) end)
+end
+
+local function places(n)
+  local x = {}
+  for k = 1, n do x[k] = k / n end
+  return x
+end
+
 local function pool(t)
-  t.parameters = check_arguments(t)
+  local plain
+  t.groups = t.groups or {}
+  t.parameters, plain = check_arguments(t)
   t.tests = table.move(t.tests, 1, #t.tests, 1, {})
   for i, test in ipairs(t.tests) do
     local own = { peak = largest_of(test.measured) }
     for key, value in pairs(test) do own[key] = value end
+    own.x = own.x or places(#own.measured)
+    own.predict, own.asked = plain[i].predict, setmetatable({ x = own.x }, { __index = test })
     t.tests[i] = own
     if own.peak == 0 then fail(("pool: field 'tests[%d].measured': expected values that are not all zero"):format(i)) end
   end
   t.spent = t.rate and 2 or 1
-  t.predicted = function(i, p) return with_rate(t, i, p) end
-  local state, tests = iterate(t)
-  state.slopes = derivatives(t, tests, state.found)
+  for _, test in ipairs(t.tests) do t.scaled = t.scaled or test.scale ~= nil end
+  t.predicted = function(i, p) return with_rate(t, t.tests[i], p) end
+  local state, tests = fitted(t)
   local A, _, weighted = normal_equations(t, state, state.between)
   local rest, freedom = shape_of(t, state), #t.tests - t.spent
   local covariance = covariances(t, A, weighted, state.between, rest)
@@ -453,13 +638,26 @@ local function pool(t)
     own.rms = math.sqrt(dot(state.rest[i], state.rest[i]) / #own.predicted) / test.peak
     out.tests[test.name] = own
   end
-  if freedom >= 2 then
+  if freedom >= 2 and not t.scaled then
     out.left_out, out.coverage = {}, 0
     for i, test in ipairs(t.tests) do
       out.left_out[test.name] = left_out(t, tests, state, i)
       out.coverage = out.coverage + out.left_out[test.name].inside / #t.tests
     end
   end
+  out.effects = state.effects
+  if t.leave and #t.groups > 0 then
+    out.left_out_by = {}
+    for _, name in ipairs(t.groups) do out.left_out_by[name] = leave_labels_out(t, name) end
+    state.widen = widening(t)
+  end
+  out.widen = state.widen
+  out.card = function(_, make)
+    local C, n = {}, #t.parameters
+    for i = 1, n do C[i] = table.move(out.covariance, (i - 1) * n + 1, i * n, 1, {}) end
+    return carry("pool", out.parameters, t.parameters, C, fabric.lab.student(0.5 + t.level / 2, math.max(1, freedom)), t.level, make)
+  end
+  out.predict = function(_, specimen) return predict_of(t, state, specimen) end
   out.text = text_of(t, out)
   return out
 end
@@ -468,8 +666,14 @@ define {
   name = "fabric.lab.pool",
   arguments = {
     { name = "parameters", kind = "table", sentence = "{ {name=, start=, low=, high=}, ... } as of fabric.lab.identify" },
-    { name = "tests", kind = "table", sentence = "one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=}, "
-      .. "... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one" },
+    { name = "tests", kind = "table", sentence = "one for each specimen, as of fabric.lab.identify: { {name=, measured=, predict=, noise=, rate=, finer=, x=, scale=}, "
+      .. "... }; rate: speed of the test; finer(p): predict on a mesh of half the size, when the simulation has one; x: abscissa of the numbers (strain, angle), "
+      .. "of one meaning in all tests (default: the place in the list); scale: what the model's error is relative to, where it is not the predicted numbers: the fit then has no factor of specimens" },
+    { name = "model", kind = "function", optional = true,
+      sentence = "function(p, test) return numbers end, in place of `predict` of each test; it reads the test's further fields (width=, angle= ...), and takes what `predict` is asked for" },
+    { name = "groups", kind = "table", optional = true, sentence = "names of fields of the tests by which they belong together: {'laboratory', 'size'}; "
+      .. "each has a deviation of its own, and each label is predicted from the others" },
+    { name = "leave", kind = "boolean", default = true, sentence = "predicts each label of each group by a fit to the others" },
     { name = "rate", kind = "fields", optional = true, sentence = "accounts for the speed: predictions times 1 + p.rate ln(rate / reference)", rows = {
       { name = "reference", kind = "number", above = 0, sentence = "speed at which the parameters hold, in the unit of the tests' rate" },
       { name = "most", kind = "number", above = 0, high = 1, optional = true, sentence = "largest part for a factor e in the speed, either way; default 0.2" },
@@ -484,7 +688,9 @@ define {
   sentence = "Parameters from several specimens, sizes, laboratories and speeds at once, with the scatter between specimens and the mesh's error beside the "
     .. "noise: parameters, low, high (by name), deviation, covariance, between (relative deviation of specimens), mesh (relative), chi2 (of what is left, "
     .. "per degree of freedom), tests (by name: predicted, low, high: band of the mean, next_low, next_high: of the next specimen, rms, factor: of this "
-    .. "specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, text.",
+    .. "specimen), left_out (by name: inside, rms, at_end, predicted, low, high, from the others), coverage, left_out_by (by group a list {label, inside, points, rms, tests}), effects "
+    .. "(what the model misses: freedom, deviation, shares), predict(self, {x=, ...}) -> {predicted, low, high, band, reason}: a specimen that was not tested; band is nil "
+    .. "and reason says why where the tests do not tell how wrong the model is; card(self, function(p) return card end): the card with the parameters' bands carried to its numbers; text.",
   example = "local tests = {}\nfor i, scale in ipairs{ 0.96, 1, 1.05, 0.99 } do\n"
     .. "  tests[i] = { name='pull '..i, measured={ 2*scale, 4*scale, 6*scale }, noise=0.02, predict=function(p) return { p.k, 2*p.k, 3*p.k } end }\nend\n"
     .. "local f = require 'fabric'.lab.pool{ parameters={ {name='k', start=1, low=0.1, high=10} }, tests=tests, processes=1 }\n"

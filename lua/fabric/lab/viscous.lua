@@ -18,6 +18,7 @@ local blocks, per_decade, rounds = 150, 12, 4
 local apart, parts = 1.5, 8 -- speeds that differ by this factor are two; parts of a test's time over which its own speed is taken
 local turned = 0.01 -- of the largest strain: a way back by less is noise of the reading
 local usual_scatter, bent = 0.04, 0.5
+local other_limits, least_rows = { 10, 20, 30 }, 12 -- degrees within which the conclusion must be the same; rows of a test that can tell
 
 local function dot(a, b)
   local sum = 0
@@ -451,14 +452,20 @@ local function find_scatter(state)
   if freedom >= 2 then state.scatter, state.freedom = math.sqrt(squares / freedom), freedom end
 end
 
--- How much more or less the fastest carry than the slowest, beside one elastic curve for all: {slow, fast, ratio, low, high}.
-local function speeds_of(state)
+-- The slowest and the fastest tests, where their speeds differ.
+local function ends_of(state)
   local slow, fast
   for _, g in ipairs(state.groups) do
     if g.speed and (not slow or g.speed < slow.speed) then slow = g end
     if g.speed and (not fast or g.speed > fast.speed) then fast = g end
   end
-  if not slow or fast.speed < apart * slow.speed then return end
+  if slow and fast.speed >= apart * slow.speed then return slow, fast end
+end
+
+-- How much more or less the fastest carry than the slowest, beside one elastic curve for all: {slow, fast, ratio, low, high}.
+local function speeds_of(state)
+  local slow, fast = ends_of(state)
+  if not slow then return end
   local function mean(g)
     local sum = 0
     for _, test in ipairs(g) do sum = sum + factor_of(test, true) / #g end
@@ -469,6 +476,42 @@ local function speeds_of(state)
   local decades = math.log(fast.speed / slow.speed, 10)
   return { slow = slow.speed, fast = fast.speed, ratio = ratio - 1, low = ratio * (1 - half) - 1, high = ratio * (1 + half) - 1, decades = decades,
     slow_name = slow[1].name, fast_name = fast[1].name }
+end
+
+-- The mean of what a group's tests carry between two strains over one elastic curve for all; nil where one of them has no rising rows there.
+local function level_between(group, low, high)
+  local sum = 0
+  for _, test in ipairs(group) do
+    local own, n = 0, 0
+    for k, block in ipairs(test.blocks) do
+      if block.rising and block.E > low and block.E <= high and test.predicted[k] ~= 0 then own, n = own + block.y / test.predicted[k], n + 1 end
+    end
+    if n == 0 then return end
+    sum = sum + own / n / #group
+  end
+  return sum
+end
+
+-- The fastest over the slowest against the angle: {angle (degrees), E, ratio, low, high}; specimens differ by a factor and by one from end to end.
+local bins = 10
+local function ratio_of(state)
+  local slow, fast = ends_of(state)
+  if not slow then return end
+  local out, reach = { angle = {}, E = {}, ratio = {}, low = {}, high = {} }, math.huge
+  for _, group in ipairs { slow, fast } do
+    for _, test in ipairs(group) do reach = math.min(reach, test.reach) end
+  end
+  for k = 1, bins do
+    local a, b = level_between(slow, (k - 1) * reach / bins, k * reach / bins), level_between(fast, (k - 1) * reach / bins, k * reach / bins)
+    if a and b and a > 0 then
+      local n, E = #out.E + 1, (k - 0.5) * reach / bins
+      local x = 2 * E / (state.spacing * state.knots) - 1
+      local half = state.quantile * state.scatter * math.sqrt((1 + (bent * x) ^ 2) * (1 / #slow + 1 / #fast))
+      out.E[n], out.angle[n], out.ratio[n] = E, math.deg(math.asin(2 * E)), b / a
+      out.low[n], out.high[n] = b / a * (1 - half), b / a * (1 + half)
+    end
+  end
+  return out
 end
 
 -- --- what is said ---
@@ -515,13 +558,26 @@ local function speed_text(s)
     s.fast_name, s.fast, 100 * s.ratio, s.slow_name, s.slow, 100 * s.low, 100 * s.high, 100 * s.ratio / s.decades)
 end
 
+-- The ratio at some angles, with its band where that was learned.
+local function ratio_text(out)
+  local r, words = out.ratio, {}
+  for k = 1, #r.angle, 3 do
+    words[#words + 1] = ("%.0f degrees %.2f"):format(r.angle[k], r.ratio[k]) .. (" (%.2f to %.2f)"):format(r.low[k], r.high[k])
+  end
+  return "the fastest over the slowest against the angle: " .. table.concat(words, ", ")
+end
+
 local function text_of(out)
   local lines = { out.reason }
   if out.speed then lines[#lines + 1] = speed_text(out.speed) end
+  if out.ratio then lines[#lines + 1] = ratio_text(out) end
   if out.modulus then
     lines[#lines + 1] = ("modulus %s, %s to %s; time %.3g s, %s to %s; modulus times time %.3g MPa s, %.3g to %.3g"):format(modulus_text(out.modulus),
       modulus_text(out.low.modulus), modulus_text(out.high.modulus), out.time, out.open_below and "0" or ("%.3g"):format(out.low.time),
       out.open_above and "any" or ("%.3g s"):format(out.high.time), out.modulus * out.time / 1e6, out.low.viscosity / 1e6, out.high.viscosity / 1e6)
+  end
+  if out.scatter_from == "assumed" then
+    lines[#lines + 1] = "The intervals hold under an assumed scatter of specimens; they are no bands of a stated confidence, since no speed was repeated often enough to show one"
   end
   lines[#lines + 1] = ("specimens of one speed differ by %.3g %% (deviation, %s), the ends of their curves by half as much beside; left over: rms %.3g %% of the peak%s"):format(100 * out.scatter, out.scatter_from,
     100 * out.rms, out.likeness > 0.5 and out.rms > 1e-3 and ", a curve rather than noise: one time is not all there is" or "")
@@ -599,8 +655,7 @@ local function card_part(state, t, out)
   return part
 end
 
-local function viscous(t)
-  check.tests("viscous", t.tests)
+local function analysed(t)
   local state = { tests = {}, knots = t.knots, scatter = t.scatter or usual_scatter, given = t.scatter ~= nil, level = 0.01, confidence = t.level,
     quantile = fabric.lab.student(0.5 + t.level / 2, 1e6) }
   local reach, longest, shortest = 0, 0, math.huge
@@ -632,10 +687,10 @@ local function viscous(t)
       state.level = rms * math.sqrt((1 + likeness) / (1 - likeness))
     end
   end
-  out.scatter, out.scatter_from = state.scatter, state.freedom and ("found from %d degrees of freedom"):format(state.freedom) or state.given and "given" or "taken as usual"
+  out.scatter, out.scatter_from = state.scatter, state.freedom and ("found from %d degrees of freedom"):format(state.freedom) or state.given and "given" or "assumed"
   out.rms, out.likeness = rms, likeness
   settle(state, nil) -- one elastic curve for all, beside which speeds differ
-  out.speed = speeds_of(state)
+  out.speed, out.ratio = speeds_of(state), ratio_of(state)
   decide(state, out, positive, negative, t.time ~= nil)
   if out.viscous then settle(state, positive) end
   out.shear = card_part(state, t, out)
@@ -643,6 +698,51 @@ local function viscous(t)
   for k, p in ipairs(state.profile) do
     out.profile.time[k], out.profile.modulus[k], out.profile.chi2[k] = p.time, p.modulus, (positive and positive.gain or 0) - (p.sign > 0 and p.gain or 0)
   end
+  return out
+end
+
+-- Whether every test has rows enough within an angle, and some beyond it (or the angle is the one that was asked for).
+local function reached(t, limit)
+  local beyond = limit == t.limit
+  for i = 1, #t.tests do
+    local zones, n = prepared(t, i).zones[1].E, 0
+    for _, E in ipairs(zones) do
+      if E <= math.sin(math.rad(limit)) / 2 then n = n + 1 else beyond = true end
+    end
+    if n < least_rows then return false end
+  end
+  return beyond
+end
+
+local function verdict_of(out)
+  if out.modulus then return "something relaxes" end
+  return out.contradicts and "the faster record is the softer one, or the stress rises where it should fall" or "nothing is seen to relax"
+end
+
+-- A conclusion that another limit of the angle would turn round is none. That less of the records shows nothing is no other conclusion.
+local function withhold(t, out)
+  out.by_limit = {}
+  for _, limit in ipairs(other_limits) do
+    if limit ~= t.limit and reached(t, limit) then
+      local good, own = pcall(analysed, setmetatable({ limit = limit }, { __index = t })) -- a part that carries nothing yet tells nothing
+      out.by_limit[#out.by_limit + 1] = good and { limit = limit, verdict = verdict_of(own), relaxes = own.modulus ~= nil, contradicts = own.contradicts == true, speed = own.speed } or nil
+    end
+  end
+  local own, words = verdict_of(out), {}
+  for _, other in ipairs(out.by_limit) do
+    local turned_round = out.modulus and (other.contradicts or not other.relaxes and other.limit > t.limit) or not out.modulus and other.relaxes
+    if turned_round then words[#words + 1] = ("up to %g degrees %s"):format(other.limit, other.verdict) end
+  end
+  if #words == 0 then return end
+  out.reason = ("Nothing is concluded, since it hangs on the angles that are taken: up to %g degrees %s, but %s."):format(t.limit, own, table.concat(words, ", "))
+  for _, name in ipairs { "viscous", "modulus", "time", "low", "high", "contradicts", "open_below", "open_above" } do out[name] = nil end
+  out.withheld = true
+end
+
+local function viscous(t)
+  check.tests("viscous", t.tests)
+  local out = analysed(t)
+  if not out.one_speed then withhold(t, out) end
   out.text = text_of(out)
   if out.viscous then origin.remember(out, { viscous = (t.time and "fitted at a time that was typed, " or "") .. relaxation_words(out) }) end
   return out
@@ -663,7 +763,8 @@ define {
   },
   sentence = "The part of shear that relaxes (viscous of a card) from tests at several speeds or with holds: viscous {shear {modulus, time}} or nil where the "
     .. "tests do not tell it, modulus, time, low and high {modulus, time, viscosity} (by the profile of the sum of squares), open_below, open_above (the "
-    .. "time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, elastic {E, S}, shear (for fabric.lab.card), "
+    .. "time is not determined), contradicts (the faster is the softer), speed {ratio, low, high, decades}, ratio {angle, E, ratio, low, high} (the fastest over the slowest against the angle), "
+    .. "withheld (the conclusion hangs on the angles that are taken: none is drawn), by_limit ({limit, verdict}, ...), elastic {E, S}, shear (for fabric.lab.card), "
     .. "scatter, rms, profile, reason, text.",
   example = "local E, S, time = {}, {}, {}\nfor k = 1, 200 do\n  time[k] = k / 10\n  E[k] = math.min(0.05, 0.05 * time[k])\n"
     .. "  local q = 2e6 * 3 * 0.05 * (1 - math.exp(-math.min(1, time[k]) / 3)) * math.exp(-math.max(0, time[k] - 1) / 3)\n  S[k] = 4e6 * E[k] + q\nend\n"

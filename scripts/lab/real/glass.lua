@@ -4,7 +4,7 @@
 --   fabricsh scripts/lab/real/glass.lua [out] [file or folder ...]
 --
 -- Each file is displacement and force of one size (mm and N, where its headings say nothing else; without headings the first two columns), and its
--- name says which: ...150x450....csv is 150 mm wide and 450 mm long. A folder gives its files with such a name, but not those of rate.lua, which say
+-- name says which: ...150x450....csv is 150 mm wide and 450 mm long, ...150x450-NAME.csv of the laboratory NAME. A folder gives its files with such a name, but not those of rate.lua, which say
 -- their speed. The records are not part of the program: the default is ../shared/data beside this checkout, or the deck says SKIPPED.
 local fabric = require "fabric"
 local lab, mm = fabric.lab, fabric.units.mm
@@ -18,7 +18,7 @@ if #arg < 2 and not io.open(default .. "/bias-extension-150x450.csv") then
 end
 if fabric.checking() then return end
 
-local sizes = {}
+local sizes, named = {}, false -- named: a laboratory stands in a file's name; a file without one counts as of a laboratory of its own
 local function add(path)
   local width, length = path:match "(%d+%.?%d*)x(%d+%.?%d*)[^/]*$"
   if not width then error(path .. ": expected the size in the file's name, such as 150x450 (width and length in mm)", 0) end
@@ -27,7 +27,9 @@ local function add(path)
     error(("%s: expected a length of at least twice the width, since the middle zone is clamped otherwise, got %g x %g mm"):format(path, width, length), 0)
   end
   local stem = path:match "([^/]*)%.%w+$"
-  sizes[#sizes + 1] = { name = ("%g x %g mm"):format(width, length), path = path, stem = stem, width = width * mm, length = length * mm }
+  local laboratory = path:match "%d+%.?%d*x%d+%.?%d*%-(%a[%w%-]*)%.%w+$"
+  named = named or laboratory ~= nil
+  sizes[#sizes + 1] = { name = ("%g x %g mm"):format(width, length), path = path, laboratory = laboratory or "that of " .. stem, stem = stem, width = width * mm, length = length * mm }
 end
 for _, path in ipairs(given) do
   local is_folder, names = pcall(fabric.folder, path)
@@ -126,9 +128,20 @@ end
 if #sizes > 1 then
   local specimens = {}
   for i, size in ipairs(sizes) do
-    specimens[i] = { name = size.name, displacement = size.record.displacement, force = size.record.force, width = size.width, length = size.length }
+    specimens[i] = { name = size.name, displacement = size.record.displacement, force = size.record.force, width = size.width, length = size.length,
+      laboratory = named and size.laboratory or nil }
   end
-  print(lab.bias_sizes({ specimens = specimens, thickness = thickness }).text)
+  local b = lab.bias_sizes { specimens = specimens, thickness = thickness }
+  print(b.text)
+  local curves = {}
+  for _, size in ipairs(sizes) do -- as a further specimen of its size in another laboratory
+    local d, F = {}, {}
+    for k, row in ipairs(size.shear.rows) do d[k], F[k] = size.record.displacement[row], size.record.force[row] end
+    local p = b:predict { displacement = d, width = size.width, length = size.length }
+    curves[#curves + 1] = { x = p.angle, y = p.force, label = size.name .. ", predicted", band = p.band and { low = p.low, high = p.high } or nil }
+    curves[#curves + 1] = { x = p.angle, y = F, label = size.name .. ", measured", style = "points" }
+  end
+  fabric.plot { file = out .. "/sizes.svg", title = "bias extension, sizes with 95 % bands", xlabel = "shear angle, degrees", ylabel = "force, N", curves = curves }
 end
 all:write(out .. "/card.lua")
 print(all)

@@ -107,7 +107,7 @@ local function pooled(tests, reach)
       end
     end
     local line = fabric.columns({ E = E, S = S })
-    list[i] = { name = "pull " .. i, measured = {}, noise = {}, predict = predict }
+    list[i] = { name = "pull " .. i, pull = i, measured = {}, noise = {}, predict = predict }
     for k, g in ipairs(groups) do
       if g.n >= 3 then
         local xx, xy, yy = g.xx - g.x ^ 2 / g.n, g.xy - g.x * g.y / g.n, g.yy - g.y ^ 2 / g.n
@@ -120,7 +120,7 @@ local function pooled(tests, reach)
     end
   end
   for i, name in ipairs { "a", "b", "c", "d" } do parameters[i] = { name = name, start = 0.1, low = -5, high = 5 } end
-  return lab.pool { parameters = parameters, tests = list, processes = 1 }
+  return lab.pool { parameters = parameters, tests = list, groups = { "pull" }, processes = 1 }
 end
 
 local rows, coverage, held, several = {}, 0, 0, 0

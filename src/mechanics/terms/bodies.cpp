@@ -184,8 +184,7 @@ Vec3 Bodies::gravity(double time) const {
 contact::Wrench Bodies::first_half(const Free& body) const {
   const double mass = body.committed.mass();
   if (!implicit_) return body.left({body.wrench.force + mass * gravity(from_), body.wrench.torque});
-  return body.left({(body.wrench.force + body.end.force + mass * (gravity(from_) + gravity(to_))) / 2,
-                    (body.wrench.torque + body.end.torque) / 2});
+  return body.left({body.end.force + mass * (gravity(from_) + gravity(to_)) / 2, body.end.torque});
 }
 
 // Moves the free bodies to the end of the step.
@@ -278,8 +277,8 @@ void Bodies::move(double scale) {
 Bodies::Matrix6 Bodies::compliance(std::size_t free) const {
   const double dt = to_ - from_;
   Matrix6 out = Matrix6::Zero();
-  out.topLeftCorner<3, 3>() = dt * dt / 4 / free_[free].committed.mass() * Mat3::Identity();
-  out.bottomRightCorner<3, 3>() = dt * dt / 4 * free_[free].predicted.inertia().inverse();
+  out.topLeftCorner<3, 3>() = dt * dt / 2 / free_[free].committed.mass() * Mat3::Identity();
+  out.bottomRightCorner<3, 3>() = dt * dt / 2 * free_[free].predicted.inertia().inverse();
   if (!free_[free].cut) return out;
   Eigen::Matrix<double, 6, 1> left;
   left << free_[free].moves, free_[free].turns;
@@ -317,11 +316,11 @@ contact::FreeBody Bodies::kicked(const Free& body) const {
   if (!loaded_) return body.committed;
   if (to_ == from_) return body.predicted;
   contact::FreeBody at = body.predicted;
-  // The rest of the impulse of the mean of both forces.
-  const contact::Wrench first = first_half(body);
-  const contact::Wrench rest = body.left(
-      {body.wrench.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
-       body.wrench.torque + body.trial.torque - first.torque});
+  // The rest of the impulse: of the mean of both forces, or in implicit steps of the force at the end.
+  const contact::Wrench first = first_half(body), &other = implicit_ ? body.trial : body.wrench;
+  const contact::Wrench rest =
+      body.left({other.force + body.trial.force + at.mass() * (gravity(from_) + gravity(to_)) - first.force,
+                 other.torque + body.trial.torque - first.torque});
   at.kick(rest.force, rest.torque, (to_ - from_) / 2);
   return at;
 }
@@ -379,9 +378,10 @@ double Bodies::step_work() const {
       work += free.committed.mass() * (gravity(from_) + gravity(to_)).dot(moved) / 2;
       continue;
     }
+    const auto& force = implicit_ ? trial_force_ : force_;
     for (std::size_t i = body.first; i < body.first + body.count; ++i)
-      work -= (force_[i] + trial_force_[i]).dot(target_[i] - committed_[i]) / 2;
-    work -= (body.torque + body.trial_torque).dot(body.turned) / 2;
+      work -= (force[i] + trial_force_[i]).dot(target_[i] - committed_[i]) / 2;
+    work -= ((implicit_ ? body.trial_torque : body.torque) + body.trial_torque).dot(body.turned) / 2;
   }
   return work;
 }

@@ -4,8 +4,8 @@
 // their histories, moving surfaces change from shape to shape, and free bodies move under the forces on them:
 // half a kick, the flight, half a kick. In explicit steps the first kick is from the force at the beginning
 // of the step, the second from that at its end (velocity Verlet). In implicit steps both kicks are from the
-// mean of the two (the trapezoidal rule), and the force at the end, six numbers for each body, is solved for
-// together with the unknowns of the cloth.
+// force at the end, six numbers for each body, which is solved for together with the unknowns of the cloth;
+// gravity acts with its mean.
 // Newton's iterations take them there by shares, along straight lines, so that no contact is passed over.
 #pragma once
 #include <span>

@@ -19,7 +19,6 @@ constexpr double kNearest = 1e-3;     // smallest gap at the start that is opene
 constexpr double kOfCloth = 0.6;      // largest step with contact, as a share of the cloth's stable step
 constexpr double kCarried = 0.2;      // stiffness * step^2 / areal mass
 constexpr double kInGuard = 1;        // the same while the guard acts
-constexpr double kCreep = 2e-4;       // sliding over which friction rises, as a share of the mean edge
 constexpr double kFar = 5;            // mean edges, the farthest that one of Newton's steps goes
 constexpr std::size_t kShare = 4096;  // number of nodes from which loops use several threads
 constexpr std::size_t kTold = 5;      // number of overlaps named in a message
@@ -134,10 +133,16 @@ std::string bodies_of(const mesh::Mesh& mesh, const std::vector<Index>& elements
   return covered == elements.size() && count <= 2 ? words : "";
 }
 
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
+// The share of the critical damping with which a mass on a spring, damped while it approaches, leaves with
+// this share of its speed: exp(-zeta acos(zeta) / sqrt(1 - zeta^2)), which falls from 1 to 1/e.
+double damping_of(double restitution) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double zeta = (low + high) / 2,
+                 leaves = std::exp(-zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta));
+    (leaves > restitution ? low : high) = zeta;
+  }
+  return restitution < 1 ? low : 0;
 }
 
 double mean_edge(const contact::Scene& scene) {
@@ -171,19 +176,21 @@ Contacts::Contacts(const model::Model& model, const Configuration& configuration
     sheets_.back().name = bodies_of(model.mesh(), elements);
     least_areal_ = std::min(least_areal_, sheets_.back().areal);
   }
-  creep_ = kCreep * mean_edge(scene_);
+  edge_ = mean_edge(scene_);
   for (const model::Meeting& m : surfaces_.meetings) {
-    const double friction = model.interactions().contacts()[m.contact].friction;
+    const auto& given = model.interactions().contacts()[m.contact];
     meetings_.push_back(meeting_of(m));
-    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), friction);
-    friction_ = friction_ || friction > 0;
+    const double loss = 2 * damping_of(given.restitution) * std::sqrt(moving_mass(m));
+    scene_.meet(m.first, m.second, contact::Law(meetings_.back().data), given.friction, loss);
+    friction_ = friction_ || given.friction > 0;
+    rubs_ = rubs_ || friction_ || loss > 0;
   }
   moves_ = bodies_.any_free() || bodies_.any_driven();
   open_overlaps();
   contact_ = std::make_unique<contact::Contact>(scene_);
   x_ = start_ = scene_.reference();
   force_.assign(x_.size(), Vec3::Zero());
-  velocity_ = torque_ = turning_ = force_;
+  torque_ = turning_ = force_;
   find_masses();
   find_driven();
   led_by_ = joints_.leaders();
@@ -203,6 +210,14 @@ Contacts::Sheet Contacts::sheet(const std::vector<Index>& elements) const {
     if (out.compression != section.compression) out.compression.clear();  // cloths of several kinds
   }
   return out;
+}
+
+// kg/m2, of a sheet on a body, or the reduced mass of two sheets that meet.
+double Contacts::moving_mass(const model::Meeting& m) const {
+  double inverse = 0;
+  for (const int side : {m.first, m.second})
+    if (side < static_cast<int>(sheets_.size())) inverse += 1 / sheets_[side].areal;
+  return 1 / inverse;
 }
 
 std::string Contacts::name_of(int side) const {
@@ -287,7 +302,9 @@ void Contacts::go_explicit() {
   begin_pressed();
 }
 
-void Contacts::go_implicit() {
+void Contacts::go_implicit(double weight) {
+  implicit_ = true;
+  weight_ = weight;
   bodies_.go_implicit();
   soften(false);
   begin_pressed();
@@ -471,46 +488,55 @@ void Contacts::positions(std::span<const double> x, double share, std::vector<Ve
     out[nodes_ + v] = share >= 1 ? to[v] : share <= 0 ? from[v] : Vec3(from[v] + share * (to[v] - from[v]));
 }
 
-// Velocities half a step ago, from the motion in the step, and the largest motion of any point.
-void Contacts::find_motion(double dt) {
-  positions(configuration_.committed_kinematics(), 0, start_);
+// The largest motion of any point in the step so far.
+void Contacts::find_motion() {
   double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most) if (nodes_ >= kShare)
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    const Vec3 moved = x_[i] - start_[i];
-    most = std::max(most, moved.squaredNorm());
-    if (friction_) velocity_[i] = moved / dt;
-  }
+  for (std::size_t i = 0; i < x_.size(); ++i) most = std::max(most, (x_[i] - start_[i]).squaredNorm());
   moved_ = std::sqrt(most);
-  if (friction_) find_turning(1 / dt);
 }
 
-// Sets the rotation of each body in the step, times a factor, at all of its vertices.
-void Contacts::find_turning(double factor) {
+// The way of friction from the beginning of the step to the present share of the bodies' motion; with the
+// step's length if it is explicit. At the start of an explicit run there is none.
+contact::Way Contacts::way(double dt) {
+  if (!rubs_ || (explicit_ && !(dt > 0))) return {};
+  const double share = std::clamp(share_, 0.0, 1.0);
   for (std::size_t b = 0; b < bodies_.count(); ++b) {
     const auto [first, last] = bodies_.vertices(b);
     std::fill(turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + first),
-              turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + last), factor * bodies_.turned(b));
+              turning_.begin() + static_cast<std::ptrdiff_t>(nodes_ + last), share * bodies_.turned(b));
   }
+  if (!explicit_) return {start_, turning_, implicit_ ? dt : 0};
+  return {start_, turning_, dt, inverse_mass_, planes_};
 }
 
-// The way from the beginning of the step to the present share of the bodies' motion.
-contact::Way Contacts::way() {
-  positions(configuration_.committed_kinematics(), 0, start_);
-  find_turning(std::clamp(share_, 0.0, 1.0));
-  return {start_, creep_, turning_};
+// J, that the trial step takes from what presses: the energy that contact gives up less the work of its
+// forces at the end of the step. A convex energy falls by at least that work, so that this is not negative
+// but for what the geometry bends within a step; the latter stays an error of the ledger.
+double Contacts::taken() const {
+  double work = trial_.work;
+  for (std::size_t i = 0; i < x_.size(); ++i) work += force_[i].dot(x_[i] - start_[i]);
+  for (std::size_t i = nodes_; i < x_.size(); ++i) work += torque_[i].dot(turning_[i]);
+  // What friction takes has its own account; the damping of approach belongs to this one.
+  const double given = committed_.contact + committed_.guard - trial_.contact - trial_.guard;
+  return std::max(0.0, opening_work_ + given - work);
+}
+
+double Contacts::work_on_cloth() const {
+  double work = 0;
+  for (std::size_t i = 0; i < nodes_; ++i)
+    if (inverse_mass_[i] > 0) work += force_[i].dot(x_[i] - start_[i]);
+  return work;
 }
 
 Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& forces) {
   positions(trial.configuration.x(), share_, x_);
-  const bool steps = step.dt > 0;
   const bool room = work_of_opening();
-  if (explicit_ && steps) find_motion(step.dt);
-  const contact::Motion motion{velocity_, inverse_mass_, step.dt, turning_, planes_};
+  positions(configuration_.committed_kinematics(), 0, start_);
+  if (explicit_) find_motion();
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
-  trial_ = contact_->add_forces(x_, force_, explicit_ && steps && friction_ ? &motion : nullptr, torque_);
-  trial_lost_ = explicit_ ? step.dt * (power_ + trial_.lost) / 2 : 0;
+  trial_ = contact_->add_forces(x_, force_, way(step.dt), torque_);
   evaluated_ = true;
   blocked_ = !(trial_.gap > 0) || !room;
   if (!explicit_ && driven_meet())
@@ -521,10 +547,8 @@ Outcome Contacts::add_forces(const law::Step& step, const Trial& trial, Forces& 
       if (!force_[n].allFinite()) passed.element = cloth_.element_at(static_cast<Index>(n));
     return passed;
   }
-  if (!explicit_ && friction_ && trial_.touching > 0) {
-    trial_lost_ = contact_->add_friction(x_, way(), force_, torque_);
-  }
   bodies_.load(std::span(force_).subspan(nodes_), std::span(torque_).subspan(nodes_));
+  if (implicit_) trial_impact_ = taken();
   if (trial_.touching == 0) return {};
 #pragma omp parallel for schedule(static) if (nodes_ >= kShare)
   for (std::size_t n = 0; n < nodes_; ++n) at(forces.on_x, static_cast<Index>(n)) -= force_[n];
@@ -535,7 +559,12 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
   const contact::Totals& totals = evaluated_ ? trial_ : committed_;
   out.push_back({"contact", Account::stored, totals.contact});
   out.push_back({"guard", Account::stored, totals.guard});
-  out.push_back({"friction", Account::dissipated, lost_ + (evaluated_ ? trial_lost_ : 0)});
+  out.push_back({"stick", Account::stored, totals.stick});
+  out.push_back({"friction", Account::dissipated, lost_ + lost()});
+  out.push_back({"impact", Account::dissipated,
+                 impact_ + (!evaluated_ ? 0
+                            : implicit_ ? trial_impact_
+                                        : trial_.impact)});
   out.push_back({"rigid", Account::moving, bodies_.kinetic()});
 }
 
@@ -546,6 +575,7 @@ void Contacts::add_energies(const Trial&, std::vector<Energy>& out) const {
 // visited.
 void Contacts::prepare_tangent(const Trial& trial) {
   positions(trial.configuration.x(), share_, x_);
+  positions(configuration_.committed_kinematics(), 0, start_);
   blocks_.clear();
   on_bodies_.clear();
   bool known = true;
@@ -561,104 +591,20 @@ void Contacts::prepare_tangent(const Trial& trial) {
   contact_->stiffness(
       x_,
       [&](const std::array<std::int32_t, 4>& points, const contact::Matrix12& k,
-          const contact::Friction* friction) {
+          const contact::FrictionTangent* friction) {
         blocks_.push_back({points, k});
         if (bodies_.unknowns() > 0) add_on_body(friction);
         add(points, [&](std::int64_t pair) {
           known = known && std::binary_search(pairs_.begin(), pairs_.end(), pair);
         });
       },
-      friction_ ? way() : contact::Way());
+      way(aimed_ - configuration_.time()));
   if (known) return;
-  const double skin = mean_edge(scene_) / 3;
+  const double skin = edge_ / 3;
   for (const auto& candidate : contact::find_pairs(scene_, x_, skin))
     add(candidate.point, [&](std::int64_t pair) { pairs_.push_back(pair); });
   std::sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-}
-
-// Adds the coupling of the last block with a free body, if it has one.
-void Contacts::add_on_body(const contact::Friction* friction) {
-  Block& block = blocks_.back();
-  OnBody out{blocks_.size() - 1, {}, {}, {}};
-  Eigen::Matrix<double, 12, 6> by = Eigen::Matrix<double, 12, 6>::Zero();  // corners by place and turn
-  for (int q = 0; q < 4; ++q) {
-    const std::int32_t p = block.point[q];
-    if (p < static_cast<std::int32_t>(nodes_)) continue;
-    block.body = bodies_.free_of(static_cast<std::size_t>(p) - nodes_);
-    if (block.body < 0) return;
-    by.block<3, 3>(3 * q, 0).setIdentity();
-    by.block<3, 3>(3 * q, 3) = -cross_matrix(bodies_.lever(static_cast<std::size_t>(p) - nodes_));
-  }
-  if (block.body < 0) return;
-  out.force = block.k * by;
-  out.answer = -by.transpose() * block.k;
-  if (friction != nullptr) {
-    out.force.rightCols<3>() -= friction->by_turn;
-    out.answer.bottomRows<3>() += friction->torque_by_x;
-  }
-  out.own = out.answer * by;
-  if (friction != nullptr) {
-    out.own.rightCols<3>() += by.transpose() * friction->by_turn;
-    out.own.bottomRightCorner<3, 3>() += friction->torque_by_turn;
-  }
-  on_bodies_.push_back(out);
-}
-
-bool Contacts::body_push(std::size_t j, std::span<double> on_x) const {
-  const auto body = static_cast<int>(j / 6);
-  const Eigen::Matrix<double, 6, 1> moved = bodies_.compliance(j / 6).col(static_cast<Eigen::Index>(j % 6));
-  std::fill(on_x.begin(), on_x.end(), 0.0);
-  bool any = false;
-  for (const OnBody& part : on_bodies_) {
-    const Block& block = blocks_[part.block];
-    if (block.body != body) continue;
-    any = true;
-    const contact::Vector12 f = part.force * moved;
-    for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = block.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes_))
-        at(on_x, p) += f.segment<3>(3 * a);
-  }
-  return any;
-}
-
-Eigen::VectorXd Contacts::body_answer(std::span<const double> move) const {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bodies_.unknowns()));
-  for (const OnBody& part : on_bodies_) {
-    const Block& block = blocks_[part.block];
-    contact::Vector12 x = contact::Vector12::Zero();
-    for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = block.point[a]; p >= 0 && p < static_cast<std::int32_t>(nodes_))
-        x.segment<3>(3 * a) = at(move, p);
-    out.segment<6>(6 * block.body) += part.answer * x;
-  }
-  return out;
-}
-
-Eigen::MatrixXd Contacts::body_response() const {
-  const auto m = static_cast<Eigen::Index>(bodies_.unknowns());
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(m, m);
-  for (const OnBody& part : on_bodies_) {
-    const auto row = 6 * blocks_[part.block].body;
-    out.block<6, 6>(row, row) += part.own * bodies_.compliance(static_cast<std::size_t>(row) / 6);
-  }
-  return out;
-}
-
-// Includes the part of the bodies' motion that the iterate has not made yet.
-Eigen::VectorXd Contacts::body_residual() const {
-  Eigen::VectorXd out = bodies_.residual();
-  if (share_ >= 1) return out;
-  const auto from = bodies_.committed(), to = bodies_.target();
-  for (const OnBody& part : on_bodies_) {
-    const Block& block = blocks_[part.block];
-    contact::Vector12 x = contact::Vector12::Zero();
-    for (int a = 0; a < 4; ++a)
-      if (const std::int32_t p = block.point[a]; p >= static_cast<std::int32_t>(nodes_))
-        x.segment<3>(3 * a) = (1 - share_) * (to[p - nodes_] - from[p - nodes_]);
-    out.segment<6>(6 * block.body) += part.answer * x;
-  }
-  return out;
 }
 
 void Contacts::couple(const Trial& trial, std::vector<NodePair>& pairs) {
@@ -676,7 +622,7 @@ void Contacts::add_tangent(const Trial&, TangentSink& sink) const {
       for (int b = 0; b < 4; ++b) {
         const std::int32_t q = block.point[b];
         if (q < 0) continue;
-        const Mat3 k = block.k.block<3, 3>(3 * a, 3 * b);
+        const Mat3 k = weight_ * block.k.block<3, 3>(3 * a, 3 * b);
         if (q < static_cast<std::int32_t>(nodes_))
           sink.on_positions(p, q, k);
         else if (moves_)
@@ -701,7 +647,7 @@ double Contacts::near_share(const Trial& trial) {
   double most = 0;
   for (std::size_t i = 0; i < by_.size(); ++i)
     most = std::max(most, (by_[i] - marked_[i] - mean).squaredNorm());
-  const double far = kFar * creep_ / kCreep;
+  const double far = kFar * edge_;
   return far > 0 && most > far * far ? far / std::sqrt(most) : 1;
 }
 
@@ -719,11 +665,11 @@ double Contacts::safe_share(const Trial& trial) {
 
 void Contacts::commit() {
   if (evaluated_) {
+    lost_ += lost();
+    impact_ += implicit_ ? trial_impact_ : trial_.impact;
     committed_ = trial_;
-    lost_ += trial_lost_;
-    power_ = trial_.lost;
+    contact_->commit();
   }
-  trial_lost_ = 0;
   evaluated_ = false;
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) committed_pairs_ = pairs_;
@@ -733,6 +679,7 @@ void Contacts::commit() {
 
 void Contacts::rollback() {
   evaluated_ = blocked_ = false;
+  contact_->rollback();
   share_ = at_ = 0;
   if (committed_pairs_.size() != pairs_.size()) pairs_ = committed_pairs_;
   bodies_.rollback();
@@ -740,7 +687,8 @@ void Contacts::rollback() {
 
 void Contacts::keep(Archive& archive) {
   bodies_.keep(archive);
-  archive(committed_.contact, committed_.guard, committed_.lost, committed_.gap, lost_, power_, pairs_);
+  archive(committed_.contact, committed_.guard, committed_.stick, committed_.gap, lost_, impact_, pairs_);
+  contact_->keep(archive);
   std::vector<double> apart = scene_.apart();
   if (joints_.any()) archive(apart);
   if (!archive.reading()) return;

@@ -1,8 +1,7 @@
 // Contact of cloth with rigid bodies, other cloth and itself (share/doc/contact.md), and the rigid bodies.
 //
-// Static and implicit steps: friction depends on the sliding since the beginning of the step, and its
-// Jacobian is exact; Newton's steps are cut to the safe share. Explicit steps: friction depends on the
-// velocity half a step ago, computed from the positions.
+// Friction remembers its elastic slip from step to step (contact/pair.hpp). In static and implicit steps its
+// Jacobian is exact, and Newton's steps are cut to the safe share.
 #pragma once
 #include <functional>
 #include <memory>
@@ -57,9 +56,17 @@ class Contacts final : public Term {
   // motion.
   double near_share(const Trial& trial);
 
+  // --- implicit steps take the forces of contact at their end, while the cloth keeps its own rule
+  // [kane1999]: then contact cannot make energy, and what it takes is the energy "impact". The scheme's
+  // balance has these forces `weight` times, and so has the tangent.
+  void go_implicit(double weight);
+  double weight() const { return weight_; }
+  std::span<const Vec3> push() const { return std::span(force_).first(nodes_); }  // N, on the nodes
+  // J, of these forces on the nodes that move freely, in the step.
+  double work_on_cloth() const;
+
   // --- implicit steps of free bodies: six unknowns each beside those of the cloth, the force on it at the
   // step's end. All of the last tangent.
-  void go_implicit();
   std::size_t body_unknowns() const { return bodies_.unknowns(); }
   // What a change of unknown j does to the internal forces on the nodes, N, 3 per node. False: nothing.
   bool body_push(std::size_t j, std::span<double> on_x) const;
@@ -98,6 +105,7 @@ class Contacts final : public Term {
   double gap(Index node) const;       // m, above the floor; at most the range of contact
   double pressure(Index node) const;  // Pa, without friction, of both faces added
   std::size_t touching() const { return read().totals.touching; }
+  std::size_t touching_now() const { return (evaluated_ ? trial_ : committed_).touching; }
   std::string words(const std::array<std::int32_t, 4>& points) const;  // "node 3 and sphere"
   // The parameters used for each contact, in lines of text.
   std::vector<std::string> describe() const;
@@ -147,6 +155,7 @@ class Contacts final : public Term {
   void set_apart(std::vector<double> apart);
   void follow_lips();
   Meeting meeting_of(const model::Meeting& meeting) const;
+  double moving_mass(const model::Meeting& m) const;
   std::string name_of(int side) const;
   std::string stiffness_words(const Meeting& m, const contact::Law& law) const;
   void soften(bool measured);
@@ -161,10 +170,12 @@ class Contacts final : public Term {
   bool driven_meet();
   void begin_pressed();
   void positions(std::span<const double> x, double share, std::vector<Vec3>& out) const;
-  void find_motion(double dt);
-  void find_turning(double factor);
-  contact::Way way();
-  void add_on_body(const contact::Friction* friction);
+  void find_motion();
+  contact::Way way(double dt);
+  // J, lost by friction in the trial step: its work less what the springs of what sticks take up.
+  double taken() const;
+  double lost() const { return evaluated_ ? trial_.work - (trial_.stick - committed_.stick) : 0; }
+  void add_on_body(const contact::FrictionTangent* friction);
   void prepare_tangent(const Trial& trial);
   const Reading& read() const;
   int surface_of(std::int32_t point) const;
@@ -186,10 +197,10 @@ class Contacts final : public Term {
   mutable std::vector<double> share_of_;  // see open_to()
   bool friction_ = false, explicit_ = false, moves_ = false, blocked_ = false;
   double least_areal_ = 0, step_ = 0;  // kg/m2; s, step for which stiffnesses are limited
-  double creep_ = 0;                   // m
+  double edge_ = 0;                    // m, mean length of an edge
 
   std::size_t nodes_ = 0;
-  std::vector<Vec3> x_, start_, marked_, force_, torque_, velocity_, turning_, by_;
+  std::vector<Vec3> x_, start_, marked_, force_, torque_, turning_, by_;
   std::vector<double> inverse_mass_;
   std::vector<Index> led_by_;  // per node, the leader of its joint; empty: there are no zones
   // With parts of bodies that planes of symmetry cut: the planes that each node lies in, a bit each. Inverse
@@ -198,8 +209,10 @@ class Contacts final : public Term {
   double share_ = 0, at_ = 0;  // share of the bodies' way: trial, iterate
   double moved_ = 0;           // m, largest motion in the step
   contact::Totals trial_, committed_;
-  double lost_ = 0, trial_lost_ = 0;  // J, lost by friction so far; in the step
-  double power_ = 0;                  // W, at the committed state (explicit)
+  double lost_ = 0;                       // J, lost by friction up to the committed state
+  double impact_ = 0, trial_impact_ = 0;  // J, taken by implicit steps; in the trial step
+  double weight_ = 1;                     // of the forces at the end of an implicit step
+  bool implicit_ = false, rubs_ = false;  // rubs: friction or the damping of approach acts
   bool evaluated_ = false;
   std::vector<Block> blocks_;
   std::vector<OnBody> on_bodies_;

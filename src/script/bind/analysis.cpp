@@ -6,15 +6,32 @@
 #include "base/number.hpp"
 #include "run/bodies.hpp"
 #include "run/result_fields.hpp"
-#include "script/at_work.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
-#include "script/drive.hpp"
-#include "script/replay.hpp"
-#include "script/warning_log.hpp"
+#include "script/runs/drive.hpp"
+#include "script/runs/replay.hpp"
+#include "script/session/at_work.hpp"
+#include "script/session/warning_log.hpp"
 
 namespace fabricsh::script {
+
+Argument limit_row() {
+  return value_("limit", text,
+                "tell: warns once when the cloth is strained beyond what the card was tested to (2 % are let "
+                "pass); stop: ends the run there, on the strain, however long the steps")
+      .or_else("tell")
+      .one_of({"tell", "stop"});
+}
+
+std::string sample_run() {
+  return "local fabric = require 'fabric'\n"
+         "local mesh = fabric.mesh.rectangle{ width=0.0254, height=0.0762, nx=1, ny=3 }\n"
+         "local m = fabric.model{ mesh=mesh, card=fabric.card 'blend', warp=90 }\n"
+         "m:fix('all', 'z rotation'):fix('bottom', 'x y'):fix('top', 'x'):move('top', { y=fabric.ramp(0.018, "
+         "1) })\n"
+         "local a = fabric.static{ model=m, duration=1, step=0.25 }\n";
+}
 
 template <>
 struct ClassName<const run::Run::Snapshot> {
@@ -200,6 +217,8 @@ int energy(Call& call) {
                                                    {"guard", e.guard},
                                                    {"directors", e.directors},
                                                    {"friction", e.friction},
+                                                   {"stick", e.stick},
+                                                   {"impact", e.impact},
                                                    {"joints", e.joints},
                                                    {"fracture", e.fracture},
                                                    {"rigid", e.rigid},
@@ -491,13 +510,17 @@ std::vector<Entry> reading() {
        Style::property,
        {},
        "Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of "
-       "stored: contact, guard (the barrier that keeps surfaces from passing), directors (what keeps the "
-       "directors by the normal where the elements' shear does not). Parts of dissipated: "
-       "dissipated_warp, _weft, _shear, _bending, friction (of contact), joints (motion lost as joints "
-       "closed, see analysis:join), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free "
+       "stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of "
+       "friction that holds), directors (what keeps the directors by the normal where the elements' shear "
+       "does "
+       "not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact "
+       "(of "
+       "surfaces that meet), joints (motion lost as joints closed, see analysis:join), fracture "
+       "(broken yarns of tearable zones). Parts of kinetic: "
        "rigid "
-       "bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external "
-       "work.",
+       "(free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the "
+       "largest "
+       "external work; with contact at least over the cloth's weight times its thickness.",
        run + "a:solve()\nassert(a.energy.error < 1)",
        energy},
       {"analysis.beyond",

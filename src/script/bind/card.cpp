@@ -7,8 +7,10 @@
 #include "law/provenance.hpp"
 #include "model/loose.hpp"
 #include "script/bind/rooms.hpp"
+#include "script/call/parts.hpp"
 #include "script/call/words.hpp"
 #include "script/sandbox/load.hpp"
+#include "script/show/show.hpp"
 #include "script/values/card_rows.hpp"
 #include "script/values/card_table.hpp"
 #include "system/gate.hpp"
@@ -234,16 +236,18 @@ int card_by_name(Call& call) {
   if (card == nullptr) throw Error(path + ": expected the file to return a card, got " + describe(L, -1));
   if (!call.has("options")) return 1;
   const Fields options = call.fields("options");
-  return options.has("bending") ? push_card(L, bent(*card, options.text("bending"))) : 1;
+  if (!options.has("bending")) return push_card(L, *card);
+  if (options.text("bending") == "estimated" && card->bending && !card->estimate) {
+    const std::string words =
+        "card '" + card->name + "': its bending needs no estimate, it is part of the card";
+    call.session().notices().once(words, words);
+    return push_card(L, *card);
+  }
+  return push_card(L, bent(*card, options.text("bending")));
 }
 
 int cards(Call& call) {
-  lua_newtable(call.L());
-  lua_Integer i = 0;
-  for (const std::string& name : shipped()) {
-    lua_pushstring(call.L(), name.c_str());
-    lua_rawseti(call.L(), -2, ++i);
-  }
+  push_texts(call.L(), shipped());
   return 1;
 }
 
@@ -261,7 +265,8 @@ int card_equal(lua_State* L) {
 
 Argument card_options() {
   Argument bending = value_("bending", text,
-                            "estimated: the card's own estimate of what was not measured; thickness: "
+                            "estimated: the card's own estimate of what was not measured (a card with a "
+                            "rigidity of its own keeps it); thickness: "
                             "integration through the thickness, without a warning")
                          .optional();
   bending.choices = {"estimated", "thickness"};

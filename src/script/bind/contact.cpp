@@ -140,6 +140,7 @@ int contact(Call& call) {
   given.friction = call.number("friction");
   if (call.has("thickness")) given.thickness = call.number("thickness");
   if (call.has("stiffness")) given.stiffness = call.number("stiffness");
+  given.restitution = call.number("restitution");
   if (call.has("settle")) given.settle = call.number("settle");
   call.self<Model>()->contact(std::move(given));
   return return_self(call);
@@ -251,6 +252,9 @@ std::vector<Entry> model_rows() {
                 "the floor; "
                 "in explicit runs no more than the cloth's own stable step carries")
             .optional(),
+        number_("restitution", "", {0.4, 1},
+                "speed after over speed before of a sheet that meets something flat; 1: nothing is lost")
+            .or_else(model::ContactGiven::usual_restitution),
         number_(
             "settle", "s", positive,
             "time from the start in which sheets and bodies that begin too near to each other, but not one "

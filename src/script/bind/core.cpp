@@ -6,63 +6,22 @@
 
 namespace fabricsh::script {
 
-void push_numbers(lua_State* L, const std::vector<double>& values) {
-  lua_createtable(L, static_cast<int>(values.size()), 0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    lua_pushnumber(L, values[i]);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+void push_warnings(lua_State* L, const WarningLog::Warnings& warnings) {
+  lua_createtable(L, static_cast<int>(warnings.size()), 0);
+  lua_Integer place = 0;
+  for (const run::Warning& w : warnings) {
+    lua_createtable(L, 0, 5);
+    set_text(L, "code", w.code);
+    set_text(L, "text", w.text);
+    set_number(L, "time", w.time);
+    if (w.element >= 0) {
+      lua_pushinteger(L, w.element + 1);
+      lua_setfield(L, -2, "element");
+    }
+    lua_pushboolean(L, w.serious ? 1 : 0);
+    lua_setfield(L, -2, "serious");
+    lua_rawseti(L, -2, ++place);
   }
-}
-
-void push_ids(lua_State* L, const std::vector<mesh::Index>& ids) {
-  lua_createtable(L, static_cast<int>(ids.size()), 0);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    lua_pushinteger(L, ids[i] + 1);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
-}
-
-void set_number(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
-void set_text(lua_State* L, const char* name, const std::string& value) {
-  lua_pushlstring(L, value.data(), value.size());
-  lua_setfield(L, -2, name);
-}
-
-int report_text(lua_State* L) {
-  luaL_checktype(L, 1, LUA_TTABLE);
-  lua_getfield(L, 1, "text");
-  return 1;
-}
-
-void set_text_of(lua_State* L, const char* name, lua_CFunction text) {
-  if (luaL_newmetatable(L, name) != 0) {
-    lua_pushcfunction(L, text);
-    lua_setfield(L, -2, "__tostring");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-  }
-  lua_setmetatable(L, -2);
-}
-
-std::string raw_text(lua_State* L, int index, const char* name) {
-  index = lua_absindex(L, index);
-  lua_pushstring(L, name);
-  std::string words;
-  if (lua_rawget(L, index) == LUA_TSTRING) words = lua_tostring(L, -1);
-  lua_pop(L, 1);
-  return words;
-}
-
-void set_meta(Session& session, const std::string& cls, const char* name, lua_CFunction f) {
-  lua_State* L = session.lua();
-  push_class(L, cls, nullptr);
-  lua_pushcfunction(L, f);
-  lua_setfield(L, -2, name);
-  lua_pop(L, 1);
 }
 
 namespace {

@@ -5,7 +5,7 @@
 #include "format/image.hpp"
 #include "lab/correlation.hpp"
 #include "script/call/call.hpp"
-#include "script/call/entry.hpp"
+#include "script/session/entry.hpp"
 
 namespace fabricsh::script {
 

@@ -179,6 +179,8 @@ void add_contacts(const Model& m, std::vector<Declared>& all) {
     if (c.between.size() == 1) sides += " on itself";
     if (c.thickness) add_word(words, "thickness " + brief_number(*c.thickness) + " m");
     if (c.stiffness) add_word(words, "stiffness " + brief_number(*c.stiffness) + " Pa/m");
+    if (c.restitution != model::ContactGiven::usual_restitution)
+      add_word(words, "restitution " + brief_number(c.restitution));
     if (c.settle) add_word(words, "settles over " + brief_number(*c.settle) + " s");
     all.push_back({"contact", sides, words, Model::Told::contact, number++});
   }

@@ -13,8 +13,8 @@
 
 #include "script/bind/rooms.hpp"
 #include "script/call/words.hpp"
+#include "script/session/warning_log.hpp"
 #include "script/show/show.hpp"
-#include "script/warning_log.hpp"
 
 namespace fabricsh::script {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/number.hpp"
-#include "script/at_work.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/call/words.hpp"
+#include "script/session/at_work.hpp"
 
 namespace fabricsh::script {
 

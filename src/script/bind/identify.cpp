@@ -11,8 +11,7 @@
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
-#include "script/called_off.hpp"
-#include "script/warning_log.hpp"
+#include "script/session/warning_log.hpp"
 
 namespace fabricsh::script {
 
@@ -124,7 +123,7 @@ int parallel(Call& call) {
       count, [&](std::size_t i) { return work_on(work, i); }, how);
   if (session.take_interrupt()) {
     session.rest_hook(session.active());
-    call_off(session);
+    session.call_off();
     throw Error("interrupted");
   }
   lua_createtable(L, static_cast<int>(answers.size()), 0);

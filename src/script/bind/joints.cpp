@@ -2,7 +2,7 @@
 #include "base/archive.hpp"
 #include "script/bind/model.hpp"
 #include "script/bind/run.hpp"
-#include "script/replay.hpp"
+#include "script/runs/replay.hpp"
 
 namespace fabricsh::script {
 

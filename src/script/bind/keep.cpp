@@ -1,7 +1,8 @@
 // a:checkpoint, a:restart, a:set, a:why, fabric.why: storing and restarting a run, changing its settings, and
 // the reason for a failure.
-#include "script/checkpoint.hpp"
-#include "script/replay.hpp"
+#include "script/bind/run.hpp"
+#include "script/runs/checkpoint.hpp"
+#include "script/runs/replay.hpp"
 #include "script/values/lua_table.hpp"
 
 namespace fabricsh::script {

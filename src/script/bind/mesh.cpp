@@ -99,13 +99,7 @@ int set(Call& call) {
 }
 
 int sets(Call& call) {
-  lua_State* L = call.L();
-  lua_newtable(L);
-  lua_Integer i = 0;
-  for (const auto& [name, ids] : call.self<Mesh>()->sets) {
-    lua_pushstring(L, name.c_str());
-    lua_rawseti(L, -2, ++i);
-  }
+  push_texts(call.L(), call.self<Mesh>()->set_names());
   return 1;
 }
 
@@ -292,7 +286,7 @@ std::vector<Entry> rows() {
       {"mesh.sets",
        Style::property,
        {},
-       "Names of the node sets.",
+       "Names of the node sets. In the mesh of a model of several bodies also those of each, as body.left.",
        with_mesh + "assert(mesh.sets[1] == 'all')",
        sets},
   };

@@ -114,9 +114,7 @@ Entry read_row() {
       "fabric.mesh.read",
       Style::positional,
       {value_("file", text,
-              "ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k; a bare name may be a mesh shipped "
-              "with the "
-              "program")},
+              "ends in " + format::read_endings() + "; a bare name may be a mesh shipped with the program")},
       "Reads a mesh of triangles and quadrilaterals, lengths in m: Gmsh 2 and 4.1, VTK's .vtu and legacy "
       ".vtk, Wavefront .obj, .stl and .ply (text and binary; equal vertices of an .stl are joined), .inp of "
       "Abaqus and CalculiX, "
@@ -133,7 +131,7 @@ Entry write_row() {
   return {
       "mesh:write",
       Style::positional,
-      {value_("file", text, std::string("ends in ") + format::mesh_endings)},
+      {value_("file", text, "ends in " + format::written_endings())},
       "Writes the mesh, lengths in m. With its sets: .vtu and .msh (Gmsh 4.1), which read back equal, "
       ".inp (Abaqus, CalculiX), .k (LS-DYNA), .rad (OpenRadioss). The surface alone: .obj, .ply, .stl. The "
       "old file stays until the new one is whole.",

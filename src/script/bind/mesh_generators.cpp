@@ -1,6 +1,10 @@
 // fabric.mesh.disk, annulus, cylinder, hemisphere.
+#include <cmath>
+
+#include "base/number.hpp"
 #include "mesh/generators.hpp"
 #include "script/bind/mesh.hpp"
+#include "script/call/words.hpp"
 
 namespace fabricsh::script {
 
@@ -29,6 +33,67 @@ int cylinder(Call& call) {
 int hemisphere(Call& call) {
   return give(call, mesh::hemisphere({call.number("radius"), call.number("hole"), call.integer("around"),
                                       call.integer("along"), call.number("angle")}));
+}
+
+// The rows of numbers of a table in the field: {{1, 2, 3}, ...}, each of `least` to `most` numbers.
+std::vector<std::vector<double>> number_rows(const Call& call, const char* name, std::size_t least,
+                                             std::size_t most) {
+  lua_State* L = call.L();
+  std::vector<std::vector<double>> rows;
+  call.push(name);
+  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i) {
+    const std::string where = "at place " + std::to_string(i);
+    if (!lua_istable(L, -1))
+      call.refuse(name, "expected a list of numbers " + where + ", got " + describe(L, -1));
+    std::vector<double>& row = rows.emplace_back();
+    for (lua_Integer k = 1; lua_rawgeti(L, -1, k) != LUA_TNIL; ++k, lua_pop(L, 1)) {
+      if (lua_type(L, -1) != LUA_TNUMBER)
+        call.refuse(name, "expected numbers " + where + ", got " + describe(L, -1));
+      row.push_back(lua_tonumber(L, -1));
+    }
+    lua_pop(L, 2);
+    if (row.size() < least || row.size() > most)
+      call.refuse(name, "expected " + std::to_string(least) + " or " + std::to_string(most) + " numbers " +
+                            where + ", got " + std::to_string(row.size()));
+  }
+  lua_pop(L, 2);
+  return rows;
+}
+
+int of_lists(Call& call) {
+  std::vector<Vec3> nodes;
+  for (const auto& x : number_rows(call, "nodes", 2, 3))
+    nodes.emplace_back(x[0], x[1], x.size() > 2 ? x[2] : 0);
+  std::vector<std::array<mesh::Index, 4>> elements;
+  for (const auto& ids : number_rows(call, "elements", 3, 4)) {
+    auto& element = elements.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double id = k < ids.size() ? ids[k] : 0;
+      if (id != std::floor(id) || std::abs(id) > 1e15)
+        call.refuse("elements", "expected node numbers at place " + std::to_string(elements.size()) +
+                                    ", got " + exact_number(id));
+      element[k] = static_cast<mesh::Index>(id) - 1;
+    }
+    if (ids.size() == 4 && element[3] < 0)
+      call.refuse("elements", "expected node numbers from 1 at place " + std::to_string(elements.size()) +
+                                  ", got " + exact_number(ids[3]));
+  }
+  return give(call, mesh::from_lists(std::move(nodes), std::move(elements)));
+}
+
+int merge(Call& call) {
+  lua_State* L = call.L();
+  std::vector<std::shared_ptr<const mesh::Mesh>> meshes;
+  call.push("meshes");
+  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+    meshes.push_back(to_object<mesh::Mesh>(L, -1));
+    if (meshes.back() == nullptr)
+      call.refuse("meshes", "expected a mesh at place " + std::to_string(i) + ", got " + describe(L, -1));
+  }
+  lua_pop(L, 2);
+  if (meshes.size() < 2)
+    call.refuse("meshes", "expected at least two meshes, got " + std::to_string(meshes.size()));
+  return give(call, mesh::merge(meshes, call.number("distance")));
 }
 
 constexpr Range turn{0, 360, true, false};
@@ -116,10 +181,42 @@ Entry hemisphere_row() {
           hemisphere};
 }
 
+Entry of_row() {
+  return {
+      "fabric.mesh.of",
+      Style::fields,
+      {value_("nodes", table, "{ {x, y, z}, ... }, m; without z it is 0"),
+       value_("elements", table, "{ {1, 2, 5, 4}, ... }: node numbers, 3 or 4, counter-clockwise")},
+      "A mesh of your own, from its nodes and elements; also written fabric.mesh{ nodes=, elements= }. Sets "
+      "all and boundary.",
+      "local fabric = require 'fabric'\n"
+      "local mesh = fabric.mesh{ nodes={ {0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1} }, elements={ {1, 2, 3}, "
+      "{1, 3, 4} } }\n"
+      "assert(#mesh.elements == 2 and #mesh:set 'boundary' == 4)",
+      of_lists};
+}
+
+Entry merge_row() {
+  return {
+      "fabric.mesh.merge",
+      Style::fields,
+      {value_("meshes", table, "{ a, b, ... }"),
+       number_("distance", "m", not_negative, "within which nodes of different meshes become one")
+           .or_else(1e-6)},
+      "Several meshes as one: nodes of different meshes that coincide are joined, sets of one name become "
+      "one, all and boundary are made anew. The edges that meet need the same nodes.",
+      "local fabric = require 'fabric'\n"
+      "local a = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2 }\n"
+      "local b = fabric.mesh.rectangle{ width=0.1, height=0.1, nx=2, ny=2, origin={0.1, 0} }\n"
+      "local both = fabric.mesh.merge{ meshes={a, b} }\n"
+      "assert(#both.nodes == 15 and #both.elements == 8 and #both:set 'boundary' == 12)",
+      merge};
+}
+
 }  // namespace
 
 std::vector<Entry> mesh_generator_rows() {
-  return {disk_row(), annulus_row(), cylinder_row(), hemisphere_row()};
+  return {of_row(), merge_row(), disk_row(), annulus_row(), cylinder_row(), hemisphere_row()};
 }
 
 }  // namespace fabricsh::script

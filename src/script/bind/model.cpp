@@ -4,10 +4,10 @@
 #include "base/number.hpp"
 #include "geometry/box.hpp"
 #include "model/model.hpp"
+#include "script/bind/body_rows.hpp"
 #include "script/bind/rooms.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
-#include "script/values/body_rows.hpp"
 
 namespace fabricsh::script {
 

@@ -2,14 +2,9 @@
 #pragma once
 #include "model/model.hpp"
 #include "script/call/call.hpp"
-#include "script/call/object.hpp"
+#include "script/values/classes.hpp"
 
 namespace fabricsh::script {
-
-template <>
-struct ClassName<const model::Rigid> {
-  static constexpr const char* name = "body";
-};
 
 Vec3 read_vector(const std::vector<double>& v, const std::string& what);  // Error unless three numbers
 model::Components read_components(const Call& call);                      // of argument "components"

@@ -6,9 +6,9 @@
 #include "base/utf8.hpp"
 #include "format/mesh_file.hpp"
 #include "run/vtk_frame.hpp"
-#include "script/at_work.hpp"
 #include "script/bind/run.hpp"
 #include "script/call/words.hpp"
+#include "script/session/at_work.hpp"
 #include "system/paths.hpp"
 
 namespace fabricsh::script {
@@ -314,7 +314,7 @@ std::vector<Entry> rows() {
        vtk},
       {"analysis:write",
        Style::positional,
-       {value_("file", text, std::string("ends in ") + format::mesh_endings),
+       {value_("file", text, "ends in " + format::written_endings()),
         fields_("options", contents_rows(), "what; fields go into a .vtu alone").optional()},
        "Writes the sheet as it is now, or as it was in the reference, for another program: with fields as a "
        "frame of a:vtk into a .vtu, else as mesh:write does.",

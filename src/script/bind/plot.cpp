@@ -549,7 +549,8 @@ std::vector<Entry> rows() {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return {
       {"fabric.plot", Style::fields, arguments,
-       "Draws curves (by gnuplot) into a file, or without one returns them as text, which the prompt shows. "
+       "Draws curves (by gnuplot) into a file, or without one returns them as text: the prompt shows it, a "
+       "deck prints it by print(fabric.plot{...}). "
        "fabric.plot(rows, \"E\", \"S\", {...}) is short for fabric.plot{ rows=rows, x=\"E\", y=\"S\", ... }. "
        "With a "
        "file it returns whether it was drawn: false, with a warning, where gnuplot is not installed.",

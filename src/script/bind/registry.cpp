@@ -5,9 +5,9 @@
 #include "base/suggest.hpp"
 #include "run/result_fields.hpp"
 #include "script/bind/rooms.hpp"
+#include "script/call/parts.hpp"
 #include "script/call/words.hpp"
 #include "script/show/show.hpp"
-#include "script/values/card_table.hpp"
 
 namespace fabricsh::script {
 
@@ -54,11 +54,7 @@ void push_row(lua_State* L, const Argument& row) {
   push_default(L, row);
   push_kinds(L, row.kinds);
   lua_setfield(L, -2, "kinds");
-  lua_newtable(L);
-  for (std::size_t i = 0; i < row.choices.size(); ++i) {
-    lua_pushstring(L, row.choices[i].c_str());
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-  }
+  push_texts(L, row.choices);
   lua_setfield(L, -2, "choices");
   push_rows(L, row.rows);
   lua_setfield(L, -2, "rows");
@@ -106,11 +102,7 @@ int result_fields(lua_State* L) {
     set_text(L, "sentence", field.sentence);
     lua_pushboolean(L, field.usual);
     lua_setfield(L, -2, "usual");
-    lua_newtable(L);
-    for (std::size_t i = 0; i < field.components.size(); ++i) {
-      lua_pushstring(L, field.components[i].c_str());
-      lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-    }
+    push_texts(L, field.components);
     lua_setfield(L, -2, "components");
     lua_rawseti(L, -2, ++place);
   }

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -283,19 +284,40 @@ int no_picture(Call& call) {
   return 1;
 }
 
+// The run of the call, or the runs of a list.
+std::vector<std::shared_ptr<Run>> runs_of(const Call& call) {
+  if (!call.has("run")) return {};
+  if (auto one = call.object<Run>("run")) return {std::move(one)};
+  lua_State* L = call.L();
+  std::vector<std::shared_ptr<Run>> runs;
+  call.push("run");
+  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+    runs.push_back(to_object<Run>(L, -1));
+    if (runs.back() == nullptr)
+      call.refuse("run", "expected an analysis at place " + std::to_string(i) + ", got " + describe(L, -1));
+    if (runs.back()->passes_over())
+      call.refuse("run",
+                  "a list of runs is not drawn in a part of the deck that a restart passes over: draw "
+                  "them in a hook, or run the deck without --restart");
+  }
+  lua_pop(L, 2);
+  if (runs.empty()) call.refuse("run", "expected an analysis or a list of them, got an empty list");
+  return runs;
+}
+
 int render(Call& call) {
   if (call.has("vtu") == call.has("run"))
     call.refuse("vtu",
                 std::string("expected either vtu or run, got ") + (call.has("vtu") ? "both" : "neither"));
   plot::Picture picture = read_picture(call);
-  std::optional<Frame> frame;
-  add_panels(call, call.has("run") ? std::vector<std::string>{""} : word_list(call, "vtu"), picture);
+  const auto runs = runs_of(call);
+  add_panels(call, call.has("run") ? std::vector<std::string>(runs.size()) : word_list(call, "vtu"), picture);
   if (call.session().options().check) return 0;
   if (system::Gate::of_process().closed()) return no_picture(call);
-  if (call.has("run")) {
-    frame.emplace(*call.object<Run>("run"), call.text("field"));
-    for (plot::Panel& panel : picture.panels) panel.vtu = frame->path();
-  }
+  std::deque<Frame> frames;
+  for (const auto& run : runs) frames.emplace_back(*run, call.text("field"));
+  for (std::size_t i = 0; i < picture.panels.size() && !frames.empty(); ++i)
+    picture.panels[i].vtu = frames[i * frames.size() / picture.panels.size()].path();
   system::make_folder_for(picture.png);
   const auto program = std::filesystem::path(program_path()).parent_path() / "fabricsh-render";
   for (const std::string& told : plot::render(picture, program.string())) {
@@ -315,7 +337,9 @@ std::vector<Argument> arguments() {
   return {
       value_("file", text, "to write; ends in .png"),
       many("vtu", text | table, "file of a:vtk, or a list of them: panels of one scale"),
-      object_("run", "analysis", "in place of files: the run as it stands").optional(),
+      object_("run", "analysis",
+              "in place of files: the run as it stands, with its rigid bodies, or a list of runs", table)
+          .optional(),
       value_("field", text, "what the colours show").or_else("none").one_of(field_words()).owned(),
       value_("title", text, "on top").or_else(""),
       many("labels", text | table, "above the panels"),

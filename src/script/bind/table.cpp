@@ -36,15 +36,6 @@ int table_text(lua_State* L) {
   return 1;
 }
 
-void push_words(lua_State* L, const std::vector<std::string>& words) {
-  lua_createtable(L, static_cast<int>(words.size()), 0);
-  lua_Integer place = 0;
-  for (const std::string& one : words) {
-    lua_pushlstring(L, one.data(), one.size());
-    lua_rawseti(L, -2, ++place);
-  }
-}
-
 void push_column(lua_State* L, const format::TableColumn& column) {
   lua_createtable(L, 0, 5);
   set_text(L, "name", column.name);
@@ -53,7 +44,7 @@ void push_column(lua_State* L, const format::TableColumn& column) {
   lua_setfield(L, -2, "values");
   if (!column.trouble.empty()) set_text(L, "trouble", column.trouble);
   if (!column.words.empty()) {
-    push_words(L, column.words);
+    push_texts(L, column.words);
     lua_setfield(L, -2, "words");
   }
 }
@@ -94,7 +85,7 @@ void push_table(lua_State* L, const std::string& file, const format::Table& tabl
     push_column(L, column);
     lua_rawseti(L, -2, ++place);
   }
-  push_words(L, table.preamble);
+  push_texts(L, table.preamble);
   lua_setfield(L, -2, "preamble");
   push_lines(L, table);
   push_left_out(L, table);
@@ -139,14 +130,7 @@ int table_of(Call& call) {
 }
 
 int folder(Call& call) {
-  lua_State* L = call.L();
-  const std::vector<std::string> names = system::Gate::of_process().names(call.text("path"));
-  lua_createtable(L, static_cast<int>(names.size()), 0);
-  lua_Integer place = 0;
-  for (const std::string& name : names) {
-    lua_pushlstring(L, name.data(), name.size());
-    lua_rawseti(L, -2, ++place);
-  }
+  push_texts(call.L(), system::Gate::of_process().names(call.text("path")));
   return 1;
 }
 

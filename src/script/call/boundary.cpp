@@ -1,17 +1,17 @@
 // The boundary of C++ and Lua: every binding is called through enter(), which converts C++ exceptions to Lua
 // errors. Lua's own errors are C++ exceptions of a type private to Lua; they pass through and run the
 // destructors on their way.
+#include "script/call/boundary.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "script/bind/run.hpp"
 #include "script/call/call.hpp"
 #include "script/call/chain.hpp"
+#include "script/call/push.hpp"
 #include "script/call/words.hpp"
-#include "script/called_off.hpp"
-#include "script/replay.hpp"
 #include "system/paths.hpp"
 #include "system/stack.hpp"
 
@@ -89,36 +89,6 @@ void push_error(lua_State* L, const std::string& call, const std::string& messag
   lua_pushstring(L, (position(L) + (named ? "" : call + ": ") + message).c_str());
 }
 
-// Whether a method changes its object. A mesh's `set` with one argument only reads.
-bool changes(const Entry& entry, int given) {
-  constexpr const char* names[] = {
-      "mesh:map",          "mesh:orient",         "analysis:solve",   "analysis:advance",
-      "analysis:step",     "analysis:every",      "analysis:event",   "analysis:record",
-      "analysis:vtk",      "analysis:checkpoint", "analysis:restart", "analysis:restore",
-      "analysis:snapshot", "analysis:set",        "analysis:cut",     "analysis:join"};
-  if (entry.name == "mesh:set") return given > 2;
-  return (entry.name.starts_with("model:") && entry.name != "model:list") ||
-         std::any_of(std::begin(names), std::end(names),
-                     [&](const char* name) { return entry.name == name; });
-}
-
-const void* changed_object(lua_State* L) {
-  if (const auto mesh = to_object<mesh::Mesh>(L, 1)) return mesh.get();
-  if (const auto model = to_object<model::Model>(L, 1)) return model.get();
-  return to_object<Run>(L, 1).get();
-}
-
-void refuse_within(lua_State* L, const Entry& entry) {
-  if (!entry.method() || !changes(entry, lua_gettop(L) - 1))
-    return;  // without the table of the gathered arguments
-  if (!Session::of(L).is_still(changed_object(L))) return;
-  throw Error(
-      "this " + entry.owner() +
-      " may not change while it asks a function for a value (a history, a direction, a column, an event's "
-      "value, a function of mesh:set or mesh:map)" +
-      (entry.owner() == "analysis" ? "; a hook of analysis:every may do so" : ""));
-}
-
 // The system's reason for a file error.
 std::string system_words(const std::filesystem::filesystem_error& trouble) {
   const std::string path = trouble.path1().string();
@@ -130,7 +100,7 @@ bool interrupted_by_now(lua_State* L) {
   Session& session = Session::of(L);
   if (session.drives() || !session.take_interrupt()) return false;
   session.rest_hook(L);
-  call_off(session);
+  session.call_off();
   return true;
 }
 
@@ -142,8 +112,7 @@ int enter(lua_State* L) {
     if (system::stack_is_short())
       throw Error("calls are nested too deeply for the stack of this process (ulimit -s)");
     Call arguments(L, entry);
-    refuse_within(L, entry);
-    return execute(arguments);
+    return Session::of(L).execute(arguments);
   } catch (const Raised& raised) {
     raised.push(L);
   } catch (const NumericalFailure& failure) {
@@ -199,6 +168,21 @@ int index_module(lua_State* L) {
   return lua_error(L);
 }
 
+// module{...}: its function `of`.
+int call_module(lua_State* L) {
+  lua_pushliteral(L, "of");
+  if (lua_rawget(L, 1) == LUA_TNIL) {
+    const std::string name = lua_tostring(L, lua_upvalueindex(1));
+    lua_pushstring(L, (position(L) + name + ": it is no function; it holds functions, as " + name + "." +
+                       keys_of(L, 1).front())
+                          .c_str());
+    return lua_error(L);
+  }
+  lua_replace(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
 }  // namespace
 
 void watch_module(lua_State* L, const std::string& name) {
@@ -206,6 +190,9 @@ void watch_module(lua_State* L, const std::string& name) {
   lua_pushstring(L, name.c_str());
   lua_pushcclosure(L, index_module, 1);
   lua_setfield(L, -2, "__index");
+  lua_pushstring(L, name.c_str());
+  lua_pushcclosure(L, call_module, 1);
+  lua_setfield(L, -2, "__call");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);

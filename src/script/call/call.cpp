@@ -6,8 +6,9 @@
 
 #include "base/number.hpp"
 #include "base/suggest.hpp"
+#include "script/call/boundary.hpp"
+#include "script/call/parts.hpp"
 #include "script/call/words.hpp"
-#include "script/values/card_table.hpp"
 
 namespace fabricsh::script {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "script/call/entry.hpp"
 #include "script/call/object.hpp"
-#include "script/session.hpp"
+#include "script/session/entry.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::script {
 

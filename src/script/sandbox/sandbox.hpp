@@ -1,6 +1,6 @@
 // --safe: the Lua of untrusted decks. share/doc/safe.md states what is guaranteed.
 #pragma once
-#include "script/session.hpp"
+#include "script/session/session.hpp"
 
 namespace fabricsh::script {
 

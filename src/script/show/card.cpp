@@ -4,7 +4,7 @@
 #include "base/number.hpp"
 #include "card/fields.hpp"
 #include "law/provenance.hpp"
-#include "script/bind/rooms.hpp"
+#include "script/call/push.hpp"
 #include "script/show/show.hpp"
 
 namespace fabricsh::script {

@@ -2,7 +2,8 @@
 
 #include <set>
 
-#include "script/bind/run.hpp"
+#include "script/call/boundary.hpp"
+#include "script/runs/run.hpp"
 #include "script/values/card_table.hpp"
 
 namespace fabricsh::script {

@@ -6,10 +6,10 @@
 #include <sstream>
 
 #include "base/number.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/call/object.hpp"
+#include "script/call/parts.hpp"
+#include "script/call/push.hpp"
 #include "script/call/words.hpp"
-#include "script/values/card_table.hpp"
 
 namespace fabricsh::script {
 

@@ -4,12 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "card/card.hpp"
+
 namespace fabricsh::script {
 
 // Shows the value at index. A table that fits is shown on one line, a longer one with a line per field. Of a
 // long list of numbers, or of equal rows of numbers, only size and range are shown. A list of records is
 // shown as a table with their names; inside another table only its size and names are shown.
 std::string show(lua_State* L, int index);
+
+// The card as a table with units.
+std::string card_words(const card::Card& card);
 
 // Aligns columns; the last one is not padded. Each line begins with two blanks.
 std::string columns_text(const std::vector<std::vector<std::string>>& rows);

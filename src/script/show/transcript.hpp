@@ -5,8 +5,6 @@
 
 namespace fabricsh::script {
 
-class Session;
-
 class Transcript {
  public:
   // Writes all previous input to the file, and all later input. Errors: the file exists and is not of this
@@ -33,8 +31,5 @@ Transcript& transcript_of(lua_State* L);
 
 // Registry key of the globals before any code of the user has run.
 inline constexpr const char* own_globals_key = "fabricsh.globals";
-
-// fabric.who, fabric.transcript.
-void bind_prompt(Session& session);
 
 }  // namespace fabricsh::script

@@ -7,7 +7,6 @@
 #include "base/number.hpp"
 #include "card/fields.hpp"
 #include "law/provenance.hpp"
-#include "script/bind/rooms.hpp"
 #include "script/call/words.hpp"
 
 namespace fabricsh::script {

@@ -8,11 +8,10 @@
 
 namespace fabricsh::script {
 
-// Registry key: tables that were read from cards, with their cards, as long as they exist.
-inline constexpr const char* parts_key = "fabricsh.card_parts";
-
 // kind: "woven", "svk" or "linear".
 const std::vector<Argument>& card_rows(const std::string& kind);
 card::Card card_from(const Fields& fields, const std::string& kind);
+// Makes a card from the table of its constructor.
+card::Card read_card(lua_State* L, int index, const std::string& kind);
 
 }  // namespace fabricsh::script

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/archive.hpp"
+#include "script/call/parts.hpp"
 #include "script/call/words.hpp"
 #include "script/values/card_table.hpp"
 

@@ -265,6 +265,8 @@ wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, rate={ refer
   "deck.lua:1: pool: field 'rate.reference': expected a positive number, got -1")
 wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, processes=2.5 }",
   "deck.lua:1: pool: field 'processes': expected an integer of at least 1, got 2.5")
+wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, model='f' }",
+  "deck.lua:1: pool: field 'model': expected a function, got 'f'")
 wrong("fabric.lab.pool", "fabric.lab.pool{ parameters={}, tests={}, progress='yes' }",
   "deck.lua:1: pool: field 'progress': expected true or false, got 'yes'")
 

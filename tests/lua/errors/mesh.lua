@@ -165,6 +165,30 @@ wrong("mesh:orient", "mesh:orient{1, 0}",
 wrong("fabric.mesh.read", "fabric.mesh.read 'none.msh'",
   "deck.lua:1: read: cannot read 'none.msh': No such file or directory")
 wrong("fabric.mesh.read", "fabric.mesh.read 'none.rad'",
-  "deck.lua:1: read: cannot read 'none.rad': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp or .k")
+  "deck.lua:1: read: cannot read 'none.rad': expected a name that ends in .msh, .vtu, .vtk, .obj, .stl, .ply, .inp, .k or .key")
 wrong("mesh:write", "mesh:write 'mesh.step'",
-  "deck.lua:1: write: cannot write 'mesh.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad")
+  "deck.lua:1: write: cannot write 'mesh.step': expected a name that ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad")
+
+-- fabric.mesh.of, fabric.mesh.merge
+wrong("fabric.mesh.of", "fabric.mesh.of{ nodse={} }",
+  "deck.lua:1: of: unknown field 'nodse', did you mean 'nodes'?")
+wrong("fabric.mesh.of", "fabric.mesh{ nodes=3 }",
+  "deck.lua:1: of: field 'nodes': expected a table { {x, y, z}, ... }, got 3")
+wrong("fabric.mesh.of", "fabric.mesh{ nodes={ {0, 0}, {1} }, elements={ {1, 2, 3} } }",
+  "deck.lua:1: of: field 'nodes': expected 2 or 3 numbers at place 2, got 1")
+wrong("fabric.mesh.of", "fabric.mesh{ nodes={ {0, 0}, {1, 0}, {0, 1} }, elements={ {1, 2, 'a'} } }",
+  "deck.lua:1: of: field 'elements': expected numbers at place 1, got 'a'")
+wrong("fabric.mesh.of", "fabric.mesh{ nodes={ {0, 0}, {1, 0}, {0, 1} }, elements={ {1, 2, 4} } }",
+  "deck.lua:1: of: element 1: expected node numbers from 1 to 3, got 4")
+wrong("fabric.mesh.merge", "fabric.mesh.merge{ meshes=fabric.mesh.disk{ radius=0.1, cells=2 } }",
+  "deck.lua:1: merge: field 'meshes': expected a table { a, b, ... }, got a mesh")
+wrong("fabric.mesh.of", "fabric.mesh{ nodes={ {0, 0}, {1, 0}, {0, 1} } }",
+  "deck.lua:1: of: field 'elements': expected a table { {1, 2, 5, 4}, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.merge", "fabric.mesh.merge{}",
+  "deck.lua:1: merge: field 'meshes': expected a table { a, b, ... }, got nil (missing, or a misspelt variable)")
+wrong("fabric.mesh.merge", "fabric.mesh.merge{ mehses={} }",
+  "deck.lua:1: merge: unknown field 'mehses', did you mean 'meshes'?")
+wrong("fabric.mesh.merge", "fabric.mesh.merge{ meshes={ 1, 2 } }",
+  "deck.lua:1: merge: field 'meshes': expected a mesh at place 1, got 1")
+wrong("fabric.mesh.merge", "fabric.mesh.merge{ meshes={}, distance=-1 }",
+  "deck.lua:1: merge: field 'distance': expected a number of at least 0 in m, got -1")

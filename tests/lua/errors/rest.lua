@@ -99,7 +99,11 @@ wrong("fabric.render", "fabric.render{ file=7 }",
 wrong("fabric.render", "fabric.render{ file='x', vtu=7 }",
   "deck.lua:1: render: field 'vtu': expected a table or a string, got 7")
 wrong("fabric.render", "fabric.render{ file='x', run=mesh }",
-  "deck.lua:1: render: field 'run': expected an analysis, got a mesh")
+  "deck.lua:1: render: field 'run': expected a table or an analysis, got a mesh")
+wrong("fabric.render", "fabric.render{ file='x.png', run={} }",
+  "deck.lua:1: render: field 'run': expected an analysis or a list of them, got an empty list")
+wrong("fabric.render", "fabric.render{ file='x.png', run={ 5 } }",
+  "deck.lua:1: render: field 'run': expected an analysis at place 1, got 5")
 wrong("fabric.render", "fabric.render{ file='x', field='noen' }",
   "deck.lua:1: render: field 'field': expected 'none' or 'displacement' or 'ux' or 'uy' or 'uz' or 'velocity' or 'vx' or 'vy' or 'vz' or 'nx' or 'ny' or 'nz' or 'position' or 'x' or 'y' or 'z' or 'reference' or 'X' or 'Y' or 'Z' or 'reaction' or 'reaction_x' or 'reaction_y' or 'reaction_z' or 'gap' or 'contact_pressure' or 'joint_open' or 'E11' or 'E22' or 'E23' or 'E13' or 'E12' or 'S11' or 'S22' or 'S23' or 'S13' or 'S12' or 'residual1' or 'residual2' or 'slack1' or 'slack2' or 'stored' or 'dissipated' or 'shear_angle' or 'tension_warp' or 'tension_weft' or 'nominal_strain_warp' or 'nominal_strain_weft' or 'nominal_stress_warp' or 'nominal_stress_weft' or 'cauchy_11' or 'cauchy_22' or 'cauchy_12' or 'beyond' or 'region', got 'noen', did you mean 'none'?")
 wrong("fabric.render", "fabric.render{ file='x', factor='1' }",
@@ -200,6 +204,52 @@ wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, workers=0 }"
   "deck.lua:1: study: field 'workers': expected an integer from 1 to 4096, got 0")
 wrong("fabric.study", "fabric.study{ parameters={a={1}}, run=print, again='yes' }",
   "deck.lua:1: study: field 'again': expected true or false, got 'yes'")
+
+-- fabric.budget, fabric.sobol, fabric.latin_hypercube and what they stand on
+wrong("fabric.budget", "fabric.budget{}",
+  "deck.lua:1: budget: field 'run': expected a function, got nil (missing, or a misspelt variable)")
+wrong("fabric.budget", "fabric.budget{ run='f' }",
+  "deck.lua:1: budget: field 'run': expected a function, got 'f'")
+wrong("fabric.budget", "fabric.budget{ runn=print }",
+  "deck.lua:1: budget: unknown field 'runn', did you mean 'run'?")
+wrong("fabric.budget", "fabric.budget{ run=print, card=7 }",
+  "deck.lua:1: budget: field 'card': expected a card, got 7")
+wrong("fabric.budget", "fabric.budget{ run=print, mesh=4 }",
+  "deck.lua:1: budget: field 'mesh': expected a table, got 4")
+wrong("fabric.budget", "fabric.budget{ run=print, samples=2.5 }",
+  "deck.lua:1: budget: field 'samples': expected an integer from 8 to 100000, got 2.5")
+wrong("fabric.budget", "fabric.budget{ run=print, samples=4 }",
+  "deck.lua:1: budget: field 'samples': expected an integer from 8 to 100000, got 4")
+wrong("fabric.budget", "fabric.budget{ run=print, print='yes' }",
+  "deck.lua:1: budget: field 'print': expected true or false, got 'yes'")
+wrong("fabric.budget", "fabric.budget{ run=print, figure=7 }",
+  "deck.lua:1: budget: field 'figure': expected a string, got 7")
+wrong("fabric.budget", "fabric.budget{ run=print, card=mesh }",
+  "deck.lua:1: budget: field 'card': expected a card, got a mesh")
+wrong("fabric.lab.normal", "fabric.lab.normal()",
+  "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.normal", "fabric.lab.normal('x')",
+  "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got 'x'")
+wrong("fabric.lab.normal", "fabric.lab.normal(1)",
+  "deck.lua:1: normal: argument 'probability': expected a number above 0 to below 1, got 1")
+wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points()",
+  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got nil (missing, or a misspelt variable)")
+wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points(2.5, 1)",
+  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got 2.5")
+wrong("fabric.lab.sobol_points", "fabric.lab.sobol_points(0, 1)",
+  "deck.lua:1: sobol_points: argument 'count': expected an integer from 1 to 1e+07, got 0")
+wrong("fabric.sobol", "fabric.sobol()",
+  "deck.lua:1: sobol: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got nil (missing, or a misspelt variable)")
+wrong("fabric.sobol", "fabric.sobol(7)",
+  "deck.lua:1: sobol: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got 7")
+wrong("fabric.latin_hypercube", "fabric.latin_hypercube()",
+  "deck.lua:1: latin_hypercube: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got nil (missing, or a misspelt variable)")
+wrong("fabric.latin_hypercube", "fabric.latin_hypercube(7)",
+  "deck.lua:1: latin_hypercube: argument 'inputs': expected a table { name={low, high} or {mean=, deviation=}, ..., n=cases, seed=1 }, got 7")
+wrong("fabric.study", "fabric.study{ parameters={ a={1} }, sample={ { a=1 } }, run=print }",
+  "deck.lua:1: study: expected either 'parameters' or 'sample'")
+wrong("fabric.study", "fabric.study{ sample=7, run=print }",
+  "deck.lua:1: study: field 'sample': expected a table, got 7")
 
 -- fabric.write
 wrong("fabric.write", "fabric.write()",

@@ -126,7 +126,7 @@ wrong("analysis:write", "run:write('x.stl', { averaged=true })",
 wrong("analysis:write", "run:write('x.vtu', { fields={'S1'} })",
   "deck.lua:1: write: field 'fields': unknown field 'S1', did you mean 'S11'?")
 wrong("analysis:write", "run:write 'x.step'",
-  "deck.lua:1: write: cannot write 'x.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad")
+  "deck.lua:1: write: cannot write 'x.step': expected a name that ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad")
 
 -- fabric.dynamic
 wrong("fabric.dynamic", "fabric.dynamic{ modle=held }",

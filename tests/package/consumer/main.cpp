@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "run/static.hpp"
-#include "run/vtk_series.hpp"
+#include "run/vtk_frame.hpp"
 
 int main() {
   using namespace fabricsh;

@@ -1,0 +1,169 @@
+// The elastic slips of friction, from step to step.
+//
+// A slip belongs to a pair as long as it touches. A point that passes from one facet to the next takes its
+// slip along: all facets that have common corners hold it with the slip at the nearest of them. So the
+// weights of facets, edges and corners cancel for friction as they do for pressure.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact.hpp"
+
+namespace fabricsh::contact {
+namespace {
+
+// A spring of 2/7 of the stiffness against pressure: a ball that sticks, on which friction also turns, then
+// vibrates along the surface with the frequency with which it vibrates against it, and an explicit step
+// carries both.
+constexpr double tangential = 2.0 / 7;
+
+// The vector with the components in the frame of u and v that `slip` has in the frame of u0 and v0.
+Vec3 carried(const Vec3& slip, const Vec3& u0, const Vec3& v0, const Vec3& u, const Vec3& v) {
+  const double a = u0.dot(u0), b = u0.dot(v0), c = v0.dot(v0), det = a * c - b * b;
+  const Vec3 n0 = u0.cross(v0), n = u.cross(v);
+  if (!(det > 1e-12 * a * c) || !(n.squaredNorm() > 0)) return slip;
+  const double e = slip.dot(u0), f = slip.dot(v0);
+  return (c * e - b * f) / det * u + (a * f - b * e) / det * v + slip.dot(n0) / n0.norm() * n.normalized();
+}
+
+// The slip after the step, turned with what it belongs to.
+Vec3 turned(const Candidate& c, const Vec3& slip, const Corners& from, const Corners& to, const Vec3& turn) {
+  const auto pairs = [&](int a, int b, int p, int q) {
+    const auto side = [](const Corners& x, int i, int j) {
+      return Vec3(x[std::size_t(j)] - x[std::size_t(i)]);
+    };
+    return carried(slip, side(from, a, b), side(from, p, q), side(to, a, b), side(to, p, q));
+  };
+  switch (c.pair.kind) {
+    case Kind::facet:
+    case Kind::plane:
+      return from[1] == to[1] && from[2] == to[2] && from[3] == to[3] ? slip : pairs(1, 2, 1, 3);
+    case Kind::edges:
+      return pairs(0, 1, 2, 3);
+    default:
+      break;
+  }
+  const double angle = turn.norm();
+  return angle > 0 ? Vec3(Eigen::AngleAxisd(angle, turn / angle) * slip) : slip;
+}
+
+}  // namespace
+
+bool Contact::Held::beside(const Held& other) const {
+  if (kind != Kind::facet || other.kind != Kind::facet || interaction != other.interaction) return false;
+  for (std::size_t i = 1; i < 4; ++i)
+    for (std::size_t j = 1; j < 4; ++j)
+      if (point[i] == other.point[j]) return true;
+  return false;
+}
+
+void Contact::Held::keep(Archive& archive) {
+  archive(point[0], point[1], point[2], point[3], interaction, kind);
+  for (Vec3* v : {&slip, &pull}) archive((*v)[0], (*v)[1], (*v)[2]);
+  archive(gap, damped);
+}
+
+// Balls and rods lie on many facets at once, each with a slip of its own.
+bool Contact::passes_on(const Candidate& c) const {
+  if (c.pair.kind != Kind::facet) return false;
+  const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
+  return !rigid(c.point[0]) || scene_->surfaces()[std::size_t(it.second)].shape == Shape::solid;
+}
+
+// The committed slip of a pair, or that of the nearest facet beside it; null: there is none.
+const Contact::Held* Contact::held_by(std::size_t slot) {
+  std::int32_t& known = known_[slot];
+  if (known == none) return nullptr;
+  if (known != unknown) return &held_[std::size_t(known)];
+  const Candidate& c = inner_[slot];
+  const auto first = std::partition_point(held_.begin(), held_.end(),
+                                          [&](const Held& h) { return h.point[0] < c.point[0]; });
+  const Held sought{c.point, c.interaction, c.pair.kind, 0, 0};
+  const bool passes = passes_on(c);
+  auto found = held_.end();
+  for (auto h = first; h != held_.end() && h->point[0] == c.point[0]; ++h) {
+    if (h->is(c)) {
+      found = h;
+      break;
+    }
+    if (passes && h->beside(sought) && (found == held_.end() || h->gap < found->gap)) found = h;
+  }
+  known = found == held_.end() ? none : std::int32_t(found - held_.begin());
+  return known == none ? nullptr : &*found;
+}
+
+Slip Contact::slip_of(std::size_t i, std::span<const Vec3> x, const Way& way) {
+  const Candidate& c = inner_[i];
+  const Interaction& it = scene_->interactions()[std::size_t(c.interaction)];
+  Slip slip{it.friction, tangential * it.law.stiffest()};
+  slip.turn = of_body(c, way.turn);
+  for (std::size_t k = 0; k < 4; ++k)
+    if (const auto p = c.point[k]; p >= 0) slip.moved[k] = x[std::size_t(p)] - way.start[std::size_t(p)];
+  if (const Held* held = held_by(i)) {
+    slip.held = held->slip;
+    if (held->is(c)) slip.pull = held->pull;
+    if (held->is(c)) slip.damped = held->damped;
+  }
+  slip.loss = it.loss;
+  slip.dt = way.dt;
+  if (way.inverse_mass.empty()) return slip;
+  slip.step = way.dt;
+  const double images = this->images(c, way.planes);
+  for (std::size_t k = 0; k < 4; ++k)
+    if (const auto p = c.point[k]; p >= 0) slip.inverse_mass[k] = images * way.inverse_mass[std::size_t(p)];
+  return slip;
+}
+
+// Facets beside each other hold a point with the slip at the nearest of them.
+void Contact::join(std::span<Held> of_one_point) {
+  if (of_one_point.size() < 2) return;
+  const std::vector<Held> own(of_one_point.begin(), of_one_point.end());
+  for (Held& h : of_one_point) {
+    double least = h.gap;
+    for (const Held& other : own)
+      if (other.gap < least && h.beside(other)) {
+        least = other.gap;
+        h.slip = other.slip;
+      }
+  }
+}
+
+void Contact::note_slips(std::span<const Vec3> x, const Way& way) {
+  if (!tried_) tried_.emplace();
+  tried_->version = version_;
+  std::vector<Held>& held = tried_->held;
+  held.clear();
+  for (std::size_t row = 0; row < touched_.size(); ++row) {
+    const std::size_t first = held.size();
+    bool passes = true;
+    for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
+      const std::size_t slot = of_point_[k] / 4;
+      if (of_point_[k] % 4 != 0 || !active_[slot]) continue;
+      const Candidate& c = inner_[slot];
+      if (!scene_->interactions()[std::size_t(c.interaction)].rubs()) continue;
+      const Force& force = slots_[slot];
+      const Vec3 slip =
+          turned(c, force.slip, corners_of(c, way.start), corners_of(c, x), of_body(c, way.turn));
+      held.push_back({c.point, c.interaction, c.pair.kind, slot, force.gap, slip, force.pull, force.damped});
+      passes = passes && (c.pair.kind != Kind::facet || passes_on(c));
+    }
+    if (passes) join(std::span(held).subspan(first));
+  }
+}
+
+void Contact::commit() {
+  if (!tried_) return;
+  std::swap(held_, tried_->held);
+  std::fill(known_.begin(), known_.end(), unknown);
+  if (tried_->version == version_)
+    for (std::size_t i = 0; i < held_.size(); ++i) known_[held_[i].slot] = std::int32_t(i);
+  tried_.reset();
+}
+
+void Contact::keep(Archive& archive) {
+  archive(held_);
+  if (!archive.reading()) return;
+  tried_.reset();
+  std::fill(known_.begin(), known_.end(), unknown);
+}
+
+}  // namespace fabricsh::contact

@@ -1,0 +1,295 @@
+// fabric.model{...}: the bodies of a model and their materials.
+#include "script/bind/body_rows.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "base/number.hpp"
+#include "law/check.hpp"
+#include "script/bind/model.hpp"
+#include "script/bind/rooms.hpp"
+#include "script/bind/run.hpp"
+#include "script/call/words.hpp"
+
+namespace fabricsh::script {
+
+using model::Model;
+
+namespace {
+
+// Reads a direction on top of the stack: an angle or a vector.
+model::Direction read_direction(lua_State* L, const std::string& what) {
+  if (lua_type(L, -1) == LUA_TNUMBER) return lua_tonumber(L, -1);
+  if (!lua_istable(L, -1))
+    throw Error(what + ": expected an angle in degrees or {x, y, z}, got " + describe(L, -1));
+  return read_vector(read_numbers(L, -1), what);
+}
+
+model::WarpField warp_function(const Function& f) {
+  return [f](const Vec3& X) {
+    lua_State* L = f.push();
+    for (int i = 0; i < 3; ++i) lua_pushnumber(L, X[i]);
+    lua_call(L, 3, 1);
+    const model::Direction direction = read_direction(L, "field 'warp': what the function returned");
+    lua_pop(L, 1);
+    return direction;
+  };
+}
+
+void read_warp(const Fields& given, model::Options& options) {
+  if (!given.has("warp")) return;
+  if (const Function f = given.function("warp")) {
+    options.warp = warp_function(f);
+    options.warp_text = "function";
+    return;
+  }
+  given.push("warp");
+  lua_State* L = given.L();
+  const model::Direction direction = read_direction(L, "field 'warp'");
+  options.warp_text = lua_isnumber(L, -1) ? exact_number(lua_tonumber(L, -1)) + " degrees" : "vector";
+  lua_pop(L, 1);
+  options.warp = [direction](const Vec3&) { return direction; };
+}
+
+bool is_digits(const std::string& word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
+}
+
+// The name of a ply, which becomes a part of the names of its fields; ply1, ply2, ... are taken by their
+// numbers.
+std::string read_ply_name(const Fields& given, const std::vector<section::Ply>& below) {
+  if (!given.has("name")) return {};
+  const std::string name = given.text("name");
+  if (name.empty() || name.find_first_of(". \t\n") != name.npos ||
+      (name.starts_with("ply") && is_digits(name.substr(3))))
+    given.refuse("name", "expected a name without blanks and full stops, other than ply1, ply2, ..., got '" +
+                             name + "'");
+  for (const auto& other : below)
+    if (other.name == name) given.refuse("name", "expected a name of its own, got '" + name + "' twice");
+  return name;
+}
+
+// Reads one entry of layers={ {card=, warp=, thickness=, name=}, ... }.
+section::Ply read_ply(lua_State* L, const std::vector<Argument>& fields,
+                      const std::vector<section::Ply>& below) {
+  const Fields given(L, lua_gettop(L), fields, "layers[" + std::to_string(below.size() + 1) + "].");
+  const auto card = given.object<card::Card>("card");
+  return {*card, given.has("thickness") ? given.number("thickness") : card->thickness,
+          given.has("warp") ? given.number("warp") : 0.0, read_ply_name(given, below)};
+}
+
+std::vector<Argument> layer_fields() {
+  return {
+      object_("card", "card", "the ply's fabric"),
+      number_("warp", "degrees", everything, "from the model's warp direction").optional(),
+      number_("thickness", "m", positive, "wins over the card's").optional(),
+      value_("name", text, "for its fields: those of the ply face are face.E11, ...; default ply1, ply2, ...")
+          .optional()};
+}
+
+void read_layers(const Fields& given, model::Options& options) {
+  if (!given.has("layers")) return;
+  lua_State* L = given.L();
+  static const std::vector<Argument> fields = layer_fields();
+  given.push("layers");
+  const auto count = static_cast<int>(lua_rawlen(L, -1));
+  for (int i = 1; i <= count; ++i) {
+    if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
+      given.refuse("layers",
+                   "expected a list of tables {card=, warp=, thickness=, name=}, got " + describe(L, -1));
+    options.plies.push_back(read_ply(L, fields, options.plies));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (options.plies.empty()) given.refuse("layers", "expected at least one layer, got an empty table");
+}
+
+// Refuses a card that fails its check; shows each of its warnings once. The warning about bending is given by
+// the run, which knows whether the sheet can leave its surface.
+void check_card(Session& session, const card::Card& card) {
+  const auto report = law::check(card);
+  for (const auto& item : report.items) {
+    const std::string words = "card '" + card.name + "': " + item.key + ": " + item.text;
+    if (item.severity == law::Severity::error) throw Error(words);
+    const bool is_bending = item.key.starts_with("bending.");
+    if (item.severity == law::Severity::warning && !is_bending) session.warn("card", words);
+  }
+}
+
+// Card or plies, thickness, warp and points of a body or region.
+struct Made {
+  card::Card card;
+  model::Options options;
+};
+
+Made read_made(const Fields& given) {
+  Made made;
+  read_layers(given, made.options);
+  if (made.options.plies.empty() == !given.has("card"))
+    given.refuse("card", made.options.plies.empty()
+                             ? "expected either a card or layers={ {card=}, ... }, got neither"
+                             : "expected either a card or layers={ {card=}, ... }, got both");
+  made.card =
+      made.options.plies.empty() ? *given.object<card::Card>("card") : made.options.plies.front().card;
+  if (given.has("thickness")) made.options.thickness = given.number("thickness");
+  made.options.points = given.count("points");
+  made.options.offset = given.number("offset");
+  read_warp(given, made.options);
+  return made;
+}
+
+void check_made(Session& session, const card::Card& card, const model::Options& options) {
+  for (const auto& ply : options.plies) check_card(session, ply.card);
+  if (options.plies.empty()) check_card(session, card);
+}
+
+Argument warp_row(const char* fallback) {
+  return Argument{"warp", number | numbers | function, "degrees", everything,
+                  "warp direction: angle counter-clockwise about the normal from global +x, {x, y, z}, or "
+                  "function(x, y, z) "
+                  "returning either; " +
+                      std::string(fallback)}
+      .optional();
+}
+
+// For a body, and also for a region.
+std::vector<Argument> made_rows(const char* warp_default) {
+  return {object_("card", "card", "the fabric").optional(),
+          value_("layers", table,
+                 "{ {card=, warp=, thickness=, name=}, ... }: plies from below, in place of a card")
+              .optional(),
+          number_("thickness", "m", positive, "replaces the card's; mass per area changes with it")
+              .usually(1e-5, 2e-2, "is it in m? (write 0.38*mm)")
+              .optional(),
+          warp_row(warp_default),
+          integer_("points", Range{1, 9}, "integration points through the thickness").or_else(3),
+          number_("offset", "", Range{-1, 1}, "reference surface: -1 lower face, 0 middle, 1 upper face")
+              .or_else(0.0)};
+}
+
+constexpr const char* flat_default = "default 0 on a flat generated mesh";
+constexpr const char* region_words =
+    "{ set = {card=, thickness=, warp=, ...}, ... }: sets of elements with a card or section of their own";
+
+const std::vector<Argument>& region_fields() {
+  static const std::vector<Argument> rows = made_rows("default: that of its body");
+  return rows;
+}
+
+const std::vector<Argument>& body_fields() {
+  static const std::vector<Argument> rows = [] {
+    std::vector<Argument> all{value_("name", text, "its sets are then name.left, name.all, ..."),
+                              object_("mesh", "mesh", "its surface")};
+    for (Argument& row : made_rows(flat_default)) all.push_back(std::move(row));
+    all.push_back(value_("regions", table, region_words).optional());
+    return all;
+  }();
+  return rows;
+}
+
+// The regions of a body, sorted by name, because the order of a Lua table is not defined.
+std::vector<model::RegionGiven> read_regions(const Fields& given, const std::string& path,
+                                             const model::Options& body) {
+  std::vector<model::RegionGiven> regions;
+  if (!given.has("regions")) return regions;
+  lua_State* L = given.L();
+  given.push("regions");
+  const int table = lua_gettop(L);
+  std::vector<std::string> sets;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING || !lua_istable(L, -1))
+      given.refuse("regions", "expected { set = {card=, ...}, ... }, got an entry " + describe(L, -2) +
+                                  " = " + describe(L, -1));
+    sets.emplace_back(lua_tostring(L, -2));
+  }
+  std::sort(sets.begin(), sets.end());
+  for (const std::string& set : sets) {
+    lua_getfield(L, table, set.c_str());
+    const Fields region(L, lua_gettop(L), region_fields(), path + "regions." + set + ".");
+    Made made = read_made(region);
+    if (!made.options.warp) {
+      made.options.warp = body.warp;
+      made.options.warp_text = body.warp_text;
+    }
+    regions.push_back({set, std::move(made.card), std::move(made.options)});
+    lua_settop(L, table);
+  }
+  lua_pop(L, 1);
+  if (regions.empty()) given.refuse("regions", "expected at least one region, got an empty table");
+  return regions;
+}
+
+model::BodyGiven read_body(const Fields& given, const std::string& name, const std::string& path) {
+  Made made = read_made(given);
+  auto regions = read_regions(given, path, made.options);
+  return {name, given.object<mesh::Mesh>("mesh"), std::move(made.card), std::move(made.options),
+          std::move(regions)};
+}
+
+// Checks the name of a body, which becomes a part of the names of its sets.
+void check_name(const Fields& body, const std::string& name, const std::vector<model::BodyGiven>& before) {
+  if (name.empty() || name.find_first_of(". \t\n") != std::string::npos)
+    body.refuse("name", "expected a name without blanks and full stops, got '" + name + "'");
+  for (const auto& other : before)
+    if (other.name == name) body.refuse("name", "expected a name of its own, got '" + name + "' twice");
+}
+
+std::vector<model::BodyGiven> read_bodies(const Call& call) {
+  for (const char* field : {"mesh", "card", "layers", "thickness", "warp", "offset", "regions"})
+    if (call.has(field)) call.refuse(field, "expected inside each of the bodies, where 'bodies' is given");
+  lua_State* L = call.L();
+  call.push("bodies");
+  const int list = lua_gettop(L);
+  const auto count = static_cast<int>(lua_rawlen(L, list));
+  std::vector<model::BodyGiven> bodies;
+  for (int i = 1; i <= count; ++i) {
+    if (lua_rawgeti(L, list, i) != LUA_TTABLE)
+      call.refuse("bodies", "expected a list of tables {name=, mesh=, card=, ...}, got " + describe(L, -1));
+    const std::string path = "bodies[" + std::to_string(i) + "].";
+    const Fields body(L, lua_gettop(L), body_fields(), path);
+    const std::string name = body.text("name");
+    check_name(body, name, bodies);
+    bodies.push_back(read_body(body, name, path));
+    lua_settop(L, list);
+  }
+  for (lua_pushnil(L); lua_next(L, list) != 0; lua_pop(L, 1))
+    if (lua_isinteger(L, -2) == 0 || lua_tointeger(L, -2) < 1 ||
+        lua_tointeger(L, -2) > static_cast<lua_Integer>(bodies.size()))
+      call.refuse("bodies", "expected a list of tables {name=, mesh=, card=, ...}, got an entry " +
+                                describe(L, -2) + " = " + describe(L, -1));
+  lua_pop(L, 1);
+  if (bodies.empty()) call.refuse("bodies", "expected at least one body, got an empty table");
+  return bodies;
+}
+
+}  // namespace
+
+std::vector<Argument> model_rows() {
+  std::vector<Argument> rows{object_("mesh", "mesh", "the surface").optional()};
+  for (Argument& row : made_rows(flat_default)) rows.push_back(std::move(row));
+  rows.push_back(value_("regions", table, region_words).optional());
+  rows.push_back(value_("bodies", table,
+                        "{ {name=, mesh=, card=, regions=, ...}, ... }: several meshes in place of one; "
+                        "their sets are then name.left")
+                     .optional());
+  return rows;
+}
+
+int make_model(Call& call) {
+  if (!call.has("bodies") && !call.has("mesh"))
+    call.refuse("mesh", "expected a mesh, got nil (missing, or a misspelt variable)");
+  std::vector<model::BodyGiven> bodies;
+  if (call.has("bodies"))
+    bodies = read_bodies(call);
+  else
+    bodies.push_back(read_body(call, "", ""));
+  std::vector<std::unique_ptr<Still>> still;
+  for (const auto& body : bodies) still.push_back(std::make_unique<Still>(call.session(), body.mesh.get()));
+  auto model = std::make_shared<Model>(std::move(bodies));
+  for (const auto& region : model->regions()) check_made(call.session(), region.card, region.options);
+  push_object(call.L(), std::move(model));
+  return 1;
+}
+
+}  // namespace fabricsh::script

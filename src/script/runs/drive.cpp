@@ -1,0 +1,212 @@
+#include "script/runs/drive.hpp"
+
+#include <algorithm>
+
+#include "script/call/words.hpp"
+#include "script/runs/checkpoint.hpp"
+#include "script/runs/replay.hpp"
+#include "script/runs/watch.hpp"
+#include "script/session/at_work.hpp"
+#include "script/values/lua_table.hpp"
+
+namespace fabricsh::script {
+
+namespace {
+
+// While a call of a run is under way, Ctrl-C is for it.
+class Driving {
+ public:
+  explicit Driving(Session& session) : session_(session) { session_.count_drive(1); }
+  ~Driving() { session_.count_drive(-1); }
+  Driving(const Driving&) = delete;
+  Driving& operator=(const Driving&) = delete;
+
+ private:
+  Session& session_;
+  RunAtWork at_work_;
+};
+
+// Runs several functions even if some throw, and throws the first exception at the end.
+class All {
+ public:
+  explicit All(Session& session) : session_(session) {}
+  template <class Work>
+  void run(const Work& work) {
+    try {
+      in_protected_call(session_, work);
+    } catch (const std::exception&) {
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+  void finish() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  Session& session_;
+  std::exception_ptr first_;
+};
+
+void leave(Run& run, const run::Ending& ending) {
+  All all(run.session);
+  run.job.leave(ending, [&all](const std::function<void()>& work) { all.run(work); });
+  if (!ending.broken) return all.finish();
+  for (const auto& output : run.job.outputs())
+    if (output->series->in_trouble())
+      run.analysis->warn("lost", "'" + output->file + "' lacks a row or frame: solve() tries it again; a:" +
+                                     output->kind + " of the same path puts a new one in its place");
+}
+
+// The value raised by a hook, on top of the stack, packed if it is plain; else empty.
+std::string plain_error(lua_State* L) {
+  const int top = lua_gettop(L);
+  if (top == 0 || lua_checkstack(L, 10) == 0) return {};
+  std::string bytes;
+  try {
+    lua_newtable(L);
+    lua_pushvalue(L, top);
+    lua_rawseti(L, -2, 1);
+    bytes = pack_table(L, -1, "error");
+  } catch (...) {  // it cannot be stored: only the message is kept
+  }
+  lua_settop(L, top);
+  return bytes;
+}
+
+[[noreturn]] void raise(lua_State* L, const std::string& value) {
+  lua_newtable(L);
+  fill_table(L, -1, value);
+  lua_rawgeti(L, -1, 1);
+  lua_error(L);
+  throw Error("an error in a hook");  // not reached
+}
+
+}  // namespace
+
+void note_failure(Run& run, const std::exception& trouble) {
+  FailedCall failed;
+  failed.call = run.calls.count;
+  failed.message = trouble.what();
+  if (const auto* numerical = dynamic_cast<const NumericalFailure*>(&trouble)) {
+    failed.numerical = true;
+    failed.time = numerical->time;
+    failed.element = numerical->element;
+    failed.yarn = numerical->yarn;
+    failed.why = numerical->why;
+  }
+  run.calls.failed.push_back(failed);
+}
+
+namespace {
+
+// Whether the call was made before the checkpoint of a restarted run. If it was, its effects on the deck are
+// repeated.
+bool passes_over(Run& run) {
+  if (!run.passes_over()) return false;
+  repeat_tables(run);
+  for (const FailedCall& failed : run.calls.failed) {
+    if (failed.call != run.calls.count) continue;
+    if (!failed.value.empty()) raise(run.session.active(), failed.value);
+    if (!failed.numerical) throw Error(failed.message);
+    NumericalFailure again(failed.message, failed.time, failed.element, failed.yarn);
+    again.why = failed.why;
+    throw NumericalFailure(again);
+  }
+  return true;
+}
+
+// A hook of the run may read and stop it, but not drive it.
+void refuse_in_hook(const Run& run) {
+  if (run.job.driving()) throw Error("not from a hook of the same run");
+}
+
+// Whether it is the call in which the checkpoint of a restarted run was written.
+bool is_under_way(const Run& run) { return run.passing > 0 && run.calls.count == run.passing; }
+
+// Starts from the checkpoint if there is one; counts the call.
+void begin_call(Run& run, const Drive& call) {
+  if (run.job.from() && !run.job.taken_up()) {
+    take_up(run);
+    run.passing = run.before.count;
+  }
+  if (!run.lost.empty()) throw Error(run.lost);
+  ++run.calls.count;
+  run.calls.changes = 0;
+  check_call(run, call);
+  if (run.passes_over() || (is_under_way(run) && run.same_deck)) return;
+  run.calls.made.resize(static_cast<std::size_t>(run.calls.count));
+  run.calls.made.back() = call;
+  run.calls.made.back().from = run.analysis->steps().size();
+}
+
+// Whether the call in which the checkpoint was written is complete: a hook stopped it, or its step is done.
+bool is_over(const Run& run) {
+  const Drive& call = run.before.made.back();
+  return run.analysis->stopped() || (call.made == Made::step && run.analysis->steps().size() > call.from);
+}
+
+void work(Run& run) {
+  const Drive& call = run.calls.made.back();
+  if (call.made == Made::step)
+    run.analysis->step();
+  else
+    run.analysis->advance(call.target);
+}
+
+}  // namespace
+
+void drive(Run& run, const Drive& call) {
+  if (run.session.options().check) return;
+  refuse_in_hook(run);
+  const Still still(run.session, &run);
+  begin_call(run, call);
+  if (passes_over(run)) return;
+  if (run.session.terminated() != 0) throw Interrupted(ended_by(run.session));
+  if (run.session.is_called_off()) throw Interrupted("interrupted before this run continued");
+  const bool over = is_under_way(run) && is_over(run);
+  if (is_under_way(run))
+    restore_tables(run);
+  else
+    run.job.journal().finished.erase(run.number());
+  run.job.begin();
+  std::erase_if(run.calls.failed, [&](const FailedCall& failed) { return failed.call == run.calls.count; });
+  begin_tables(run);
+  const Driving driving(run.session);
+  try {
+    if (!over) Collector::with_room(run.session.active(), [&run] { work(run); });
+  } catch (const Interrupted&) {
+    leave(run, {"interrupted", true, true});
+    throw;
+  } catch (const std::exception& trouble) {
+    note_failure(run, trouble);
+    note_tables(run);
+    leave(run, {trouble.what(), true, true});
+    if (dynamic_cast<const NumericalFailure*>(&trouble) != nullptr) run.job.remember_end();
+    throw;
+  } catch (...) {  // a Lua error in a hook; its message remains where Lua has it
+    note_failure(run, Error("an error in a hook"));
+    run.calls.failed.back().value = plain_error(run.session.active());
+    note_tables(run);
+    leave(run, {"an error in a hook", false, true});
+    throw;
+  }
+  note_tables(run);
+  const run::Ending ending = run.job.ending();
+  leave(run, ending);
+  if (ending.ended) run.job.remember_end();
+}
+
+void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot) {
+  refuse_in_hook(run);
+  const Still still(run.session, &run);
+  begin_call(run, {Made::restore});
+  if (passes_over(run)) return;
+  if (is_under_way(run)) return restore_tables(run);
+  const auto& gone = run.passed_snapshots;
+  if (std::find(gone.begin(), gone.end(), snapshot) != gone.end())
+    throw Error("this snapshot was taken in a part of the run that the restart skips");
+  run.job.journal().finished.erase(run.number());
+  run.analysis->restore(*snapshot);
+}
+
+}  // namespace fabricsh::script

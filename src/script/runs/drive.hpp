@@ -1,0 +1,20 @@
+// Driving a run from Lua: what a call of solve(), advance() or step() does besides the steps.
+#pragma once
+#include "script/runs/run.hpp"
+
+namespace fabricsh::script {
+
+// Executes the call, measures its time, reports progress and reacts to Ctrl-C. When the run ends or fails,
+// outputs and checkpoints get its last state, and run.json records how far it came. In a restarted deck the
+// calls made before the checkpoint do nothing (one that failed fails again), and the interrupted call
+// continues.
+void drive(Run& run, const Drive& call);
+
+// The present call has ended with this error, which a restarted deck raises again when it passes over the
+// call.
+void note_failure(Run& run, const std::exception& trouble);
+
+// The call restore(), which a restarted deck also skips if it was made before the checkpoint.
+void go_back(Run& run, const std::shared_ptr<const run::Run::Snapshot>& snapshot);
+
+}  // namespace fabricsh::script

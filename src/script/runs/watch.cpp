@@ -1,0 +1,82 @@
+#include "script/runs/watch.hpp"
+
+#include <csignal>
+
+#include "base/number.hpp"
+
+namespace fabricsh::script {
+
+std::string ended_by(const Session& session) {
+  return session.terminated() == SIGHUP ? "ended by SIGHUP" : "ended by SIGTERM";
+}
+
+namespace {
+
+class Watch final : public run::Listener {
+ public:
+  explicit Watch(Run& run) : run_(run) {}
+  Turn turn() const override { return Turn::watch; }
+  void begin(run::Job& job) override;
+  void step(run::Job& job) override;
+  void end(run::Job& job, const run::Ending& ending) override;
+
+ private:
+  void stop_if_interrupted() const;
+  void report(const run::Job& job);
+  Run& run_;
+  double from_ = 0, next_ = 0;  // s, simulated and real
+  run::Clock clock_;
+};
+
+void Watch::begin(run::Job& job) {
+  from_ = job.run().time();
+  next_ = 0;
+  clock_ = {};
+  job.run().poll([this] { stop_if_interrupted(); });
+}
+
+void Watch::step(run::Job& job) {
+  report(job);
+  stop_if_interrupted();
+}
+
+void Watch::end(run::Job& job, const run::Ending&) {
+  job.run().poll({});
+  if (run_.session.options().clear_progress) run_.session.options().clear_progress();
+}
+
+void Watch::stop_if_interrupted() const {
+  Session& session = run_.session;
+  if (!session.take_interrupt()) return;
+  session.rest_hook(session.active());
+  session.call_off();
+  const run::Run& a = *run_.analysis;
+  throw Interrupted((session.terminated() != 0 ? ended_by(session) + " at " : "interrupted at ") +
+                    fabricsh::number(a.steps().empty() ? a.time() : a.steps().back().time, 7) +
+                    " s; the run is kept, solve() continues it");
+}
+
+void Watch::report(const run::Job& job) {
+  const auto& options = run_.session.options();
+  const double now = clock_.seconds();
+  if (!options.progress || now < next_) return;
+  next_ = now + 0.1;
+  const run::Run& a = job.run();
+  Progress p;
+  p.run = job.number();
+  p.time = a.time();
+  p.duration = a.duration();
+  p.steps = a.steps().size();
+  p.iterations = a.steps().empty() ? 0 : a.steps().back().iterations;
+  p.elapsed = job.seconds();
+  const double done = a.time() - from_, left = run_.calls.made.back().target - a.time();
+  if (done > 0) p.remaining = now * std::max(0.0, left) / done;
+  p.ledger_error = [&a] { return a.energy().error; };
+  options.progress(p);
+}
+
+}  // namespace
+
+std::shared_ptr<run::Listener> make_watch(Run& run) { return std::make_shared<Watch>(run); }
+
+}  // namespace fabricsh::script

@@ -1,0 +1,155 @@
+// The registry: one row per Lua function and property. Argument checks, help, completion and the reference
+// page use it; a test fails for a row without a sentence or without an example that runs.
+#pragma once
+#include <deque>
+#include <lua.hpp>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/range.hpp"
+
+namespace fabricsh::script {
+
+class Call;
+
+// The permitted types of a value; several are joined by |.
+enum Kind : unsigned {
+  number = 1,
+  integer = 2,
+  text = 4,
+  boolean = 8,
+  function = 16,
+  numbers = 32,  // a table of numbers
+  fields = 64,   // a table with named fields, given by the rows
+  table = 128,   // a table that the function examines itself
+  object = 256,  // a fabricsh object of class Argument::of
+  any = 512,
+};
+
+inline constexpr std::pair<const char*, Kind> kind_names[] = {
+    {"number", number},     {"integer", integer}, {"text", text},     {"boolean", boolean},
+    {"function", function}, {"numbers", numbers}, {"fields", fields}, {"table", table},
+    {"object", object},     {"any", any}};
+
+struct Argument {
+  std::string name;
+  unsigned kinds = any;
+  std::string unit = {};  // "m"; empty: none
+  Range range = {};       // for a number, and for every number of a list
+  std::string sentence = {};
+  bool required = true;
+  std::variant<std::monostate, double, std::string, bool> fallback = {};
+  std::vector<std::string> choices = {};  // for a text; empty: any text
+  bool with_owner = false;                // a choice may stand behind the name of what it is of: "ply2.E11"
+  std::string of = {};                    // class, for an object
+  std::vector<Argument> rows = {};        // of Kind::fields
+  Range usual = {};                       // outside it a warning asks about units
+  std::string hint = {};                  // the question of that warning
+
+  Argument optional() const {
+    Argument copy = *this;
+    copy.required = false;
+    return copy;
+  }
+  template <class T>
+  Argument or_else(T value) const {
+    Argument copy = optional();
+    if constexpr (std::is_same_v<T, bool>)
+      copy.fallback = value;
+    else if constexpr (std::is_arithmetic_v<T>)
+      copy.fallback = static_cast<double>(value);
+    else
+      copy.fallback = std::string(value);
+    return copy;
+  }
+  Argument usually(double low, double high, std::string question) const {
+    Argument copy = *this;
+    copy.usual = Range{low, high};
+    copy.hint = std::move(question);
+    return copy;
+  }
+  Argument one_of(std::vector<std::string> words) const {
+    Argument copy = *this;
+    copy.choices = std::move(words);
+    return copy;
+  }
+  Argument owned() const {
+    Argument copy = *this;
+    copy.with_owner = true;
+    return copy;
+  }
+};
+
+// A row reads, for example: number_("width", "m", positive, "size along x").
+inline Argument number_(std::string name, std::string unit, Range range, std::string sentence) {
+  return {std::move(name), number, std::move(unit), range, std::move(sentence)};
+}
+inline Argument integer_(std::string name, Range range, std::string sentence) {
+  return {std::move(name), integer, "", range, std::move(sentence)};
+}
+inline Argument value_(std::string name, unsigned kinds, std::string sentence, std::string unit = "") {
+  return {std::move(name), kinds, std::move(unit), {}, std::move(sentence)};
+}
+inline Argument object_(std::string name, std::string of, std::string sentence, unsigned others = 0) {
+  Argument row{std::move(name), object | others, "", {}, std::move(sentence)};
+  row.of = std::move(of);
+  return row;
+}
+inline Argument fields_(std::string name, std::vector<Argument> rows, std::string sentence) {
+  Argument row{std::move(name), fields, "", {}, std::move(sentence)};
+  row.rows = std::move(rows);
+  return row;
+}
+
+enum class Style {
+  fields,      // f{ name = value, ... }
+  positional,  // f(a, b)
+  property,    // object.name
+};
+
+// What a restarted deck has to repeat of a call (script/runs/replay.hpp).
+enum class Touches {
+  nothing,    // no results of a run, or a call that deals with restarts itself
+  results,    // a method or property that returns results of its run
+  whole_run,  // a function that takes a run as an argument
+};
+
+struct Entry {
+  std::string name;  // fabric.mesh.rectangle (function), mesh:set (method), mesh.nodes (property)
+  Style style = Style::positional;
+  std::vector<Argument> arguments = {};
+  std::string sentence = {};
+  std::string example = {};  // a chunk that runs without anything else
+  int (*run)(Call&) = nullptr;
+  // Set by install():
+  Touches touches = Touches::nothing;
+  bool weighs = false;  // makes an object of the core that may take much memory
+
+  bool method() const { return name.find(':') != std::string::npos; }
+  // The class of a method or property; empty for a function.
+  std::string owner() const {
+    if (style != Style::property && !method()) return {};
+    return name.substr(0, name.find_first_of(":."));
+  }
+};
+
+class Registry {
+ public:
+  const Entry& add(Entry entry) { return entries_.emplace_back(std::move(entry)); }
+  const std::deque<Entry>& entries() const { return entries_; }
+  const Entry* find(std::string_view name) const {
+    for (const Entry& entry : entries_)
+      if (entry.name == name) return &entry;
+    return nullptr;
+  }
+
+ private:
+  std::deque<Entry> entries_;  // a deque, because closures hold the addresses of rows
+};
+
+// "a positive number in m", "one of 'static', 'dynamic'".
+std::string expected(const Argument& argument);
+
+}  // namespace fabricsh::script

@@ -1,0 +1,99 @@
+#include "script/session/session.hpp"
+
+#include <unistd.h>
+
+#include "script/session/said_once.hpp"
+#include "script/session/warning_log.hpp"
+
+namespace fabricsh::script {
+
+Session::Session(Options options)
+    : process_(getpid()),
+      options_(std::move(options)),
+      notices_(said_once_by_copies(options_.notice)),
+      log_(std::make_unique<WarningLog>()) {
+  main_ = luaL_newstate();
+  if (main_ == nullptr) throw std::bad_alloc();
+  active_ = main_;
+  *static_cast<Session**>(lua_getextraspace(main_)) = this;
+}
+
+void Session::begin_limits() {
+  limits_ = std::make_unique<Limits>(*options_.safe);
+  limits_->watch(main_);
+}
+
+void Session::warn(const char* code, const std::string& text) {
+  log_->add({code, text});
+  notices_.once(text, "warning: " + text);
+}
+
+bool Session::forked() const { return getpid() != process_; }
+
+void Session::rest_hook(lua_State* L) {
+  if (limits_)
+    limits_->rest_hook(L);
+  else
+    lua_sethook(L, nullptr, 0, 0);
+}
+
+Session::~Session() { lua_close(main_); }
+
+Session& Session::of(lua_State* L) { return **static_cast<Session**>(lua_getextraspace(L)); }
+
+namespace {
+
+// Keeps a reference to the value on top of the stack and pops it. All holders are objects of the same state,
+// so the reference does not outlive it.
+std::shared_ptr<const int> reference_to_top(Session& session, lua_State* L) {
+  const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
+  return {new int(reference), [owner = &session](const int* r) {
+            luaL_unref(owner->active(), LUA_REGISTRYINDEX, *r);
+            delete r;
+          }};
+}
+
+struct Work {
+  const std::function<void()>& run;
+  std::exception_ptr trouble = nullptr;
+};
+
+int run_work(lua_State* L) {
+  auto& work = *static_cast<Work*>(lua_touserdata(L, 1));
+  try {
+    work.run();
+  } catch (const std::exception&) {  // not Lua's own exception, which is not a std::exception
+    work.trouble = std::current_exception();
+  }
+  return 0;
+}
+
+}  // namespace
+
+Raised::Raised(Session& session, lua_State* L) : reference_(reference_to_top(session, L)) {}
+
+void Raised::push(lua_State* L) const { lua_rawgeti(L, LUA_REGISTRYINDEX, *reference_); }
+
+void in_protected_call(Session& session, const std::function<void()>& run) {
+  lua_State* L = session.active();
+  luaL_checkstack(L, 8, "too many nested callbacks");
+  Work work{run};
+  lua_pushcfunction(L, run_work);
+  lua_pushlightuserdata(L, &work);
+  if (lua_pcall(L, 1, 0, 0) != LUA_OK) throw Raised(session, L);
+  if (work.trouble) std::rethrow_exception(work.trouble);
+}
+
+Function::Function(Session& session, lua_State* L, int index) : session_(&session) {
+  lua_pushvalue(L, index);
+  handle_ = reference_to_top(session, L);
+}
+
+lua_State* Function::push() const {
+  lua_State* L = session_->active();
+  luaL_checkstack(L, 8, "too many nested callbacks");
+  lua_rawgeti(L, LUA_REGISTRYINDEX, *handle_);
+  return L;
+}
+
+}  // namespace fabricsh::script

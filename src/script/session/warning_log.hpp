@@ -1,0 +1,41 @@
+// The warnings of a session, for the results of virtual tests and studies.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "run/warnings.hpp"
+
+namespace fabricsh::script {
+
+class WarningLog {
+ public:
+  using Warnings = std::vector<run::Warning>;
+
+  // A place in the log.
+  struct Place {
+    std::size_t lists = 0, runs = 0;
+  };
+  Place end() {
+    last_place_ = lists_.size();
+    return {lists_.size(), runs_};
+  }
+
+  // What is said in a loop is added once behind each place that was asked for.
+  void add(run::Warning warning);
+  // Of a run: the list as it will be when it is read.
+  void add(std::shared_ptr<const Warnings> of_run);
+  // What was added from the place on, equal ones once; whether that includes a run.
+  Warnings since(Place place) const;
+  bool ran_since(Place place) const { return runs_ > place.runs; }
+
+  // The same as bytes, for the log of another process.
+  std::string packed_since(Place place) const;
+  void adopt(const std::string& packed);
+
+ private:
+  std::vector<std::shared_ptr<const Warnings>> lists_;
+  std::size_t runs_ = 0, last_place_ = 0;
+};
+
+}  // namespace fabricsh::script
