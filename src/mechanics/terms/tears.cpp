@@ -132,6 +132,7 @@ void Tears::renumbered(Forces& forces) {
   strings_.insert(strings_.end(), ready_.begin(), ready_.end());
   ready_.clear();
   find_lines();
+  measure(configuration_.x(), forces.on_x);
 }
 
 void Tears::commit() {
@@ -148,14 +149,22 @@ void Tears::keep(Archive& archive) {
   if (archive.reading()) rollback();
 }
 
+// Sites ascend by their places, and lines by their sites.
 double Tears::share(Index element, int family) const {
   double most = 0;
-  for (const Line& line : lines_) {
-    if (line.family != family) continue;
-    for (const Corner& corner : sites_[line.site].corners)
-      if (corner.element == element) most = std::max(most, line.share);
-  }
   const auto& nodes = cloth_.mesh_elements()[static_cast<std::size_t>(element)];
+  for (const Index node : nodes) {
+    if (node < 0) continue;
+    const Index place = model_.mesh().place_of(node);
+    const auto site = std::lower_bound(sites_.begin(), sites_.end(), place,
+                                       [](const Site& s, Index at) { return s.place < at; });
+    if (site == sites_.end() || site->place != place) continue;
+    const auto number = static_cast<std::size_t>(site - sites_.begin());
+    auto line = std::lower_bound(lines_.begin(), lines_.end(), number,
+                                 [](const Line& l, std::size_t at) { return l.site < at; });
+    for (; line != lines_.end() && line->site == number; ++line)
+      if (line->family == family) most = std::max(most, line->share);
+  }
   for (const BridgingString& string : strings_)
     if (std::find(nodes.begin(), nodes.end(), string.a) != nodes.end() ||
         std::find(nodes.begin(), nodes.end(), string.b) != nodes.end())

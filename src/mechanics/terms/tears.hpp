@@ -42,7 +42,7 @@ class Tears final : public Term {
   static bool possible(const model::Model& model);
   // Errors: an element at the joints of a zone is a triangle, or an edge is more than a degree off the yarns
   // (named); an energy that spreads over too coarse a mesh, where the zone refuses that.
-  Tears(const model::Model& model, const Cloth& cloth, const Dofs& dofs);
+  Tears(const model::Model& model, const Configuration& configuration, const Cloth& cloth, const Dofs& dofs);
 
   const char* name() const override { return "tears"; }
   Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
@@ -105,6 +105,7 @@ class Tears final : public Term {
   void measure(std::span<const double> x, std::span<const double> on_x);
 
   const model::Model& model_;
+  const Configuration& configuration_;
   const Cloth& cloth_;
   const Dofs& dofs_;
   std::vector<Site> sites_;

@@ -80,8 +80,9 @@ bool Tears::possible(const model::Model& model) {
                      [](const model::Region& region) { return region.card.rupture.has_value(); });
 }
 
-Tears::Tears(const model::Model& model, const Cloth& cloth, const Dofs& dofs)
-    : model_(model), cloth_(cloth), dofs_(dofs) {
+Tears::Tears(const model::Model& model, const Configuration& configuration, const Cloth& cloth,
+             const Dofs& dofs)
+    : model_(model), configuration_(configuration), cloth_(cloth), dofs_(dofs) {
   find_sites();
   set_strengths();
   find_lines();
