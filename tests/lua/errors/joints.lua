@@ -40,4 +40,4 @@ wrong("analysis:join", "run:join{ set='all' }",
 wrong("model:tearable", "model:tearable('all', { coarse='rough' })",
   "deck.lua:1: tearable: field 'options.coarse': expected 'lower' or 'refuse', got 'rough'")
 wrong("model:tearable", "model:tearable('all', { seed=1.5 })",
-  "deck.lua:1: tearable: field 'options.seed': expected an integer from 0 to 9007199254740992, got 1.5")
+  "deck.lua:1: tearable: field 'options.seed': expected an integer from 0 to 9.0072e+15, got 1.5")
