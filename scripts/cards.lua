@@ -87,7 +87,8 @@ of B/(W g). Friction in bending, which `broad` and `tropical` have according to 
 **Choosing a card.** Take a cloth of similar use and mass whose *measured* properties determine your result: bending and mass for hanging and draping
 (all but the four cards of the thesis), warp and weft for tension and membranes, shear for bias tests and forming. The assumptions of each card are listed below, and
 `card:with{...}` replaces a property by your own value. All cards unload along straight lines;
-`card:with{ warp={ loop={ friction=0.3, reach=0.5, curve=0.5 } } }` makes unloading curved ([law.md](law.md)).
+`card:with{ warp={ loop={ friction=0.3, reach=0.5, curve=0.5 } } }` makes unloading curved ([law.md](law.md)). How they break was not measured on any of them:
+none has `rupture` ([tearing.md](tearing.md)).
 
 ```lua
 local fabric = require "fabric"

@@ -13,6 +13,7 @@
 ---@field estimate fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field rupture fabric_woven_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -47,7 +48,7 @@ local history = {}
 ---@class analysis
 ---@field beyond any The largest strain beyond what the card was tested to, or nil: share (1.2 is 20 % beyond), yarn (warp, weft or shear), element and time of this largest strain, strain (E11, E22 or E12), tested (the strain tested), first (time at which the run first went beyond) and elements (fraction of the elements beyond).
 ---@field duration number Where it ends, s.
----@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
+---@field energy table<string, number> Energies in J: kinetic, stored, dissipated, damping, external, internal, initial, created. Parts of stored: contact, guard (the barrier that keeps surfaces from passing), stick (elastic slip of friction that holds), directors (what keeps the directors by the normal where the elements' shear does not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact (of surfaces that meet), joints (motion lost as joints closed, see analysis:join), fracture (broken yarns of tearable zones). Parts of kinetic: rigid (free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the largest external work; with contact at least over the cloth's weight times its thickness.
 ---@field joints any Of the tearable zones: open, the number of places whose joint is open; places, of all places with several nodes.
 ---@field mesh any The mesh of its model, as it was before the run.
 ---@field model any The model that it computes.
@@ -115,7 +116,7 @@ function analysis:checkpoint(path, options) end
 ---@return any
 function analysis:cut(fields) end
 
----Averages over the element's reference volume, material axes: a table of E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
+---Averages over the element's reference volume, material axes: a table of rupture_warp (warp force over strength at the joints of the element, the largest; 1 where it has broken), rupture_weft (weft force over strength at the joints of the element, the largest; 1 where it has broken), E11 E22 E23 E13 E12 (Green-Lagrange strain, tensor components), S11 S22 S23 S13 S12 (2nd Piola-Kirchhoff stress; Pa), residual1 residual2 (strain that a yarn keeps when it is unloaded), slack1 slack2 (strain by which a slack yarn is below its residual strain), stored dissipated (per reference volume: stored, and dissipated so far; J/m^3), shear_angle (90 degrees less the angle between warp and weft; has the sign of E12; degrees), tension_warp (force along the warp yarns per reference width; N/m), tension_weft (force along the weft yarns per reference width; N/m), nominal_strain_warp (change of length along the warp over the reference length), nominal_strain_weft (change of length along the weft over the reference length), nominal_stress_warp (force along the warp yarns over the reference area; Pa), nominal_stress_weft (force along the weft yarns over the reference area; Pa), cauchy_11 (Cauchy stress along the deformed warp (current width, reference thickness); Pa), cauchy_22 (Cauchy stress across the deformed warp, in the surface; Pa), cauchy_12 (Cauchy shear stress, along and across the deformed warp; Pa), beyond (largest strain so far over the tested strain of the card: 1.2 is 20 % beyond; 0 where the card states none), region (number of the body or region that the element belongs to, in their order).
 ---@param number integer of the element
 ---@return table<string, any>
 function analysis:element(number) end
@@ -137,7 +138,7 @@ function analysis:event(fields) end
 function analysis:every(interval, action) end
 
 ---Values of all elements or nodes, in their order: a list of numbers; for a whole field a list of lists. Units are SI: stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"displacement"|"velocity"|"director"|"position"|"reference"|"reaction"|"E"|"S"|"residual"|"slack"|"energy"|"warp"|"weft" of a number, or of a field: see the table of fields of a run; of a ply ply2.E11, or by the ply's name
 ---@return number[]
 function analysis:field(name) end
 
@@ -156,7 +157,7 @@ function analysis:gap() end
 function analysis:join(fields) end
 
 ---The mean of a value over elements, or over nodes, each with the same weight. Stresses in Pa, energies in J/m^3.
----@param name "E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
+---@param name "rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region"|"ux"|"uy"|"uz"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"x"|"y"|"z"|"X"|"Y"|"Z"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open" of a number that elements or nodes have, see a:element and a:node; of a ply ply2.E11, or by the ply's name
 ---@param set? string elements all of whose nodes are in it; or its nodes (default "all")
 ---@return number
 function analysis:mean(name, set) end
@@ -373,7 +374,7 @@ function fabric.export.card(fields) end
 ---@field file string to write; ends in .glb
 ---@field series? string a .pvd that a:vtk wrote: every frame of it
 ---@field run? analysis in place of a series: the run as it stands
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"director"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"warp"|"weft"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show, on the nodes: a number of a field, or a vector's length (default "none")
 ---@field range? number[] {low, high} of the colours; default: those of all frames
 ---@field every? number s: at least between two frames; default: all that there are
 ---@field duration? number s: of the animation; default: that of the series
@@ -1512,6 +1513,30 @@ function fabric.latin_hypercube(inputs) end
 ---@field bending fabric_linear_fields.estimate.bending of the bending
 ---@field source string where the estimate comes from
 
+---@class fabric_linear_fields.rupture.warp.scatter
+---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
+---@field length? number m: length of yarn at which the strength was measured; without it strength does not depend on length
+---@field exponent? number strength goes with length^-exponent; default 1 / modulus, the weakest link
+
+---@class fabric_linear_fields.rupture.warp
+---@field strength number N/m: mean force per width at which these yarns break
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+---@field scatter? fabric_linear_fields.rupture.warp.scatter how the strength differs from place to place
+
+---@class fabric_linear_fields.rupture.weft.scatter
+---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
+---@field length? number m: length of yarn at which the strength was measured; without it strength does not depend on length
+---@field exponent? number strength goes with length^-exponent; default 1 / modulus, the weakest link
+
+---@class fabric_linear_fields.rupture.weft
+---@field strength number N/m: mean force per width at which these yarns break
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+---@field scatter? fabric_linear_fields.rupture.weft.scatter how the strength differs from place to place
+
+---@class fabric_linear_fields.rupture
+---@field warp? fabric_linear_fields.rupture.warp breaking of the warp yarns; without it they hold
+---@field weft? fabric_linear_fields.rupture.weft breaking of the weft yarns; without it they hold
+
 ---@class fabric_linear_fields
 ---@field name? string of the fabric (default "")
 ---@field source? string where the numbers come from (default "")
@@ -1523,6 +1548,7 @@ function fabric.latin_hypercube(inputs) end
 ---@field estimate? fabric_linear_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field rupture? fabric_linear_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp number Pa: modulus along the warp
 ---@field weft number Pa: modulus along the weft
 ---@field shear number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1683,7 +1709,7 @@ function fabric.ramp(value, duration) end
 ---@field file string to write; ends in .png
 ---@field vtu? string|table file of a:vtk, or a list of them: panels of one scale
 ---@field run? table|analysis in place of files: the run as it stands, with its rigid bodies, or a list of runs
----@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
+---@field field? "none"|"displacement"|"ux"|"uy"|"uz"|"velocity"|"vx"|"vy"|"vz"|"nx"|"ny"|"nz"|"position"|"x"|"y"|"z"|"reference"|"X"|"Y"|"Z"|"reaction"|"reaction_x"|"reaction_y"|"reaction_z"|"gap"|"contact_pressure"|"joint_open"|"rupture_warp"|"rupture_weft"|"E11"|"E22"|"E23"|"E13"|"E12"|"S11"|"S22"|"S23"|"S13"|"S12"|"residual1"|"residual2"|"slack1"|"slack2"|"stored"|"dissipated"|"shear_angle"|"tension_warp"|"tension_weft"|"nominal_strain_warp"|"nominal_strain_weft"|"nominal_stress_warp"|"nominal_stress_weft"|"cauchy_11"|"cauchy_22"|"cauchy_12"|"beyond"|"region" what the colours show (default "none")
 ---@field title? string on top (default "")
 ---@field labels? string|table above the panels
 ---@field bar? string title of the colour bar; default: the field with its unit (MPa, mm)
@@ -1864,6 +1890,30 @@ function fabric.study(fields) end
 ---@field bending fabric_svk_fields.estimate.bending of the bending
 ---@field source string where the estimate comes from
 
+---@class fabric_svk_fields.rupture.warp.scatter
+---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
+---@field length? number m: length of yarn at which the strength was measured; without it strength does not depend on length
+---@field exponent? number strength goes with length^-exponent; default 1 / modulus, the weakest link
+
+---@class fabric_svk_fields.rupture.warp
+---@field strength number N/m: mean force per width at which these yarns break
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+---@field scatter? fabric_svk_fields.rupture.warp.scatter how the strength differs from place to place
+
+---@class fabric_svk_fields.rupture.weft.scatter
+---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
+---@field length? number m: length of yarn at which the strength was measured; without it strength does not depend on length
+---@field exponent? number strength goes with length^-exponent; default 1 / modulus, the weakest link
+
+---@class fabric_svk_fields.rupture.weft
+---@field strength number N/m: mean force per width at which these yarns break
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+---@field scatter? fabric_svk_fields.rupture.weft.scatter how the strength differs from place to place
+
+---@class fabric_svk_fields.rupture
+---@field warp? fabric_svk_fields.rupture.warp breaking of the warp yarns; without it they hold
+---@field weft? fabric_svk_fields.rupture.weft breaking of the weft yarns; without it they hold
+
 ---@class fabric_svk_fields
 ---@field name? string of the fabric (default "")
 ---@field source? string where the numbers come from (default "")
@@ -1875,6 +1925,7 @@ function fabric.study(fields) end
 ---@field estimate? fabric_svk_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field rupture? fabric_svk_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp? number Pa: modulus along the warp
 ---@field weft? number Pa: modulus along the weft
 ---@field shear? number Pa: engineering shear modulus, S12 = 2 shear E12
@@ -1954,6 +2005,30 @@ function fabric.why() end
 ---@class fabric_woven_fields.estimate
 ---@field bending fabric_woven_fields.estimate.bending of the bending
 ---@field source string where the estimate comes from
+
+---@class fabric_woven_fields.rupture.warp.scatter
+---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
+---@field length? number m: length of yarn at which the strength was measured; without it strength does not depend on length
+---@field exponent? number strength goes with length^-exponent; default 1 / modulus, the weakest link
+
+---@class fabric_woven_fields.rupture.warp
+---@field strength number N/m: mean force per width at which these yarns break
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+---@field scatter? fabric_woven_fields.rupture.warp.scatter how the strength differs from place to place
+
+---@class fabric_woven_fields.rupture.weft.scatter
+---@field modulus number Weibull modulus of the strength; the larger, the less it scatters
+---@field length? number m: length of yarn at which the strength was measured; without it strength does not depend on length
+---@field exponent? number strength goes with length^-exponent; default 1 / modulus, the weakest link
+
+---@class fabric_woven_fields.rupture.weft
+---@field strength number N/m: mean force per width at which these yarns break
+---@field energy number J/m: energy that breaking these yarns takes, per metre of the tear
+---@field scatter? fabric_woven_fields.rupture.weft.scatter how the strength differs from place to place
+
+---@class fabric_woven_fields.rupture
+---@field warp? fabric_woven_fields.rupture.warp breaking of the warp yarns; without it they hold
+---@field weft? fabric_woven_fields.rupture.weft breaking of the weft yarns; without it they hold
 
 ---@class fabric_woven_fields.warp.loop
 ---@field friction number share of the peak stress that friction between the fibres carries: the width of the loop
@@ -2038,6 +2113,7 @@ function fabric.why() end
 ---@field estimate? fabric_woven_fields.estimate estimates of what was not measured, used by fabric.card(name, { bending='estimated' })
 ---@field compression? table one sheet pressed between two plates, {{gap, pressure}, ...}: gap, m, is its thickness then, which is also how far apart the middles of two such sheets are, pressure in Pa; what contact presses with
 ---@field fibre_density? number kg/m^3: of what the yarns are made of; areal mass over it is how thin the sheet can be pressed at most; default 1500 (cotton 1540, polyester 1380)
+---@field rupture? fabric_woven_fields.rupture where yarns break: in tearable zones of a model, see model:tearable
 ---@field warp fabric_woven_fields.warp along the warp
 ---@field weft fabric_woven_fields.weft along the weft
 ---@field shear fabric_woven_fields.shear in-plane shear
@@ -2224,10 +2300,15 @@ function model:spring(set, stiffness, options) end
 ---@return model
 function model:symmetry(set, normal) end
 
----Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the others at its place until a:cut opens the joint. The further nodes are numbered after those of the mesh.
+---@class model_tearable_fields.options
+---@field coarse? "lower"|"refuse" where elements are coarse for the card's strength and energy: lower the strength until a tear runs at the right force, and say so; or refuse (default "lower")
+---@field seed? integer of the scatter of strengths (default 1)
+
+---Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the others at its place until a:cut opens the joint, or in explicit motion its yarns reach the strength that the card has in rupture. The further nodes are numbered after those of the mesh.
 ---@param set string a set whose elements may come apart along their edges during a run
+---@param options? model_tearable_fields.options of breaking yarns
 ---@return model
-function model:tearable(set) end
+function model:tearable(set, options) end
 
 ---Ties nodes to each other exactly, by elimination.
 ---@param kind string "equal": the set's nodes share displacements; "straight": they stay on the line between its ends; "rigid": nodes and directors move as one body; "periodic": two sets whose pairs of nodes keep one common relative displacement; the second follows the first

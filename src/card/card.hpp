@@ -115,6 +115,21 @@ struct Estimate {
   std::string source;
 };
 
+// Breaking of one family of yarns; per metre along the line on which they break.
+struct Scatter {  // of the strength, after Weibull
+  double modulus = 0;
+  std::optional<double> length = {};    // m of yarn, at which the strength was measured
+  std::optional<double> exponent = {};  // of the size: strength goes with length^-exponent; 1 / modulus
+};
+struct YarnBreak {
+  double strength = 0;  // N/m, the mean
+  double energy = 0;    // J/m of tear
+  std::optional<Scatter> scatter = {};
+};
+struct Rupture {
+  std::optional<YarnBreak> warp, weft;  // empty: not measured, does not break
+};
+
 struct Card {
   std::string name, source;
   double density = 0;    // kg/m^3
@@ -127,6 +142,7 @@ struct Card {
   // (Pa). Empty: not measured.
   std::vector<std::pair<double, double>> compression = {};
   std::optional<double> fibre_density = {};  // kg/m^3, of what the yarns are made of
+  std::optional<Rupture> rupture = {};       // empty: not measured
 };
 
 }  // namespace fabricsh::card

@@ -270,6 +270,43 @@ Rows<Owner> silent(Rows<Owner> rows) {
   return rows;
 }
 
+Rows<Scatter> scatter_rows() {
+  return {number("modulus", &Scatter::modulus, "", positive,
+                 "Weibull modulus of the strength; the larger, the less it scatters")
+              .ask(1, 200, "is it the Weibull modulus?")
+              .printed("Weibull modulus #"),
+          number("length", &Scatter::length, "m", positive,
+                 "length of yarn at which the strength was measured; without it strength does not depend on "
+                 "length")
+              .ask(1e-4, 10, "is the length in m?")
+              .printed("at # mm", 1e3),
+          number("exponent", &Scatter::exponent, "", not_negative,
+                 "strength goes with length^-exponent; default 1 / modulus, the weakest link")
+              .printed("size exponent #")};
+}
+
+Rows<YarnBreak> break_rows(const std::string& side) {
+  const std::string line = side + " breaks";
+  return {
+      number("strength", &YarnBreak::strength, "N/m", positive,
+             "mean force per width at which these yarns break")
+          .ask(100, 1e6, "is the strength in N/m of width?")
+          .on_line(line)
+          .printed("at # kN/m", 1e-3),
+      number("energy", &YarnBreak::energy, "J/m", positive,
+             "energy that breaking these yarns takes, per metre of the tear")
+          .ask(0.1, 1e5, "is the energy in J per metre of tear?")
+          .on_line(line)
+          .printed("energy # J/m"),
+      group("scatter", &YarnBreak::scatter, scatter_rows(), "how the strength differs from place to place")};
+}
+
+Rows<Rupture> rupture_rows() {
+  return {
+      group("warp", &Rupture::warp, break_rows("warp"), "breaking of the warp yarns; without it they hold"),
+      group("weft", &Rupture::weft, break_rows("weft"), "breaking of the weft yarns; without it they hold")};
+}
+
 Rows<Estimate> estimate_rows() {
   return silent<Estimate>({group("bending", &Estimate::bending, bending_rows(), "of the bending"),
                            text("source", &Estimate::source, "where the estimate comes from")});
@@ -426,6 +463,10 @@ FieldTable table_of(const Rows<Law>& law) {
                      .written_last()
                      .on_line("fibres")
                      .printed("# kg/m^3"));
+  rows.push_back(group("rupture", &Card::rupture, rupture_rows(),
+                       "where yarns break: in tearable zones of a model, see model:tearable")
+                     .on_lines()
+                     .written_last());
   const auto enter = [](auto& card) -> auto& { return std::get<Law>(card.law); };
   for (const auto& f : law) rows.push_back(lifted<Card>(f, enter));
   return rows;

@@ -9,10 +9,10 @@ namespace fabricsh::law {
 
 const std::vector<std::string>& provenance_fields() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"bending",         "biaxial",        "density",      "shear.loading",
-                                    "shear.unloading", "thickness",      "warp.loading", "warp.loop",
-                                    "warp.poisson",    "warp.unloading", "weft.loading", "weft.loop",
-                                    "weft.poisson",    "weft.unloading"};
+    std::vector<std::string> all = {"bending",      "biaxial",       "density",         "rupture.warp",
+                                    "rupture.weft", "shear.loading", "shear.unloading", "thickness",
+                                    "warp.loading", "warp.loop",     "warp.poisson",    "warp.unloading",
+                                    "weft.loading", "weft.loop",     "weft.poisson",    "weft.unloading"};
     rheology::for_each([&all](auto element, auto, auto) { all.emplace_back(element.name); });
     std::sort(all.begin(), all.end());
     return all;

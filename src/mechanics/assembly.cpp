@@ -7,6 +7,7 @@
 #include "mechanics/terms/contact.hpp"
 #include "mechanics/terms/directors.hpp"
 #include "mechanics/terms/loads.hpp"
+#include "mechanics/terms/tears.hpp"
 
 namespace fabricsh::mechanics {
 
@@ -18,6 +19,8 @@ T* Assembly::make(Arguments&&... arguments) {
 Assembly::Assembly(const model::Model& model)
     : configuration_(model.mesh().nodes.size()), dofs_(model, configuration_) {
   cloth_ = make<Cloth>(model, configuration_, dofs_.reference_directors());
+  // The second term, which sees the forces of the cloth alone.
+  if (Tears::possible(model)) tears_ = make<Tears>(model, std::as_const(configuration_), *cloth_, dofs_);
   directors_ = make<Directors>(model, *cloth_, dofs_);
   if (std::any_of(model.gravity().begin(), model.gravity().end(), [](const auto& g) { return bool(g); }))
     make<Gravity>(model, cloth_->mass(), cloth_->mass_moment());

@@ -23,6 +23,7 @@ namespace fabricsh::mechanics {
 
 class Contacts;
 class Directors;
+class Tears;
 
 // The external forces that do work on the cloth; 3 per node, global.
 struct WorkingForces {
@@ -43,6 +44,8 @@ class Assembly {
   const Cloth& cloth() const { return *cloth_; }
   Contacts* contact() { return contact_; }  // null: the model has no contact
   const Contacts* contact() const { return contact_; }
+  Tears* tears() { return tears_; }  // null: no yarns of the model can break
+  const Tears* tears() const { return tears_; }
   const std::vector<Vec3>& reference() const { return dofs_.reference(); }
   Configuration& state() { return configuration_; }
   const Configuration& state() const { return configuration_; }
@@ -221,6 +224,7 @@ class Assembly {
   Cloth* cloth_ = nullptr;
   Directors* directors_ = nullptr;
   Contacts* contact_ = nullptr;
+  Tears* tears_ = nullptr;
   const std::vector<Vec3>* moments_ = nullptr;  // those of the term that has moments
   bool upper_ = false;
   std::unique_ptr<Stiffness> stiffness_;

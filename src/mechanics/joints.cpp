@@ -42,7 +42,8 @@ Joints::Joints(const mesh::Mesh& mesh) : mesh_(mesh) {
     }
   }
   for (const auto& [edge, nodes] : sides)
-    if (nodes.size() > 1) edges_.push_back(edge);
+    if (nodes.size() > 1) edges_.insert(edges_.end(), {edge, {edge.second, edge.first}});
+  std::sort(edges_.begin(), edges_.end());
   leader_.resize(mesh.nodes.size());
   std::iota(leader_.begin(), leader_.end(), Index{0});
   for (const auto& [place, elements] : at_) divide(place);
@@ -100,7 +101,7 @@ bool Joints::set_opened(std::vector<Edge> edges) {
   const std::vector<Index> before = leader_;
   opened_ = std::move(edges);
   std::set<Index> places;
-  for (const Edge& edge : changed) places.insert({edge.first, edge.second});
+  for (const Edge& edge : changed) places.insert(edge.first);
   for (const Index place : places)
     if (at_.contains(place)) divide(place);
   return leader_ != before;
@@ -110,8 +111,7 @@ bool Joints::set_opened(std::vector<Edge> edges) {
 // meet in nothing but their corners.
 void Joints::divide(Index place) {
   const auto is_opened = [&](Index other) {
-    return std::binary_search(opened_.begin(), opened_.end(),
-                              Edge(std::min(place, other), std::max(place, other)));
+    return std::binary_search(opened_.begin(), opened_.end(), Edge(place, other));
   };
   std::vector<Index> nodes;
   std::vector<std::pair<Index, Index>> spokes;  // place at the other end of an edge, node at this one

@@ -19,7 +19,8 @@ using Index = std::int64_t;
 
 class Joints {
  public:
-  // An edge by its two places: numbers of nodes of the mesh without zones, the smaller one first.
+  // One end of an edge: the place where it is, and that of the other end, as numbers of nodes of the mesh
+  // without zones. A cut opens both ends of an edge; a yarn that breaks at a place opens the ends there.
   using Edge = std::pair<Index, Index>;
 
   explicit Joints(const mesh::Mesh& mesh);  // keeps a reference
@@ -33,12 +34,12 @@ class Joints {
   std::size_t open() const;                          // of these, how many have more than one joint
   bool is_open(Index node) const;                    // whether its place has
 
-  // The edges in zones, ascending, both of whose ends are in a set of nodes; or lie on a line of points in
-  // the reference, m, to a hundredth of their length.
+  // Both ends of the edges in zones, ascending, whose ends are in a set of nodes; or lie on a line of points
+  // in the reference, m, to a hundredth of their length.
   std::vector<Edge> edges_between(std::span<const Index> nodes) const;
   std::vector<Edge> edges_on(std::span<const Vec3> line) const;
   const std::vector<Edge>& opened() const { return opened_; }  // ascending
-  // Sets the open edges; returns whether the joints are others now.
+  // Sets the open ends of edges; returns whether the joints are others now.
   bool set_opened(std::vector<Edge> edges);
 
  private:
@@ -46,7 +47,7 @@ class Joints {
   const mesh::Mesh& mesh_;
   std::vector<Index> leader_;
   std::map<Index, std::vector<Index>> at_;  // of each place with several nodes: its elements
-  std::vector<Edge> edges_;                 // that can be opened, ascending
+  std::vector<Edge> edges_;                 // that can be opened, both ends, ascending
   std::vector<Edge> opened_;
 };
 

@@ -231,7 +231,8 @@ Fingerprint fingerprint(const Model& model, double duration) {
   });
   if (!model.zones().empty())
     add("tearable zones", "", [&](Part& part) {
-      for (const auto& zone : model.zones()) part.add_set(zone);
+      for (const auto& zone : model.zones())
+        part.add_set(zone.set).add(static_cast<int>(zone.lower)).add(zone.seed);
     });
   add("velocities", "", [&](Part& part) {
     for (const auto& v : model.velocities()) {

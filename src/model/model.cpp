@@ -270,17 +270,17 @@ void Model::tie(Tie tie) {
   ties_.push_back(std::move(tie));
 }
 
-void Model::tearable(const std::string& set) {
+void Model::tearable(const std::string& set, bool lower, std::uint64_t seed) {
   check_open("tearable");
   if (mesh_->elements_in(mesh_->set(set)).empty())
     throw Error("tearable: set " + quoted(set) + " holds no whole element");
-  zones_.push_back(set);
+  zones_.push_back({set, lower, seed});
 }
 
 std::vector<Index> Model::elements_of_zones() const {
   std::vector<Index> all;
   for (const auto& zone : zones_) {
-    const auto inside = mesh_->elements_in(mesh_->set(zone));
+    const auto inside = mesh_->elements_in(mesh_->set(zone.set));
     all.insert(all.end(), inside.begin(), inside.end());
   }
   std::sort(all.begin(), all.end());

@@ -155,6 +155,14 @@ struct Region {
   Index body = 0;
 };
 
+// A set whose joints may open. Where the mesh is too coarse for the card's strength, it is lowered or the
+// model refused; the seed is that of the scatter of strengths.
+struct Zone {
+  std::string set;
+  bool lower = true;
+  std::uint64_t seed = 1;
+};
+
 class Model {
  public:
   // Errors: points outside 1..9; a thickness that is not positive; no warp on a mesh that is not flat; a card
@@ -187,8 +195,8 @@ class Model {
   // The joints between the elements of the set may open and close during a run: each corner of these elements
   // gets a node of its own. Errors: the set has no whole element; later, in validate(): the zone has nodes of
   // a periodic tie.
-  void tearable(const std::string& set);
-  const std::vector<std::string>& zones() const { return zones_; }
+  void tearable(const std::string& set, bool lower = true, std::uint64_t seed = 1);
+  const std::vector<Zone>& zones() const { return zones_; }
 
   // Removes the i-th declaration (from 0) of a kind; for gravity i is ignored. Error: it does not
   // exist.
@@ -285,7 +293,7 @@ class Model {
   std::vector<Spring> springs_;
   std::vector<Turn> turns_;
   std::vector<Tie> ties_;
-  std::vector<std::string> zones_;
+  std::vector<Zone> zones_;
   Components gravity_;
   std::vector<InitialVelocity> velocities_;
   Interactions interactions_;

@@ -36,6 +36,7 @@ class Explicit final : public Dynamic {
   std::vector<double> unknown_rates() const override { return motion_.velocities(); }
   void resize() override;
   void take(const mechanics::Transfer& change, const std::vector<double>& rates) override;
+  double tear_step() const override { return options_.step.value_or(usual_step()); }
   void list_unknowns();
 
   void check_stable_step(double undamped) const;  // s, without stiffness damping

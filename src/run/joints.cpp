@@ -2,6 +2,9 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
+#include "mechanics/terms/tears.hpp"
+#include "run/place_text.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
@@ -57,6 +60,29 @@ std::size_t Run::join(const Along& along, std::optional<double> within) {
     throw Error(std::string("join: ") + error.what());
   }
   return before - count(assembly_->joints());
+}
+
+void Run::tear() {
+  mechanics::Tears* const tears = assembly_->tears();
+  if (tears == nullptr) return;
+  const auto worst = tears->worst();
+  if (!(worst.share >= 1)) return;
+  const double step = tear_step();
+  if (!(step > 0)) {
+    const std::string text = "at time " + number(time()) + " s the " + worst.yarn + " about " +
+                             place_text(worst.at) + " has reached its strength, " + number(worst.strength) +
+                             " N/m: a tear that runs away has no balance next to this one";
+    fail(NumericalFailure(std::string(kind()) + ": " + text +
+                              ".\nTry: fabric.dynamic with scheme=\"explicit\", which shows where it goes.",
+                          time()),
+         text);
+  }
+  Edges all = tears->let_go(step);
+  const Edges& opened = assembly_->joints().opened();
+  all.insert(all.end(), opened.begin(), opened.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  rejoin(std::move(all), 0);
 }
 
 // Velocities and positions stay as they are where joints open.

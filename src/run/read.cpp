@@ -224,6 +224,7 @@ Energy Run::energy() const {
     if (energy.name == "directors") sum.directors += energy.value;
     if (energy.account != mechanics::Account::dissipated) continue;
     if (energy.name == "joints") sum.joints += energy.value;
+    if (energy.name == "fracture") sum.fracture += energy.value;
     if (energy.name == "friction") sum.friction += energy.value;
     if (energy.name == "impact") sum.impact += energy.value;
     if (energy.name == "warp") sum.dissipated_warp += energy.value;

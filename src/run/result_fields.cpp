@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/suggest.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/tears.hpp"
 #include "run/run.hpp"
 
 namespace fabricsh::run {
@@ -120,6 +121,15 @@ struct Table {
         {name, std::move(unit), Shape::scalar, Place::element, std::move(sentence), {name}, values});
     rows.back().usual = false;
   }
+  void torn(const std::string& name, int family) {
+    scalar(name, "",
+           std::string(family == 0 ? "warp" : "weft") +
+               " force over strength at the joints of the element, the largest; 1 where it has broken",
+           [family](const Run& run, mesh::Index e) {
+             const mechanics::Tears* tears = run.assembly().tears();
+             return tears == nullptr ? 0.0 : tears->share(e, family);
+           });
+  }
   // The same computed from strains and stresses, value(values, thickness in m), of a ply or of all.
   void computed(const std::string& name, std::string unit, std::string sentence,
                 double (*value)(const V&, double)) {
@@ -175,6 +185,8 @@ Table make_table() {
       "normal pressure of contact, without friction; that on the front and that on the back of a sheet added",
       &mechanics::Contacts::pressure);
   t.joined();
+  t.torn("rupture_warp", 0);
+  t.torn("rupture_weft", 1);
   t.average("E", "", Shape::tensor, "Green-Lagrange strain, tensor components",
             {"E11", "E22", "E23", "E13", "E12"}, {&V::E11, &V::E22, &V::E23, &V::E13, &V::E12},
             {"E11", "E22", "E23", "E13", "E12"});

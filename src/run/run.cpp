@@ -9,6 +9,7 @@
 #include "base/number.hpp"
 #include "geometry/node_view.hpp"
 #include "mechanics/terms/contact.hpp"
+#include "mechanics/terms/tears.hpp"
 #include "run/failure.hpp"
 #include "run/foresight.hpp"
 #include "run/place_text.hpp"
@@ -29,7 +30,8 @@ std::string zones_text(const model::Model& model) {
   if (!mesh.whole) return {};
   const auto further = mesh.nodes.size() - mesh.whole->nodes.size();
   return "tearable zones: " + std::to_string(further) + " further nodes at the corners of elements, about " +
-         number(1e-6 * bytes * static_cast<double>(further), 2) + " MB";
+         number(1e-6 * bytes * static_cast<double>(further), 2) + " MB" +
+         (mechanics::Tears::possible(model) ? "" : "; no card has a rupture, so they open by a:cut alone");
 }
 
 }  // namespace
@@ -46,6 +48,8 @@ Run::Run(std::shared_ptr<model::Model> model, double duration, std::shared_ptr<N
   model_->seal();
   kinks_ = model_->kinks();
   if (const std::string words = zones_text(*model_); !words.empty()) notices_->once(words, words);
+  if (assembly_->tears() != nullptr)
+    for (const std::string& words : assembly_->tears()->describe()) notices_->once(words, words);
   if (const std::string words = bending_warning(*model_, *assembly_); !words.empty()) {
     notices_->once("bending of card " + model_->card().name, "warning: " + words);
     note("bending", words);
@@ -217,6 +221,7 @@ void Run::advance_to(double limit) {
   trial_time_ = report.time;
   reports_.push_back(std::move(report));
   watch_strain();
+  tear();
   for (auto& event : events_) event.settle();
   hooked_ = hooked_ || !events_.empty();
   mark_due();

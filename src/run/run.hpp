@@ -171,6 +171,8 @@ class Run {
   virtual void resize() {}
   // Afterwards: continues from the committed state with these rates of the unknowns.
   virtual void take(const mechanics::Transfer& change, const std::vector<double>& rates) = 0;
+  // s, with which strings between the lips of a tear must be stable; 0: this kind of run cannot tear.
+  virtual double tear_step() const { return 0; }
 
   // --- to be defined by a kind of run. A step's size is the time at its end; along an arc, its length.
   virtual void begin() = 0;  // the state at time 0, before its hooks; calls work_.start
@@ -286,6 +288,7 @@ class Run {
   void mark_due();
   std::vector<mechanics::Joints::Edge> edges_along(const Along& along, const char* call) const;
   void rejoin(std::vector<mechanics::Joints::Edge> edges, double within);
+  void tear();  // opens the joints whose yarns have reached their strength in the committed state
   void keep_assembly(Archive& archive);
   void keep(Archive& archive);
   void keep_motion(Archive& archive);

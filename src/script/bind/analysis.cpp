@@ -220,6 +220,7 @@ int energy(Call& call) {
                                                    {"stick", e.stick},
                                                    {"impact", e.impact},
                                                    {"joints", e.joints},
+                                                   {"fracture", e.fracture},
                                                    {"rigid", e.rigid},
                                                    {"created", e.created},
                                                    {"internal", e.internal()},
@@ -514,7 +515,8 @@ std::vector<Entry> reading() {
        "does "
        "not). Parts of dissipated: dissipated_warp, _weft, _shear, _bending, friction (of contact), impact "
        "(of "
-       "surfaces that meet), joints (motion lost as joints closed, see analysis:join). Parts of kinetic: "
+       "surfaces that meet), joints (motion lost as joints closed, see analysis:join), fracture "
+       "(broken yarns of tearable zones). Parts of kinetic: "
        "rigid "
        "(free rigid bodies), scaled (rotary inertia that is scaled up). error: the imbalance over the "
        "largest "

@@ -121,7 +121,7 @@ void add_supports(const Model& m, std::vector<Declared>& all) {
     sprung.add(s.set, words + " N/m" + oblique(s.frame));
   }
   Rows zones(all, "tearable", Told::tearable);
-  for (const auto& zone : m.zones()) zones.add(zone, "its joints may open");
+  for (const auto& zone : m.zones()) zones.add(zone.set, "its joints may open");
   constexpr const char* kinds[] = {"equal", "straight", "rigid", "periodic"};
   Rows tied(all, "tie", Told::tie);
   for (const auto& t : m.ties()) {

@@ -11,7 +11,14 @@ using model::Model;
 namespace {
 
 int tearable(Call& call) {
-  call.self<Model>()->tearable(call.text("set"));
+  bool lower = true;
+  std::int64_t seed = 1;
+  if (call.has("options")) {
+    const Fields options = call.fields("options");
+    lower = options.text("coarse") == "lower";
+    seed = options.integer("seed");
+  }
+  call.self<Model>()->tearable(call.text("set"), lower, static_cast<std::uint64_t>(seed));
   return return_self(call);
 }
 
@@ -113,10 +120,21 @@ std::vector<Entry> rows() {
   return {
       {"model:tearable",
        Style::positional,
-       {value_("set", text, "a set whose elements may come apart along their edges during a run")},
+       {value_("set", text, "a set whose elements may come apart along their edges during a run"),
+        fields_("options",
+                {value_("coarse", text,
+                        "where elements are coarse for the card's strength and energy: lower the strength "
+                        "until a tear runs at the right force, and say so; or refuse")
+                     .one_of({"lower", "refuse"})
+                     .or_else("lower"),
+                 integer_("seed", {0, 9007199254740992.0}, "of the scatter of strengths").or_else(1)},
+                "of breaking yarns")
+            .optional()},
        "Declares a tearable zone: each corner of its elements gets a node of its own, which moves with the "
        "others "
-       "at its place until a:cut opens the joint. The further nodes are numbered after those of the mesh.",
+       "at its place until a:cut opens the joint, or in explicit motion its yarns reach the strength that "
+       "the "
+       "card has in rupture. The further nodes are numbered after those of the mesh.",
        sample(""),
        tearable},
       {"analysis:cut", Style::fields, along_rows(),

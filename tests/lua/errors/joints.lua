@@ -35,3 +35,9 @@ wrong("analysis:join", "run:join{ set='all', within=-1 }",
   "deck.lua:1: join: field 'within': expected a number of at least 0 in m, got -1")
 wrong("analysis:join", "run:join{ set='all' }",
   "deck.lua:1: join: the model has no tearable zone: expected m:tearable(set) before the run")
+
+-- model:tearable, options
+wrong("model:tearable", "model:tearable('all', { coarse='rough' })",
+  "deck.lua:1: tearable: field 'options.coarse': expected 'lower' or 'refuse', got 'rough'")
+wrong("model:tearable", "model:tearable('all', { seed=1.5 })",
+  "deck.lua:1: tearable: field 'options.seed': expected an integer from 0 to 9007199254740992, got 1.5")

@@ -1,0 +1,117 @@
+// Yarns that break in tearable zones. Cloth tears along its yarns: at a place either family can break, and
+// the joint there then opens along a line of the other family. What the elements on both sides of such a
+// line hand to each other along the yarn is compared with the yarn's strength; when it is reached, strings
+// between the lips carry the force on, and less as they part, until the energy of the yarns is spent.
+#pragma once
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mechanics/dofs.hpp"
+#include "mechanics/term.hpp"
+#include "mechanics/terms/cloth.hpp"
+#include "model/model.hpp"
+
+namespace fabricsh::mechanics {
+
+// A string between two corners that were one: it carries the force f0 where it opens, and linearly less with
+// the opening, down to none at 2 G / f0; back it goes to the origin. The origin lies `offset` before the
+// closed lips, along the force there, so that the way back is no stiffer than an explicit step can bear.
+struct BridgingString {
+  Index a = 0, b = 0;                // nodes
+  int family = 0;                    // that broke
+  Vec3 force = Vec3::Zero();         // N, on a from b when it opened
+  double offset = 0, energy = 0;     // m; J, G
+  double widest = 0, committed = 0;  // m, the largest opening so far: trial, committed
+
+  Vec3 way(std::span<const double> x) const;  // m, from the origin
+  double vanishes() const;                    // m, the opening at which it carries nothing more
+  double strength() const;                    // N, carried at the largest opening
+  Vec3 pull(const Vec3& way);                 // N, on a from b; moves `widest`
+  double stored(const Vec3& way) const;       // J, against closed lips
+  double lost() const;                        // J, never falls as `widest` grows
+  void keep(Archive& archive) {
+    archive(a, b, family, force.x(), force.y(), force.z(), offset, energy, committed);
+  }
+};
+
+class Tears final : public Term {
+ public:
+  // Whether a model has zones and a card with strengths.
+  static bool possible(const model::Model& model);
+  // Errors: an element at the joints of a zone is a triangle, or an edge is more than a degree off the yarns
+  // (named); an energy that spreads over too coarse a mesh, where the zone refuses that.
+  Tears(const model::Model& model, const Configuration& configuration, const Cloth& cloth, const Dofs& dofs);
+
+  const char* name() const override { return "tears"; }
+  Outcome add_forces(const law::Step&, const Trial& trial, Forces& forces) override;
+  void add_energies(const Trial& trial, std::vector<Energy>& out) const override;
+  void renumbered(Forces& forces) override;
+  void commit() override;
+  void rollback() override;
+  void keep(Archive& archive) override;
+
+  // The joint whose yarns are nearest to their strength in the committed state.
+  struct Worst {
+    double share = 0, strength = 0;  // N/m
+    const char* yarn = "";
+    Vec3 at = Vec3::Zero();  // m, reference
+  };
+  Worst worst() const;
+  // Prepares strings for all that have reached it, stable with a step in s; returns the ends of edges to be
+  // opened next.
+  std::vector<Joints::Edge> let_go(double step);
+  // Force over strength at the joints of an element, the largest; 1 where a yarn has broken. family: 0 warp,
+  // 1 weft.
+  double share(Index element, int family) const;
+  std::vector<std::string> describe() const { return said_; }
+
+ private:
+  struct Corner {
+    Index node, element;
+    std::array<Index, 2> far, other;  // along warp, weft: the node at the edge's other end, and its place
+  };
+  struct Site {
+    Index place;
+    std::vector<Corner> corners;
+    std::array<double, 2> strength, energy;  // N/m, J/m, of each family; infinite: it does not break
+  };
+  // A line along which a joint can open, and what is handed across it.
+  struct Line {
+    std::size_t site;
+    int family;                                    // that breaks
+    std::array<std::vector<Index>, 2> nodes, far;  // of the sides: at the place, along the yarn
+    std::array<double, 2> mass{};                  // kg
+    struct Spoke {
+      Index place, a, b;  // the other end; the corners on both sides
+      double length;      // m, half of the edge
+    };
+    std::vector<Spoke> spokes;
+    double length = 0;          // m
+    Vec3 force = Vec3::Zero();  // N, on the first side from the second
+    double share = 0;           // of the strength
+  };
+  void find_sites();
+  Corner corner_at(Index element, int a) const;
+  void set_strengths();
+  double coarse(const model::Zone& zone, std::size_t region, int family, double strength, double energy,
+                double h);
+  double across(std::size_t region, int family, double strength) const;  // 1/E', m/N
+  double spacing(const Site& site, int along) const;                     // m
+  void find_lines();
+  void add_line(std::size_t site, int family, const std::vector<const Corner*>& joint);
+  bool held(const Line& line) const;
+  void measure(std::span<const double> x, std::span<const double> on_x);
+
+  const model::Model& model_;
+  const Configuration& configuration_;
+  const Cloth& cloth_;
+  const Dofs& dofs_;
+  std::vector<Site> sites_;
+  std::vector<Line> lines_;
+  std::vector<BridgingString> strings_, ready_;  // ready: of the joints that are about to open
+  std::vector<std::string> said_;
+};
+
+}  // namespace fabricsh::mechanics
