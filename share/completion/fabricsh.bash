@@ -4,7 +4,7 @@ _fabricsh() {
   ((COMP_CWORD > 0)) && prev=${COMP_WORDS[COMP_CWORD - 1]}
   COMPREPLY=()
   case $prev in
-    -e | -l | --threads | --limit-*) return ;;
+    -e | -l | --threads | --case | --limit-*) return ;;
     --output)
       mapfile -t COMPREPLY < <(compgen -d -- "$cur")
       return
@@ -16,7 +16,7 @@ _fabricsh() {
       ;;
   esac
   if [[ $cur == -* ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --restart --strict --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
+    mapfile -t COMPREPLY < <(compgen -W "-e -i -l - --check --restart --strict --cases --case --threads --safe --output --limit-memory --limit-seconds --limit-instructions --quiet --version --help" -- "$cur")
     return
   fi
   compopt -o filenames 2>/dev/null
@@ -24,7 +24,7 @@ _fabricsh() {
   for ((i = 1; i < COMP_CWORD; i++)); do
     word=${COMP_WORDS[i]}
     case $word in
-      -e | -l | --threads | --restart | --output | --limit-*) ((i++)) ;;
+      -e | -l | --threads | --case | --restart | --output | --limit-*) ((i++)) ;;
       -?*) ;;
       *) deck=$word ;;
     esac

@@ -40,6 +40,8 @@ const char* const usage =
 
 namespace {
 
+constexpr double least_megabytes = 4;  // of which the library takes one and a half
+
 // The long options in the usage text.
 std::vector<std::string> long_options() {
   std::vector<std::string> words;
@@ -126,13 +128,14 @@ class Reader {
   }
 
   template <class Number>
-  bool limit(const std::string& word, const std::string& name, double most, Number& out) {
+  bool limit(const std::string& word, const std::string& name, double least, double most, Number& out) {
     std::string text;
     if (!long_value(word, name, text)) return !c_.trouble.empty();
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !(value >= 1) || value > most)
-      c_.trouble = name + ": expected a number from 1 to " + fabricsh::number(most) + ", got '" + text + "'";
+    if (text.empty() || *end != '\0' || !(value >= least) || value > most)
+      c_.trouble = name + ": expected a number from " + fabricsh::number(least) + " to " +
+                   fabricsh::number(most) + ", got '" + text + "'";
     else
       out = static_cast<Number>(value);
     return only_safe_ = name, true;
@@ -141,9 +144,9 @@ class Reader {
   bool safe_option(const std::string& word) {
     if (word == "--safe") return ++at_, c_.safe = true;
     if (long_value(word, "--output", c_.output)) return only_safe_ = "--output", true;
-    return limit(word, "--limit-memory", 1e9, c_.limits.megabytes) ||
-           limit(word, "--limit-seconds", 1e9, c_.limits.seconds) ||
-           limit(word, "--limit-instructions", 1e18, c_.limits.instructions);
+    return limit(word, "--limit-memory", least_megabytes, 1e9, c_.limits.megabytes) ||
+           limit(word, "--limit-seconds", 1, 1e9, c_.limits.seconds) ||
+           limit(word, "--limit-instructions", 1, 1e18, c_.limits.instructions);
   }
 
   bool long_option(const std::string& word) {

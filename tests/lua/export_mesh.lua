@@ -60,7 +60,7 @@ local function wrong(words, t)
   local good, message = pcall(fabric.export.mesh, t)
   assert(not good and tostring(message):find(words, 1, true), tostring(message))
 end
-wrong("cannot write 'flat.step': expected a name that ends in .vtu, .msh, .obj, .ply, .stl, .inp, .k or .rad", { mesh = mesh, file = "flat.step" })
+wrong("cannot write 'flat.step': expected a name that ends in .msh, .vtu, .obj, .stl, .ply, .inp, .k or .rad", { mesh = mesh, file = "flat.step" })
 local good, message = pcall(a.write, a, "now.stl", { averaged = true })
 assert(not good and tostring(message):find("write: field 'options.averaged': expected a file that ends in .vtu, which holds fields, got 'now.stl'", 1, true), message)
 good, message = pcall(a.write, a, "now.vtu", { fields = { "S99" } })

@@ -60,7 +60,7 @@ for chunk in 'x = ("x"):rep(1e9)' 'x = ("x"):rep(1e4, ("y"):rep(1e5))' 'x = {} f
 done
 # The address sanitizer has the process' memory for itself: it sets no limit, and ends the program where there is none.
 [ "${3:-}" = sanitized ] ||
-  expect 1 'memory limit of' --limit-memory 1 -e 'fabric.mesh.rectangle{ width=1, height=1, nx=30000, ny=30000 }'
+  expect 1 'memory limit of' --limit-memory 4 -e 'fabric.mesh.rectangle{ width=1, height=1, nx=30000, ny=30000 }'
 
 # C that never comes back to Lua: the last resort.
 for chunk in 'print(("a"):rep(3e4):find((".-"):rep(12) .. "b"))' \
@@ -110,7 +110,7 @@ if [ -d "$own" ]; then
   program=${program#env -u HOME }
 fi
 HOME=$root/home expect 1 'all of which the deck could change' --output "$root/home" -e 'x = 1'
-expect 2 'a number from 1 to 1e+09' --limit-memory 1e18 -e 'x = 1'
+expect 2 'a number from 4 to 1e+09' --limit-memory 1e18 -e 'x = 1'
 expect 2 "unknown option '--safe=no'" --safe=no
 [ "$before" = "$(secret_sum)" ] || { echo "FAILED: the secret folder has changed" && secret_sum && status=1; }
 exit $status

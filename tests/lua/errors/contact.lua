@@ -125,7 +125,7 @@ wrong("fabric.rigid.motion", "fabric.rigid.motion{ times={0} }",
 
 -- model:contact
 wrong("model:contact", "model:contact{ wrong=1 }",
-  "deck.lua:1: contact: unknown field 'wrong' (known: between self friction thickness stiffness settle)")
+  "deck.lua:1: contact: unknown field 'wrong' (known: between self friction thickness stiffness restitution settle)")
 wrong("model:contact", "model:contact{  }",
   "deck.lua:1: contact: field 'between': expected either between={...} or self=, got neither")
 wrong("model:contact", "model:contact{ between=5 }",
