@@ -8,6 +8,7 @@ local define = require "fabric.define"
 local fail = define.fail
 local assumed = require "fabric.assumed"
 local random = require "fabric.lab.random"
+local sorted = require "fabric.sorted"
 
 local level, boots = 0.95, 400
 
@@ -17,20 +18,10 @@ local function mean(list)
   return sum / #list
 end
 
-local function sorted_names(t)
-  local names = {}
-  for name in pairs(t) do names[#names + 1] = name end
-  table.sort(names)
-  return names
-end
-
 local function quantile(list, part)
-  local sorted = table.move(list, 1, #list, 1, {})
-  table.sort(sorted)
-  local place = 1 + part * (#sorted - 1)
-  local low = math.floor(place)
-  local next_one = sorted[math.min(low + 1, #sorted)]
-  return sorted[low] + (place - low) * (next_one - sorted[low])
+  local ascending = table.move(list, 1, #list, 1, {})
+  table.sort(ascending)
+  return sorted.quantile(ascending, part)
 end
 
 -- --- inputs: { name, put(p, i, set) }, which puts the value of draw i of set 1 or 2 into p
@@ -51,7 +42,6 @@ end
 
 -- What is assumed of the card, and what the deck adds. A range of factors is uniform in its logarithm.
 local function assumed_inputs(t, card, list)
-  local others = {}
   local function add(input, points)
     points.n = points.n + 1
     local place = points.n
@@ -64,9 +54,8 @@ local function assumed_inputs(t, card, list)
         if input.apply then p.changes[#p.changes + 1] = function(c) return input.apply(c, value) end end
       end }
   end
-  local all, left = {}, {}
-  if card then all, left = assumed.of(card) end
-  for _, name in ipairs(left) do others[#others + 1] = name end
+  local all, others = {}, {}
+  if card then all, others = assumed.of(card) end
   local by_name = {}
   for _, input in ipairs(all) do by_name[input.name] = input end
   for name, range in pairs(t.assumed or {}) do
@@ -98,12 +87,10 @@ local function question(card, values, used)
   end })
 end
 
-local function middle(t) return { mesh = t.mesh and t.mesh[1], step = t.steps and t.steps[1], specimen = 1, changes = {}, assumed = {} } end
-
-local function set_middle_of_added(t, values, list)
-  for name, range in pairs(t.assumed or {}) do
-    if not list[name] then values.assumed[name] = (range[1] + range[2]) / 2 end
-  end
+-- A run at the middle of everything: the card as it is, and of the ranges that the deck gives their middles.
+local function middle(t)
+  local values = { mesh = t.mesh and t.mesh[1], step = t.steps and t.steps[1], specimen = 1, changes = {}, assumed = {} }
+  for name, range in pairs(t.assumed or {}) do values.assumed[name] = (range[1] + range[2]) / 2 end
   return values
 end
 
@@ -121,24 +108,23 @@ local function answer(t, values, used)
 end
 
 -- All runs: at the middle on each mesh and with each step, then A, B and A with input i of B for each sample.
-local function plan(t, inputs, set_middle)
+local function plan(t, inputs)
   local jobs = {}
-  local function add(values) jobs[#jobs + 1] = set_middle(values) end
   for i = 2, t.mesh and #t.mesh or 1 do
     local values = middle(t)
     values.mesh = t.mesh[i]
-    add(values)
+    jobs[#jobs + 1] = values
   end
   for i = 2, t.steps and #t.steps or 1 do
     local values = middle(t)
     values.step = t.steps[i]
-    add(values)
+    jobs[#jobs + 1] = values
   end
   local numerical = #jobs
   if #inputs > 0 then
     for i = 1, t.samples do
       for of_b = -1, #inputs do -- -1: A; 0: B; k: A with input k of B
-        local values = set_middle(middle(t))
+        local values = middle(t)
         for k, input in ipairs(inputs) do input.put(values, i, (of_b == 0 or of_b == k) and 2 or 1) end
         jobs[#jobs + 1] = values
       end
@@ -325,11 +311,8 @@ local function run(t)
   local used, inputs = {}, {}
   if t.card then band_inputs(t, t.card, inputs) end
   local not_varied = assumed_inputs(t, t.card, inputs)
-  local known = {}
-  for _, input in ipairs(inputs) do if input.why ~= "the deck" then known[input.name:match "^assumed%.(.*)$" or input.name] = true end end
-  local function set_middle(values) return set_middle_of_added(t, values, known) end
-  local base = answer(t, set_middle(middle(t)), used)
-  local names = sorted_names(base)
+  local base = answer(t, middle(t), used)
+  local names = sorted.keys(base)
   for _, kind in ipairs { "mesh", "steps" } do
     local name = kind == "steps" and "step" or kind
     if t[kind] and not used[name] then fail(("budget: field '%s': run(p) does not use p.%s"):format(kind, name)) end
@@ -339,7 +322,7 @@ local function run(t)
   end
   local result = { of = {}, value = {}, band = {}, contributions = {}, not_varied = not_varied, runs = 0, failed = 0, warnings = {} }
   if fabric.checking() then return result end
-  local jobs, numerical = plan(t, inputs, set_middle)
+  local jobs, numerical = plan(t, inputs)
   local before = define.log_end()
   local answers = #jobs > 0 and compute(t, jobs, names) or {}
   result.runs, result.warnings = #jobs + 1, define.warnings(before)

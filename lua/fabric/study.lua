@@ -3,13 +3,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local fail = define.fail
 local case_file = require "fabric.study_case"
-
-local function sorted_keys(t)
-  local keys = {}
-  for key in pairs(t) do keys[#keys + 1] = key end
-  table.sort(keys)
-  return keys
-end
+local sorted = require "fabric.sorted"
 
 local function check_value(path, value)
   local kind = type(value)
@@ -39,7 +33,7 @@ end
 -- All combinations of {a={1,2}, b={...}}: names in alphabetical order, the last one varies fastest.
 local function grid(lists)
   local cases = { {} }
-  for _, name in ipairs(sorted_keys(lists)) do
+  for _, name in ipairs(sorted.keys(lists)) do
     local values, more = lists[name], {}
     if type(name) ~= "string" or type(values) ~= "table" or #values == 0 then
       fail(("study: field 'parameters.%s': expected a list of values, got %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)))
@@ -228,7 +222,7 @@ local function collect(t, cases, troubles)
     for name in pairs(row.values or {}) do results[name] = true end
     study[i] = row
   end
-  study.parameters, study.results = sorted_keys(names), sorted_keys(results)
+  study.parameters, study.results = sorted.keys(names), sorted.keys(results)
   study.complete = study.missing == 0
   return study
 end

@@ -300,16 +300,7 @@ unsigned inverted(const ShellBatch& batch) {
 }
 
 unsigned astray(const ShellBatch& batch, double cosine, double bent) {
-  V3 x[3], d[3];
-  for (int a = 0; a < 3; ++a) {
-    x[a] = load3(batch.x, 3 * a);
-    d[a] = load3(batch.d, 3 * a);
-  }
-  const V3 normal = cross(x[1] - x[0], x[2] - x[0]);
-  Pack along = dot(d[0], normal), bend(0.0);
-  for (int a = 1; a < 3; ++a) along = min(along, dot(d[a], normal));
-  for (const auto& [i, j] : kEdge) bend = max(bend, abs(dot(x[j] - x[i], d[j] - d[i])));
-  return bits(leans(along, normal, cosine) | bends(bend, bent));
+  return astray(batch, kEdge, {1, 0, 2, 0}, cosine, bent);
 }
 
 }  // namespace

@@ -411,16 +411,7 @@ unsigned inverted(const Shell4Batch& batch) {
 }
 
 unsigned astray(const Shell4Batch& batch, double cosine, double bent) {
-  V3 x[4], d[4];
-  for (int a = 0; a < 4; ++a) {
-    x[a] = load3(batch.x, 3 * a);
-    d[a] = load3(batch.d, 3 * a);
-  }
-  const V3 normal = cross(x[2] - x[0], x[3] - x[1]);
-  Pack along = dot(d[0], normal), bend(0.0);
-  for (int a = 1; a < 4; ++a) along = min(along, dot(d[a], normal));
-  for (const auto& [i, j] : kEdge) bend = max(bend, abs(dot(x[j] - x[i], d[j] - d[i])));
-  return bits(leans(along, normal, cosine) | bends(bend, bent));
+  return astray(batch, kEdge, {2, 0, 3, 1}, cosine, bent);
 }
 
 }  // namespace

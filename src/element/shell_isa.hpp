@@ -413,6 +413,22 @@ inline PackMask leans(Pack along, V3 normal, double cosine) {
 }
 inline PackMask bends(Pack bend, double bent) { return bend * bend > Pack(16 * bent); }
 
+// Shell4Astray of an element whose normal, of any length, is the product of its diagonals: a - b and c - d.
+template <int corners>
+unsigned astray(const ShellBatch& batch, const int (&edges)[corners][2], const int (&diagonals)[4],
+                double cosine, double bent) {
+  V3 x[corners], d[corners];
+  for (int a = 0; a < corners; ++a) {
+    x[a] = load3(batch.x, 3 * a);
+    d[a] = load3(batch.d, 3 * a);
+  }
+  const V3 normal = cross(x[diagonals[0]] - x[diagonals[1]], x[diagonals[2]] - x[diagonals[3]]);
+  Pack along = dot(d[0], normal), bend(0.0);
+  for (int a = 1; a < corners; ++a) along = min(along, dot(d[a], normal));
+  for (const auto& [i, j] : edges) bend = max(bend, abs(dot(x[j] - x[i], d[j] - d[i])));
+  return bits(leans(along, normal, cosine) | bends(bend, bent));
+}
+
 // The batch before the last step, for the linear prediction of strains.
 inline ShellBatch before_step(const ShellBatch& batch) {
   ShellBatch before = batch;

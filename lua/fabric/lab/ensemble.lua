@@ -10,6 +10,7 @@ local fabric = require "fabric"
 local define = require "fabric.define"
 local check = require "fabric.lab.identify_check"
 local random = require "fabric.lab.random"
+local quantile = require("fabric.sorted").quantile
 local fail = define.fail
 
 local stretch = 2 -- a in the paper
@@ -133,12 +134,6 @@ local function time_of(means)
     if lag >= window * tau then break end
   end
   return math.max(1, tau)
-end
-
-local function quantile(sorted, part)
-  local place = 1 + part * (#sorted - 1)
-  local k = math.floor(place)
-  return k >= #sorted and sorted[#sorted] or sorted[k] + (place - k) * (sorted[k + 1] - sorted[k])
 end
 
 -- Mean, standard deviation, band and samples of every parameter, and their correlations.
